@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The ridge graph of a mesh: what extraction returns, what io writes, what a certificate claims.
+#include <cstdint>
+#include <vector>
+
+#include "kernel/geometry/monge_form.hpp"
+#include "kernel/geometry/triangle_mesh.hpp"
+
+namespace crest::ridges {
+
+using kernel::Index;
+using kernel::Vec3;
+
+/// Blue: k1, the larger principal curvature; red: k2 (paper 002, section 3).
+enum class Colour : std::uint8_t { blue = 0, red = 1 };
+
+/// Elliptic: maximum of k1 or minimum of k2 (P < 0). Hyperbolic: the other extremum (P > 0).
+/// Turning: a segment whose two ends differ; flat: P is exactly zero; undecided: third-order rule
+/// with a tie.
+enum class RidgeType : std::uint8_t { flat = 0, elliptic = 1, hyperbolic = 2, turning = 3 };
+
+/// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).
+struct Crossing {
+  Index edge;
+  double weight;        ///< the point is (1 - weight) p + weight q
+  Vec3 point;           ///< units of the input
+  RidgeType type;       ///< exact sign of the interpolated P: flat, elliptic or hyperbolic
+  double k1, k2;        ///< interpolated curvatures
+  double b;             ///< |b0| or |b3|, mean of the two ends: how steep the zero crossing is
+  double p;             ///< interpolated P1 (blue) or P2 (red)
+};
+
+/// What a ridge's end rests on.
+enum class EndKind : std::uint8_t { none = 0, umbilic = 1, boundary = 2 };
+struct RidgeEnd {
+  EndKind kind = EndKind::none;
+  Index umbilic = kernel::kNone;  ///< index into RidgeGraph::umbilics
+};
+
+/// A ridge of one colour: a loop (both ends none; the last crossing is joined to the first) or a
+/// segment from ends[0] to ends[1].
+struct Ridge {
+  Colour colour;
+  bool loop;
+  RidgeEnd ends[2];
+  std::vector<Crossing> crossings;       ///< in order; at least 1, at least 3 in a loop
+  std::vector<RidgeType> third_order;    ///< per segment between consecutive crossings (and closing
+                                         ///< one in a loop): the det rule of section 5.3
+  std::vector<Vec3> lead_in, lead_out;   ///< points drawn in the umbilic patch before the first and
+                                         ///< after the last crossing, centre included
+  double length = 0, elliptic_length = 0, hyperbolic_length = 0;
+  double strength = 0;                   ///< integral of |k1| (blue) or |k2| (red); no unit
+  double sharpness = 0;                  ///< integral of |P / (k1 - k2)|; scale-independent
+  std::size_t segment_count() const {
+    return crossings.size() - (loop ? 0u : 1u);
+  }
+  /// Fourth-order type of the segment after crossing i: that of its ends, or turning.
+  RidgeType fourth_order(std::size_t i) const {
+    const RidgeType a = crossings[i].type, b = crossings[(i + 1) % crossings.size()].type;
+    return a == b ? a : RidgeType::turning;
+  }
+};
+
+/// 1-ridge (hyperbolic) or 3-ridge (elliptic) by the sign of the cubic form's discriminant.
+enum class UmbilicKind : std::uint8_t { degenerate = 0, one_ridge = 1, three_ridge = 3 };
+
+/// An umbilic: a disk of triangles whose contour the principal directions wind around.
+struct Umbilic {
+  Index face;                ///< the triangle holding it
+  Vec3 point;                ///< its centroid
+  int twice_index;           ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
+  UmbilicKind kind;
+  bool coherent;             ///< the patch's contour has 1 or 3 crossings, as many blue as red
+  std::vector<Index> patch;  ///< faces, ascending; a topological disk
+  Index border_crossings[2]; ///< blue and red crossings of its contour
+};
+
+/// Faces of non-zero index, before grouping into patches.
+struct FaceIndex {
+  Index face;
+  int twice_index;
+};
+
+struct StageCounts {
+  std::uint64_t calls = 0, interval = 0, exact = 0, symbolic = 0;
+};
+
+struct RidgeGraph {
+  std::vector<Ridge> ridges;             ///< blue first; within a colour by smallest edge
+  std::vector<Umbilic> umbilics;         ///< by face
+  std::vector<FaceIndex> face_indices;   ///< by face; only non-zero ones
+  Index conflict_triangles = 0;          ///< triangles with 1 or 3 crossings (section 7.1)
+  Index ambiguous_edges = 0;             ///< principal pairs at exactly 90 degrees
+  Index zero_extremalities[2] = {0, 0};  ///< vertices with b0 (b3) exactly zero
+  int twice_index_sum = 0;
+};
+
+}  // namespace crest::ridges

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One library a folder, with the flags every part of Crest is built with.
+
+# FMA contraction breaks error bounds and determinism (docs/conventions.md).
+add_library(crest_flags INTERFACE)
+target_compile_options(crest_flags INTERFACE
+  -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
+add_library(Crest::flags ALIAS crest_flags)
+
+# Interval arithmetic changes the rounding mode: no constant folding across it.
+add_library(crest_rounding INTERFACE)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(crest_rounding INTERFACE -frounding-math)
+else()
+  target_compile_options(crest_rounding INTERFACE -frounding-math -Wno-overriding-t-option)
+endif()
+
+# crest_library(<name> SOURCES ... LINK ... [ROUNDING])
+function(crest_library name)
+  cmake_parse_arguments(ARG "ROUNDING" "" "SOURCES;LINK" ${ARGN})
+  add_library(crest_${name} STATIC ${ARG_SOURCES})
+  add_library(Crest::${name} ALIAS crest_${name})
+  target_include_directories(crest_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/crest>)
+  target_compile_features(crest_${name} PUBLIC cxx_std_20)
+  target_link_libraries(crest_${name} PUBLIC ${ARG_LINK} PRIVATE $<BUILD_INTERFACE:crest_flags>)
+  if(ARG_ROUNDING)
+    target_link_libraries(crest_${name} PRIVATE $<BUILD_INTERFACE:crest_rounding>)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY CREST_LIBRARIES crest_${name})
+endfunction()
+
+function(crest_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} crest_flags)
+endfunction()
