@@ -7,10 +7,12 @@
 
 #include "kernel/geometry/monge_form.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/predicates/ladder.hpp"
 
 namespace crest::ridges {
 
 using kernel::Index;
+using kernel::StageCounts;
 using kernel::Vec3;
 
 /// Blue: k1, the larger principal curvature; red: k2 (paper 002, section 3).
@@ -24,12 +26,12 @@ enum class RidgeType : std::uint8_t { flat = 0, elliptic = 1, hyperbolic = 2, tu
 /// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).
 struct Crossing {
   Index edge;
-  double weight;        ///< the point is (1 - weight) p + weight q
-  Vec3 point;           ///< units of the input
-  RidgeType type;       ///< exact sign of the interpolated P: flat, elliptic or hyperbolic
-  double k1, k2;        ///< interpolated curvatures
-  double b;             ///< |b0| or |b3|, mean of the two ends: how steep the zero crossing is
-  double p;             ///< interpolated P1 (blue) or P2 (red)
+  double weight;   ///< the point is (1 - weight) p + weight q
+  Vec3 point;      ///< units of the input
+  RidgeType type;  ///< exact sign of the interpolated P: flat, elliptic or hyperbolic
+  double k1, k2;   ///< interpolated curvatures
+  double b;        ///< |b0| or |b3|, mean of the two ends: how steep the zero crossing is
+  double p;        ///< interpolated P1 (blue) or P2 (red)
 };
 
 /// What a ridge's end rests on.
@@ -45,17 +47,15 @@ struct Ridge {
   Colour colour;
   bool loop;
   RidgeEnd ends[2];
-  std::vector<Crossing> crossings;       ///< in order; at least 1, at least 3 in a loop
-  std::vector<RidgeType> third_order;    ///< per segment between consecutive crossings (and closing
-                                         ///< one in a loop): the det rule of section 5.3
-  std::vector<Vec3> lead_in, lead_out;   ///< points drawn in the umbilic patch before the first and
-                                         ///< after the last crossing, centre included
+  std::vector<Crossing> crossings;      ///< in order; at least 1, at least 3 in a loop
+  std::vector<RidgeType> third_order;   ///< per segment between consecutive crossings (and closing
+                                        ///< one in a loop): the det rule of section 5.3
+  std::vector<Vec3> lead_in, lead_out;  ///< points drawn in the umbilic patch before the first and
+                                        ///< after the last crossing, centre included
   double length = 0, elliptic_length = 0, hyperbolic_length = 0;
-  double strength = 0;                   ///< integral of |k1| (blue) or |k2| (red); no unit
-  double sharpness = 0;                  ///< integral of |P / (k1 - k2)|; scale-independent
-  std::size_t segment_count() const {
-    return crossings.size() - (loop ? 0u : 1u);
-  }
+  double strength = 0;   ///< integral of |k1| (blue) or |k2| (red); no unit
+  double sharpness = 0;  ///< integral of |P / (k1 - k2)|; scale-independent
+  std::size_t segment_count() const { return crossings.size() - (loop ? 0u : 1u); }
   /// Fourth-order type of the segment after crossing i: that of its ends, or turning.
   RidgeType fourth_order(std::size_t i) const {
     const RidgeType a = crossings[i].type, b = crossings[(i + 1) % crossings.size()].type;
@@ -68,23 +68,19 @@ enum class UmbilicKind : std::uint8_t { degenerate = 0, one_ridge = 1, three_rid
 
 /// An umbilic: a disk of triangles whose contour the principal directions wind around.
 struct Umbilic {
-  Index face;                ///< the triangle holding it
-  Vec3 point;                ///< its centroid
-  int twice_index;           ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
+  Index face;       ///< the triangle holding it
+  Vec3 point;       ///< its centroid
+  int twice_index;  ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
   UmbilicKind kind;
-  bool coherent;             ///< the patch's contour has 1 or 3 crossings, as many blue as red
-  std::vector<Index> patch;  ///< faces, ascending; a topological disk
-  Index border_crossings[2]; ///< blue and red crossings of its contour
+  bool coherent;              ///< the patch's contour has 1 or 3 crossings, as many blue as red
+  std::vector<Index> patch;   ///< faces, ascending; a topological disk
+  Index border_crossings[2];  ///< blue and red crossings of its contour
 };
 
 /// Faces of non-zero index, before grouping into patches.
 struct FaceIndex {
   Index face;
   int twice_index;
-};
-
-struct StageCounts {
-  std::uint64_t calls = 0, interval = 0, exact = 0, symbolic = 0;
 };
 
 struct RidgeGraph {

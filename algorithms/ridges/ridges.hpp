@@ -16,26 +16,26 @@ namespace crest::ridges {
 
 /// How the Monge forms are estimated (jet fitting, Cazals and Pouget 2003).
 struct FitOptions {
-  int rings = 0;             ///< rings of neighbours; 0: grow until min_points
-  int min_points = 30;       ///< used when rings == 0
-  double scale = 0;          ///< radius of the support in units of the input; 0: by rings
-  bool auto_scale = false;   ///< choose the support so that b0's estimated error is under its signal
-  int smooth = 0;            ///< smoothing steps of the extremalities
-  int degree = 4;            ///< of the fitted polynomial, 3 or 4
+  int rings = 0;            ///< rings of neighbours; 0: grow until min_points
+  int min_points = 30;      ///< used when rings == 0
+  double scale = 0;         ///< radius of the support in units of the input; 0: by rings
+  bool auto_scale = false;  ///< choose the support so that b0's estimated error is under its signal
+  int smooth = 0;           ///< smoothing steps of the extremalities
+  int degree = 4;           ///< of the fitted polynomial, 3 or 4
 };
 
 /// How well a vertex's fit is determined.
 struct FitQuality {
-  double condition;          ///< of the scaled least-squares system, estimated from R
-  std::uint16_t points;      ///< neighbours used
-  std::uint8_t degree;       ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
-  double b_error;            ///< estimated standard error of b0, b3 (residual of the fit, propagated)
+  double condition;      ///< of the scaled least-squares system, estimated from R
+  std::uint16_t points;  ///< neighbours used
+  std::uint8_t degree;   ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
+  double b_error;        ///< estimated standard error of b0, b3 (residual of the fit, propagated)
 };
 
 struct FitResult {
-  std::vector<kernel::MongeForm> forms;   ///< V
-  std::vector<FitQuality> quality;        ///< V
-  double scale = 0;                       ///< support radius used with scale or auto_scale, else 0
+  std::vector<kernel::MongeForm> forms;  ///< V
+  std::vector<FitQuality> quality;       ///< V
+  double scale = 0;                      ///< support radius used with scale or auto_scale, else 0
 };
 
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.
@@ -46,8 +46,9 @@ using PredicateReport = std::vector<std::pair<std::string, StageCounts>>;
 
 /// How patches around umbilics are grown (section 8.1).
 struct GraphOptions {
-  double umbilic_patch = 3;  ///< patch size, a multiple of the one-ring's greatest grade; 0: one face
-  bool guarded = true;       ///< false: plain double decides (only to measure what exactness costs)
+  double umbilic_patch =
+      3;                ///< patch size, a multiple of the one-ring's greatest grade; 0: one face
+  bool guarded = true;  ///< false: plain double decides (only to measure what exactness costs)
 };
 
 /// Section 8.2, the paper's method: minima of k1 - k2 over their patch, index on the contour.

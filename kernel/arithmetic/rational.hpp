@@ -7,7 +7,7 @@
 namespace crest::kernel {
 
 /// Expression templates are off so that templated formulas may use auto.
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
 
 }  // namespace crest::kernel

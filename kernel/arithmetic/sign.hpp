@@ -12,7 +12,9 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 /// A stage's answer. Empty means "not decided"; Sign::zero means exactly zero.
 using MaybeSign = std::optional<Sign>;
 
-constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+constexpr Sign operator-(Sign s) {
+  return static_cast<Sign>(-static_cast<int>(s));
+}
 constexpr Sign operator*(Sign a, Sign b) {
   return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
 }

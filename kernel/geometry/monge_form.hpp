@@ -35,7 +35,11 @@ template <class T>
 T red_p(const T& k1, const T& k2, const T& b2, const T& c4) {
   return T(3) * b2 * b2 + (k2 - k1) * (c4 - T(3) * k2 * k2 * k2);
 }
-inline double blue_p(const MongeForm& m) { return blue_p(m.k1, m.k2, m.b1, m.c0); }
-inline double red_p(const MongeForm& m) { return red_p(m.k1, m.k2, m.b2, m.c4); }
+inline double blue_p(const MongeForm& m) {
+  return blue_p(m.k1, m.k2, m.b1, m.c0);
+}
+inline double red_p(const MongeForm& m) {
+  return red_p(m.k1, m.k2, m.b2, m.c4);
+}
 
 }  // namespace crest::kernel
