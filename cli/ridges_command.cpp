@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest ridges: ridges and umbilics of a triangle mesh, with a certificate.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "algorithms/ridges/certificate.hpp"
+#include "algorithms/ridges/ridges.hpp"
+#include "certify/certificate.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/references.hpp"
+#include "cli/report.hpp"
+#include "cli/ridges_report.hpp"
+#include "io/atomic_file.hpp"
+#include "io/mesh_reader.hpp"
+#include "io/picture.hpp"
+#include "io/ridge_writer.hpp"
+#include "kernel/arithmetic/self_test.hpp"
+
+namespace crest::cli {
+namespace {
+
+struct RidgesOptions {
+  CommonOptions common;
+  ridges::FitOptions fit;
+  ridges::GraphOptions graph;
+  ridges::FilterOptions filter;
+  std::string scale;
+  int order = 4;
+};
+
+void add_ridges_options(CLI::App& app, RidgesOptions& o) {
+  const CLI::Range not_negative(0.0, 1e300);
+  auto* rings = app.add_option("--rings", o.fit.rings,
+                               "rings of neighbours a fit uses (default: until 30 points)");
+  rings->check(CLI::Range(1, 100))->type_name("N");
+  app.add_option("--scale", o.scale,
+                 "radius of a fit's support in units of the input, or auto: from the noise")
+      ->type_name("auto|R")
+      ->excludes(rings);
+  app.add_option("--smooth", o.fit.smooth, "smoothing steps of the extremalities (default 0)")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
+  app.add_option("--order", o.order,
+                 "rule that types the ridges: third or fourth order (default 4)")
+      ->check(CLI::IsMember({3, 4}))
+      ->type_name("3|4");
+  app.add_option("--umbilic-patch", o.graph.umbilic_patch,
+                 "size of umbilic patches in one-rings (default 3)")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("K");
+  app.add_option("--min-sharpness", o.filter.min_sharpness, "drop ridges below it (no unit)")
+      ->check(not_negative)
+      ->type_name("S");
+  app.add_option("--min-strength", o.filter.min_strength, "drop ridges below it (no unit)")
+      ->check(not_negative)
+      ->type_name("S");
+  app.add_option("--min-length", o.filter.min_length, "drop shorter ridges (units of the input)")
+      ->check(not_negative)
+      ->type_name("L");
+  app.add_flag("--crest-only", o.filter.crest_only,
+               "keep crest lines: elliptic, and of the larger curvature");
+}
+
+/// --scale auto|R into the fit's options.
+void set_scale(RidgesOptions& o) {
+  if (o.scale.empty()) return;
+  if (o.scale == "auto") {
+    o.fit.auto_scale = true;
+    return;
+  }
+  const char* end = o.scale.data() + o.scale.size();
+  const auto [stop, error] = std::from_chars(o.scale.data(), end, o.fit.scale);
+  if (error != std::errc() || stop != end || !(o.fit.scale > 0) || !std::isfinite(o.fit.scale)) {
+    throw UsageError("--scale: " + o.scale + " is neither auto nor a positive number");
+  }
+}
+
+void announce_outputs(const CommonOptions& common, Outputs& outputs) {
+  outputs.add("-o", common.output, {".vtp", ".obj", ".ply"});
+  outputs.add("--picture", common.picture, {".svg", ".png"});
+  outputs.add("--certificate", common.certificate);
+  outputs.add("--report", common.report);
+}
+
+void warn_about_fit(const ridges::FitResult& fit, int degree, Report& report) {
+  std::size_t lowered = 0;
+  for (const ridges::FitQuality& q : fit.quality) lowered += q.degree < degree ? 1 : 0;
+  if (lowered > 0) {
+    report.warn(
+        fmt::format("{} vertices were fitted with a lower degree (too few or badly placed "
+                    "neighbours)",
+                    lowered));
+  }
+}
+
+std::vector<std::string> used_references(const RidgesOptions& o) {
+  std::vector<std::string> keys = {"cazals2004ridges", "cazals2003jets", "knoeppel2013globally",
+                                   "broennimann2001interval"};
+  if (o.fit.smooth > 0) keys.push_back("hildebrandt2005smooth");
+  if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
+  keys.push_back("cgal");
+  return keys;
+}
+
+/// Warnings on stderr, then the summary and the references on stdout.
+void talk(const RidgesOptions& o, const RidgesRun& run, Report& report) {
+  if (!o.common.quiet) {
+    for (const auto& warning : report.json()["warnings"]) {
+      std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
+    }
+    std::string text = summary_text(run);
+    if (!o.common.certificate.empty()) {
+      text += fmt::format("certificate: written (crest-verify {})\n", o.common.certificate);
+    }
+    text += fmt::format("time: {:.3g} s\n", report.elapsed());
+    std::fputs(text.c_str(), stdout);
+  }
+  if (o.common.cite) std::fputs(bibtex(used_references(o)).c_str(), stdout);
+}
+
+int run_ridges(RidgesOptions& o) {
+  set_scale(o);
+  Outputs outputs;
+  announce_outputs(o.common, outputs);
+  if (outputs.wanted("--certificate")) {
+    try {
+      kernel::require_sound_floating_point();
+    } catch (const std::runtime_error& error) {
+      std::fprintf(stderr, "crest ridges: cannot certify: %s\n", error.what());
+      return kNotCertified;
+    }
+  }
+  const ThreadLimit limit(o.common.threads);
+  Progress progress(o.common.quiet);
+  Report report("ridges", o.common.input, limit.threads());
+
+  progress.show("reading " + o.common.input);
+  io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
+  for (const std::string& warning : file.warnings) report.warn(warning);
+  const kernel::TriangleMesh& mesh = file.mesh;
+
+  progress.show("fitting Monge forms");
+  const ridges::FitResult fit =
+      report.timed("fit", [&] { return ridges::fit_monge_forms(mesh, o.fit); });
+  warn_about_fit(fit, o.fit.degree, report);
+
+  progress.show("extracting ridges and umbilics");
+  ridges::PredicateReport predicates;
+  ridges::RidgeGraph graph = report.timed("extract", [&] {
+    return ridges::extract_ridge_graph(mesh, fit.forms, o.graph, &predicates);
+  });
+
+  progress.show("composing the certificate");
+  const certify::Bytes certificate = report.timed("certificate", [&] {
+    return certify::encode(ridges::make_certificate(mesh, fit.forms, graph));
+  });
+  const std::string digest = certify::hex(certify::data_digest(certificate));
+  if (outputs.wanted("--report")) {
+    add_paper_umbilics(report, report.timed("paper_umbilics", [&] {
+      return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
+    }));
+  }
+  const ridges::FilterReport dropped =
+      report.timed("filter", [&] { return ridges::filter(graph, o.filter); });
+  const RidgesRun run{mesh, fit, graph, dropped, predicates, o.order, digest};
+
+  progress.show("writing");
+  report.timed("write", [&] {
+    outputs.write(
+        "-o", [&](const std::string& path) { io::write_ridges(path, mesh, fit, graph, digest); });
+    outputs.write("--picture", [&](const std::string& path) {
+      io::PictureOptions picture;
+      picture.order = o.order;
+      io::write_picture(path, mesh, graph, picture);
+    });
+    outputs.write("--certificate", [&](const std::string& path) {
+      certify::write_file(path, certificate);
+      report.set_certificate("ridges-mesh");
+    });
+  });
+  fill_report(report, run);
+  outputs.write("--report",
+                [&](const std::string& path) { io::write_atomically(path, report.text()); });
+  outputs.commit();
+  progress.clear();
+  talk(o, run, report);
+  return kDone;
+}
+
+std::function<int()> add_ridges(CLI::App& app) {
+  auto options = std::make_shared<RidgesOptions>();
+  add_common_options(app, options->common, "triangle mesh (.off .obj .ply .stl .vtp)",
+                     "ridges and umbilics as polylines (.vtp .obj .ply)");
+  add_ridges_options(app, *options);
+  return [options] { return run_ridges(*options); };
+}
+
+}  // namespace
+
+extern const Command ridges_command;
+const Command ridges_command = {
+    "ridges",
+    "ridges and umbilics of a triangle mesh",
+    add_ridges,
+    {"crest ridges ellipsoid.off -o ellipsoid.vtp --picture ellipsoid.svg",
+     "crest ridges ellipsoid.off --certificate ellipsoid.crest --report ellipsoid.json"}};
+
+}  // namespace crest::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Triangle meshes to files.
+#include <string>
+#include <vector>
+
+#include "kernel/geometry/triangle_mesh.hpp"
+
+namespace crest::io {
+
+/// Writes OFF or OBJ, by the extension in any case. Numbers are the shortest decimals that read
+/// back as the same doubles. Shapes: V points, F faces with indices below V.
+/// Throws: kernel::InputError for another extension or a place that cannot be written.
+void write_mesh(const std::string& path, const std::vector<kernel::Vec3>& points,
+                const std::vector<kernel::Triangle>& faces);
+
+}  // namespace crest::io
