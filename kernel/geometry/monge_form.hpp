@@ -2,7 +2,8 @@
 #pragma once
 
 // The Monge form of a surface at a point (paper 002, equations 1 and 2).
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
+#include "kernel/predicates/crossing_type.hpp"
 
 namespace crest::kernel {
 
@@ -25,21 +26,20 @@ inline Vec3 minimal_direction(const MongeForm& m) {
           m.n[0] * m.d1[1] - m.n[1] * m.d1[0]};
 }
 
+inline RidgeEndData blue_end(const MongeForm& f) {
+  return {f.b0, f.k1, f.k2, f.b1, f.c0};
+}
+inline RidgeEndData red_end(const MongeForm& f) {
+  return {f.b3, f.k2, f.k1, f.b2, f.c4};
+}
+
 /// P1 = 3 b1^2 + (k1 - k2)(c0 - 3 k1^3): along the blue line k1'' = P1 / (k1 - k2) (equation 3).
-template <class T>
-T blue_p(const T& k1, const T& k2, const T& b1, const T& c0) {
-  return T(3) * b1 * b1 + (k1 - k2) * (c0 - T(3) * k1 * k1 * k1);
+inline double blue_p(const MongeForm& f) {
+  return InterpolatedP::end_p<double>(blue_end(f));
 }
 /// P2 = 3 b2^2 + (k2 - k1)(c4 - 3 k2^3): along the red line k2'' = P2 / (k2 - k1).
-template <class T>
-T red_p(const T& k1, const T& k2, const T& b2, const T& c4) {
-  return T(3) * b2 * b2 + (k2 - k1) * (c4 - T(3) * k2 * k2 * k2);
-}
-inline double blue_p(const MongeForm& m) {
-  return blue_p(m.k1, m.k2, m.b1, m.c0);
-}
-inline double red_p(const MongeForm& m) {
-  return red_p(m.k1, m.k2, m.b2, m.c4);
+inline double red_p(const MongeForm& f) {
+  return InterpolatedP::end_p<double>(red_end(f));
 }
 
 }  // namespace crest::kernel

@@ -145,11 +145,13 @@ void TriangleMesh::build_rings() {
     ring_begin_[v + 1] = ring_begin_[v] + degree[v] + boundary_vertex_[v];
   }
   ring_.resize(ring_begin_[n]);
+  fan_.resize(ring_begin_[n], kNone);
   for (Index v = 0; v < n; ++v) {
     Index f = start[v], at = ring_begin_[v], seen = 0;
     do {
       const Triangle& t = faces_[f];
       const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      fan_[at] = f;
       ring_[at++] = t[(k + 1) % 3];
       ++seen;
       const Index next = neighbor(f, static_cast<int>((k + 2) % 3));

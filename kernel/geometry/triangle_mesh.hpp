@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "kernel/arithmetic/vec3.hpp"
+
 namespace crest::kernel {
 
-using Vec3 = std::array<double, 3>;
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 inline constexpr Index kNone = 0xffffffffu;
@@ -54,6 +55,11 @@ class TriangleMesh {
   std::span<const Index> ring(Index v) const {
     return {ring_.data() + ring_begin_[v], ring_.data() + ring_begin_[v + 1]};
   }
+  /// The faces of that fan: fan(v)[j] has corners v, ring(v)[j], ring(v)[j + 1] (cyclically).
+  std::span<const Index> fan(Index v) const {
+    return {fan_.data() + ring_begin_[v],
+            fan_.data() + ring_begin_[v + 1] - (on_boundary(v) ? 1 : 0)};
+  }
   bool on_boundary(Index v) const { return boundary_vertex_[v] != 0; }
   Index boundary_loops() const { return boundary_loops_; }
   Index components() const { return components_; }
@@ -72,7 +78,7 @@ class TriangleMesh {
   std::vector<Triangle> faces_;
   std::vector<Edge> edges_;
   std::vector<std::array<Index, 3>> face_edges_;
-  std::vector<Index> ring_, ring_begin_;
+  std::vector<Index> ring_, fan_, ring_begin_;  // fan_ has a gap after a boundary fan
   std::vector<std::uint8_t> boundary_vertex_;
   Index boundary_loops_ = 0, components_ = 0;
 };

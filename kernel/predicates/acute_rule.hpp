@@ -15,7 +15,7 @@
 // Not true: transitivity (the product around a triangle is negative exactly at a conflict
 // triangle); rotation invariance at exactly 90 degrees; agreement with orientation by continuity
 // (the paper's figures 10 and 12; measured in experiments/002-ridges).
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 #include "kernel/predicates/ladder.hpp"
 #include "kernel/predicates/symbolic.hpp"
 

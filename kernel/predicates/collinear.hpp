@@ -7,7 +7,7 @@
 // Laws. (1) symmetric in its arguments. (2) true when two are equal. (3) invariant under scaling
 // by powers of two (barring overflow). Not true: that a false answer makes the triangle well
 // shaped.
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 #include "kernel/predicates/ladder.hpp"
 
 namespace crest::kernel {

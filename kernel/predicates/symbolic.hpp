@@ -6,7 +6,7 @@
 // Every rule is odd in each frame (negating d1 negates the answer), so the graph does not depend on
 // the arbitrary signs of the stored frames, and symmetric in an edge's ends, so both triangles of
 // an edge see the same answer. The order of the coordinates x, y, z is the only convention.
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 #include "kernel/predicates/ladder.hpp"
 
 namespace crest::kernel {

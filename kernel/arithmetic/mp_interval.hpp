@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Intervals on MPFR with directed rounding: every operation encloses the exact results for all
+// points of its operands. Independent of the processor's rounding mode, of FMA and of flags.
+//
+// Precision is a run-time property of each interval, in bits; a result has the larger precision of
+// its operands. Endpoints may be infinite: an operation without a bounded enclosure (division by an
+// interval that holds zero) gives the whole line.
+#include <mpfr.h>
+
+#include "kernel/arithmetic/rational.hpp"
+#include "kernel/arithmetic/sign.hpp"
+
+namespace crest::kernel {
+
+class MpInterval {
+ public:
+  /// The point zero.
+  explicit MpInterval(mpfr_prec_t bits = 64);
+  /// The point x (exact if bits >= 53). Requires: x finite; otherwise the whole line.
+  MpInterval(double x, mpfr_prec_t bits);
+  MpInterval(const MpInterval& other);
+  MpInterval(MpInterval&& other) noexcept;
+  MpInterval& operator=(MpInterval other) noexcept;
+  ~MpInterval();
+
+  /// An enclosure one unit in the last place wide.
+  static MpInterval from(const Rational& x, mpfr_prec_t bits);
+  static MpInterval pi(mpfr_prec_t bits);
+  static MpInterval whole(mpfr_prec_t bits);
+
+  mpfr_prec_t precision() const { return mpfr_get_prec(low_); }
+  /// Doubles rounded outward.
+  double lower() const { return mpfr_get_d(low_, MPFR_RNDD); }
+  double upper() const { return mpfr_get_d(high_, MPFR_RNDU); }
+  /// An upper bound of the width.
+  double width() const;
+  bool contains(const Rational& x) const;
+  bool contains_zero() const;
+
+  MpInterval operator-() const;
+  friend MpInterval operator+(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator-(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator*(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator/(const MpInterval& a, const MpInterval& b);
+  /// Square roots of the non-negative points of a; zero if there are none.
+  friend MpInterval sqrt(const MpInterval& a);
+  /// The arguments of all points (x, y), modulo 2 pi: continuous across the negative x-axis, where
+  /// the result holds pi and may exceed it. A box that holds the origin gives an interval that
+  /// encloses [-pi, pi].
+  friend MpInterval atan2(const MpInterval& y, const MpInterval& x);
+  /// The sign of every point of a, or nothing if a holds points of different signs.
+  friend MaybeSign certain_sign(const MpInterval& a);
+
+ private:
+  void widen_if_undefined();
+  mpfr_t low_;
+  mpfr_t high_;
+};
+
+}  // namespace crest::kernel

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/predicates/rotation.hpp"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "kernel/arithmetic/mp_interval.hpp"
+#include "kernel/arithmetic/rational.hpp"
+
+namespace crest::kernel {
+namespace {
+
+constexpr mpfr_prec_t kBits = 256;
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+template <class T>
+using V = std::array<T, 3>;
+
+template <class T>
+V<T> cross(const V<T>& a, const V<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class T>
+T dot(const V<T>& a, const V<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// (x, y) of certify/SPEC.md: the direction d1 seen from the edge e in the plane across n.
+template <class T>
+std::pair<T, T> seen_from(const V<T>& e, const V<T>& n, const V<T>& d1) {
+  const V<T> ne = cross(n, e);
+  return {dot(ne, cross(n, d1)), dot(ne, d1)};
+}
+
+V<double> difference(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+V<Rational> exact_difference(const Vec3& a, const Vec3& b) {
+  return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]),
+          Rational(a[2]) - Rational(b[2])};
+}
+V<Rational> exact(const Vec3& a) {
+  return {Rational(a[0]), Rational(a[1]), Rational(a[2])};
+}
+
+bool comfortable(double x) {
+  return x > 1e-140 && x < 1e140;
+}
+
+// Angle between two edge vectors; its error is below kArgumentError + 16 u when the lengths are
+// comfortable: cross and dot product err by at most 6 u times the product of the lengths.
+double corner_angle(const Vec3& a, const Vec3& b) {
+  const Vec3 c = cross(a, b);
+  return argument(std::sqrt(dot(c, c)), dot(a, b));
+}
+
+// The reference neighbour of phi and its angle to d1, in double; error kUnknown if not certain.
+struct Reference {
+  std::size_t k = 0;
+  double angle = 0, error = 0;
+};
+Reference triage_reference(const Star& star) {
+  const Vec3 e = difference(star.ring[0], star.centre);
+  const auto [x, y] = seen_from<double>(e, star.n, star.d1);
+  // Every term of x and y is at most |n|^2 |e| |d1| (y has one n: |n| is within 1e-6 of 1 here).
+  const double n2 = dot(star.n, star.n), d2 = dot(star.d1, star.d1), e2 = dot(e, e);
+  const double size = std::sqrt(e2);
+  const double length = std::sqrt(x * x + y * y);
+  if (std::fabs(n2 - 1) > 1e-6 || std::fabs(d2 - 1) > 1e-6 || !comfortable(size))
+    return {0, 0, kUnknown};
+  const double slip = 64 * kUnitRoundoff * size;
+  if (!(length > 1e6 * slip)) return {0, 0, kUnknown};
+  // A displacement of at most 2 slip at distance length turns the argument by less than 4
+  // slip/length.
+  return {0, argument(y, x), kArgumentError + 4 * slip / length};
+}
+
+// The first neighbour with (x, y) != (0, 0), decided exactly; ring.size() if there is none.
+std::size_t exact_reference(const Star& star) {
+  const V<Rational> n = exact(star.n), d1 = exact(star.d1);
+  for (std::size_t k = 0; k < star.ring.size(); ++k) {
+    const auto [x, y] = seen_from(exact_difference(star.ring[k], star.centre), n, d1);
+    if (x != 0 || y != 0) return k;
+  }
+  return star.ring.size();
+}
+
+MpInterval mp(const Rational& x) {
+  return MpInterval::from(x, kBits);
+}
+
+struct MpStar {
+  std::vector<MpInterval> position;
+  MpInterval phi{kBits};
+};
+
+MpStar mp_star(const Star& star) {
+  const std::size_t n = star.ring.size(), faces = star.closed ? n : n - 1;
+  std::vector<MpInterval> angle;
+  MpInterval sum(0.0, kBits);
+  for (std::size_t j = 0; j < faces; ++j) {
+    const V<Rational> a = exact_difference(star.ring[j], star.centre);
+    const V<Rational> b = exact_difference(star.ring[(j + 1) % n], star.centre);
+    const V<Rational> c = cross(a, b);
+    angle.push_back(atan2(sqrt(mp(dot(c, c))), mp(dot(a, b))));
+    sum = sum + angle.back();
+  }
+  MpStar result;
+  MpInterval at(0.0, kBits);
+  const MpInterval turn = MpInterval(2.0, kBits) * MpInterval::pi(kBits);
+  for (std::size_t j = 0; j < n; ++j) {
+    result.position.push_back(star.closed ? turn * at / sum : at);
+    if (j < faces) at = at + angle[j];
+  }
+  const std::size_t k = exact_reference(star);
+  if (k == n) {
+    result.phi = MpInterval(0.0, kBits);
+    return result;
+  }
+  const auto [x, y] =
+      seen_from(exact_difference(star.ring[k], star.centre), exact(star.n), exact(star.d1));
+  result.phi = result.position[k] + atan2(mp(y), mp(x));
+  return result;
+}
+
+}  // namespace
+
+StarAngles star_angles(const Star& star, std::span<double> position, std::span<double> corner) {
+  const std::size_t n = star.ring.size(), faces = star.closed ? n : n - 1;
+  double sum = 0, shortest = HUGE_VAL, longest = 0;
+  Vec3 a = difference(star.ring[0], star.centre);
+  const Vec3 first = a;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec3 b = j + 1 < n ? difference(star.ring[j + 1], star.centre) : first;
+    const double l = dot(a, a);
+    shortest = std::min(shortest, l);
+    longest = std::max(longest, l);
+    position[j] = sum;
+    if (j < faces) {
+      corner[j] = corner_angle(a, b);
+      sum += corner[j];
+    }
+    a = b;
+  }
+  const double count = static_cast<double>(faces);
+  const double raw_error = count * (kArgumentError + 1e-14);
+  const Reference reference = triage_reference(star);
+  double error = raw_error;
+  if (star.closed) {
+    const double scale = 2 * kPi / sum;
+    for (double& x : position) x *= scale;
+    for (double& x : corner) x *= scale;
+    // Numerator and denominator err by raw_error each; the quotient is at most 1.
+    error = sum > 4 * raw_error ? 3 * scale * raw_error + 1e-14 : kUnknown;
+  }
+  if (!comfortable(shortest) || !comfortable(longest)) error = kUnknown;
+  return {position[reference.k] + reference.angle, 2 * error + reference.error};
+}
+
+std::optional<int> interval_turns(const EdgeStars& edge, double raw) {
+  const MpStar v = mp_star(edge.v), w = mp_star(edge.w);
+  const MpInterval pi = MpInterval::pi(kBits);
+  // phi(w) - phi(v) - r(v, w) with r = a(w, v) + pi - a(v, w)
+  MpInterval x = w.phi - v.phi - w.position[edge.at_w] - pi + v.position[edge.at_v];
+  if (edge.reversed) x = x + pi;
+  const double guess = -std::floor((raw + kPi) / (2 * kPi));
+  for (int step : {0, 1, -1}) {
+    const double m = guess + step;
+    const MpInterval omega = x + MpInterval(2 * m, kBits) * pi;
+    const MaybeSign above = certain_sign(omega + pi), below = certain_sign(pi - omega);
+    if (above == Sign::positive && below == Sign::positive) return static_cast<int>(m);
+  }
+  return std::nullopt;
+}
+
+int symbolic_turns(double raw) {
+  // raw is an odd multiple of pi up to its error.
+  return static_cast<int>(std::lround((kPi - raw) / (2 * kPi)));
+}
+
+}  // namespace crest::kernel

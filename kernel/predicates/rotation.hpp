@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How far the direction field turns along an edge: the rule behind the index of a triangle
+// (paper 002, section 8.2, made exact; definitions and proofs in certify/SPEC.md, "Index of a
+// face").
+//
+// Directions at a vertex are angles in its fan, scaled to 2 pi at interior vertices (the rescaled
+// Levi-Civita connection of Knoeppel, Crane, Pinkall and Schroeder 2013). The rotation along v ->
+// w,
+//   omega(v, w) = phi(w) - phi(v) - r(v, w) + (0 or pi by the acute rule), taken in (-pi, pi],
+// is the field's turn against parallel transport. Only the choice of the multiple of 2 pi is a
+// decision; it is certain when the unwrapped number is further from the odd multiples of pi than
+// its error.
+//
+// Laws. (1) omega(w, v) = -omega(v, w). (2) independent of the frames' signs. (3) around a triangle
+// omega and the scaled corner angles sum to pi (1 + twice the index): exactly, so a sum known to
+// less than pi gives the index. (4) twice the index is odd iff the product of the three acute-rule
+// signs is negative. (5) the indices of a closed mesh sum to its Euler characteristic.
+// Not true: that omega is less than 90 degrees (a sharp fold separates the acute rule, which is
+// measured in space, from the rotation in the surface).
+#include <optional>
+#include <span>
+
+#include "kernel/arithmetic/angle.hpp"
+#include "kernel/arithmetic/vec3.hpp"
+#include "kernel/predicates/ladder.hpp"
+
+namespace crest::kernel {
+
+/// A vertex, its neighbours counter-clockwise, its frame. Interior fans are closed.
+struct Star {
+  Vec3 centre;
+  std::span<const Vec3> ring;
+  bool closed;
+  Vec3 d1, n;
+};
+
+/// The fan's angles in double with a bound on every number's error (infinite: ask the next stage).
+struct StarAngles {
+  double phi = 0;    ///< angle of d1 in the fan
+  double error = 0;  ///< bound on the error of phi plus that of any position or scaled corner
+};
+/// position[k]: angle of neighbour k, from 0; corner[j]: scaled angle of face j.
+/// Shapes: position ring.size(), corner ring.size() (one less at the boundary).
+StarAngles star_angles(const Star& star, std::span<double> position, std::span<double> corner);
+
+/// The number m for which raw + 2 pi m lies in (-pi, pi].
+struct Turns {
+  int m;
+  Stage stage;
+};
+/// Nothing when raw is within error of an odd multiple of pi.
+inline std::optional<int> triage_turns(double raw, double error) {
+  const double m = -std::floor((raw + kPi) / (2 * kPi));
+  const double rest = std::fabs(raw + 2 * kPi * m);
+  if (!(rest < kPi - (error + 1e-12))) return std::nullopt;
+  return static_cast<int>(m);
+}
+
+/// An edge v -> w from its lower to its higher vertex: w is neighbour at_v of v's star, v neighbour
+/// at_w of w's. reversed: the acute rule is negative.
+struct EdgeStars {
+  Star v, w;
+  std::size_t at_v, at_w;
+  bool reversed;
+};
+/// MPFR intervals of 256 bits. Nothing when a 2^-200 enclosure still holds an odd multiple of pi.
+std::optional<int> interval_turns(const EdgeStars& edge, double raw);
+/// The tie: omega = +pi.
+int symbolic_turns(double raw);
+
+}  // namespace crest::kernel
