@@ -2,6 +2,7 @@
 # `find_package(Crest)` for users of the libraries.
 include(CMakePackageConfigHelpers)
 get_property(crest_libraries GLOBAL PROPERTY CREST_LIBRARIES)
+list(APPEND crest_libraries crest_systems)
 foreach(library ${crest_libraries})
   string(REGEX REPLACE "^crest_" "" short ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${short})
@@ -16,6 +17,8 @@ write_basic_package_version_file(CrestConfigVersion.cmake COMPATIBILITY SameMino
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/CrestConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/CrestConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest)
-if(TARGET crest)
-  install(TARGETS crest crest-verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+foreach(program crest crest-verify)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endforeach()

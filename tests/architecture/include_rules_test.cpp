@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who may include whom (CONTRIBUTING.md, "Layers"). Any other arrow fails.
+#include <catch2/catch.hpp>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "tests/architecture/source_tree.hpp"
+
+namespace {
+
+using namespace crest::tests;
+
+struct Include {
+  std::string target;
+  bool quoted;
+};
+
+std::optional<Include> parse_include(const std::string& line) {
+  std::istringstream words(line);
+  std::string directive, target;
+  words >> directive;
+  if (directive == "#") {
+    words >> target;
+    directive += target;
+  }
+  if (directive != "#include" || !(words >> target) || target.size() < 3) return std::nullopt;
+  return Include{target.substr(1, target.size() - 2), target.front() == '"'};
+}
+
+/// "kernel/arithmetic", "algorithms/ridges", else the first folder.
+std::string layer_of(const std::string& path) {
+  const auto first = path.find('/');
+  if (first == std::string::npos) return "";
+  const std::string top = path.substr(0, first);
+  if (top != "kernel" && top != "algorithms") return top;
+  return path.substr(0, path.find('/', first + 1));
+}
+
+/// The result headers of the systems: what io writes and draws.
+bool is_result_header(const std::string& target) {
+  return target == "algorithms/ridges/ridge_graph.hpp" || target == "algorithms/ridges/ridges.hpp";
+}
+
+/// Prefixes of what each layer may include besides itself.
+const std::map<std::string, std::vector<std::string>>& arrows() {
+  static const std::map<std::string, std::vector<std::string>> table = {
+      {"kernel/arithmetic", {}},
+      {"kernel/predicates", {"kernel/arithmetic/"}},
+      {"kernel/expressions", {"kernel/arithmetic/", "kernel/predicates/"}},
+      {"kernel/geometry", {"kernel/arithmetic/", "kernel/predicates/"}},
+      {"certify", {"kernel/arithmetic/", "kernel/expressions/"}},
+      {"io", {"kernel/"}},
+      {"cli", {"kernel/", "certify/", "io/", "algorithms/"}},
+      {"experiments", {"kernel/", "certify/", "io/", "algorithms/"}},
+      {"tests", {"kernel/", "certify/", "io/", "algorithms/", "cli/"}},
+  };
+  return table;
+}
+
+/// An empty string, or why `file` may not include `target`.
+std::string objection(const std::string& file, const std::string& target) {
+  const std::string from = layer_of(file), to = layer_of(target);
+  if (file == "cli/crest_verify.cpp") {
+    return to == "certify" || has_prefix(to, "kernel/") ? "" : "sees certify and kernel only";
+  }
+  if (from == to) return "";
+  if (has_prefix(from, "algorithms/")) {
+    if (has_prefix(to, "kernel/") || target == "certify/certificate.hpp") return "";
+    return "systems see kernel, themselves and certify/certificate.hpp";
+  }
+  if (from == "io" && is_result_header(target)) return "";
+  const auto allowed = arrows().find(from);
+  if (allowed == arrows().end()) return "is in no known layer";
+  for (const std::string& prefix : allowed->second) {
+    if (has_prefix(target, prefix)) return "";
+  }
+  return from + " may not see " + to;
+}
+
+/// Libraries that only one folder (and the tests and measurements of it) may know.
+std::string foreign_objection(const std::string& file, const std::string& target) {
+  const std::string layer = layer_of(file);
+  const bool outer = layer == "tests" || layer == "experiments";
+  if (has_prefix(target, "vtk") && layer != "io" && !outer) return "only io knows VTK";
+  if (has_prefix(target, "CLI/") && layer != "cli") return "only cli knows CLI11";
+  if (has_prefix(target, "nlohmann/") && layer != "cli" && !outer) return "only cli writes JSON";
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("every include follows the layers' arrows") {
+  std::size_t includes = 0;
+  for (const std::string& file : project_files()) {
+    if (!is_cpp(file)) continue;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(file)) {
+      ++number;
+      const auto include = parse_include(line);
+      if (!include) continue;
+      INFO(file << ":" << number << ": " << line);
+      const bool own = fs::exists(fs::path(CREST_SOURCE_DIR) / include->target) ||
+                       include->target == "cli/version.hpp";
+      if (include->quoted) {
+        CHECK(own);
+        CHECK(objection(file, include->target) == "");
+        ++includes;
+      } else {
+        CHECK_FALSE(own);
+        CHECK(foreign_objection(file, include->target) == "");
+      }
+    }
+  }
+  CHECK(includes > 50);
+}
+
+TEST_CASE("the include rules refuse the arrows that design forbids") {
+  CHECK(objection("kernel/arithmetic/a.hpp", "kernel/predicates/b.hpp") != "");
+  CHECK(objection("kernel/predicates/a.hpp", "kernel/geometry/b.hpp") != "");
+  CHECK(objection("kernel/geometry/a.hpp", "certify/certificate.hpp") != "");
+  CHECK(objection("certify/a.cpp", "kernel/geometry/b.hpp") != "");
+  CHECK(objection("certify/a.cpp", "kernel/predicates/b.hpp") != "");
+  CHECK(objection("certify/a.cpp", "algorithms/ridges/ridges.hpp") != "");
+  CHECK(objection("algorithms/ridges/a.cpp", "algorithms/sampling/b.hpp") != "");
+  CHECK(objection("algorithms/ridges/a.cpp", "certify/verify.hpp") != "");
+  CHECK(objection("algorithms/ridges/a.cpp", "io/mesh_reader.hpp") != "");
+  CHECK(objection("io/a.cpp", "algorithms/ridges/jet_fit.hpp") != "");
+  CHECK(objection("io/a.cpp", "certify/certificate.hpp") != "");
+  CHECK(objection("cli/crest_verify.cpp", "io/mesh_reader.hpp") != "");
+  CHECK(objection("experiments/a/b.cpp", "cli/report.hpp") != "");
+  CHECK(objection("algorithms/ridges/a.cpp", "certify/certificate.hpp") == "");
+  CHECK(objection("io/a.cpp", "algorithms/ridges/ridge_graph.hpp") == "");
+  CHECK(foreign_objection("kernel/geometry/a.cpp", "vtkPolyData.h") != "");
+  CHECK(foreign_objection("io/a.cpp", "vtkPolyData.h") == "");
+}
+
+TEST_CASE("include lines are recognised in every spelling") {
+  CHECK(parse_include("#include \"a/b.hpp\"")->target == "a/b.hpp");
+  CHECK(parse_include("  #  include <vector>  // why")->target == "vector");
+  CHECK_FALSE(parse_include("// #include \"a/b.hpp\""));
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every source file of the project has in common.
+#include <catch2/catch.hpp>
+#include <cctype>
+#include <set>
+
+#include "tests/architecture/source_tree.hpp"
+
+namespace {
+
+using namespace crest::tests;
+
+bool needs_licence_line(const std::string& path) {
+  return is_cpp(path) || has_suffix(path, ".cmake") || has_suffix(path, ".sh") ||
+         has_suffix(path, ".in") || has_suffix(path, "CMakeLists.txt") || path == ".ci/run" ||
+         path == ".clang-tidy";
+}
+
+}  // namespace
+
+TEST_CASE("every source names its licence in the first two lines") {
+  const std::string tag = "SPDX-License-Identifier: GPL-3.0-or-later";
+  std::size_t sources = 0;
+  for (const std::string& path : project_files()) {
+    if (!needs_licence_line(path)) continue;
+    const auto lines = lines_of(path);
+    INFO(path);
+    REQUIRE(lines.size() >= 2);
+    // Shell scripts have their interpreter first.
+    CHECK((lines[0].find(tag) != std::string::npos || lines[1].find(tag) != std::string::npos));
+    ++sources;
+  }
+  CHECK(sources > 40);
+}
+
+TEST_CASE("no source is longer than 700 lines, no header longer than 150") {
+  for (const std::string& path : project_files()) {
+    if (!is_cpp(path)) continue;
+    const std::size_t lines = lines_of(path).size();
+    INFO(path << " has " << lines << " lines");
+    CHECK(lines <= (has_suffix(path, ".hpp") ? 150u : 700u));
+  }
+}
+
+TEST_CASE("names of files and folders are snake_case") {
+  for (const std::string& path : project_files()) {
+    if (!is_cpp(path)) continue;
+    INFO(path);
+    CHECK(std::all_of(path.begin(), path.end(), [](unsigned char c) {
+      return std::islower(c) || std::isdigit(c) || c == '_' || c == '/' || c == '.';
+    }));
+  }
+}
+
+TEST_CASE("every header is guarded by #pragma once") {
+  for (const std::string& path : project_files()) {
+    if (!has_suffix(path, ".hpp")) continue;
+    const auto lines = lines_of(path);
+    INFO(path);
+    CHECK(std::count(lines.begin(), lines.end(), "#pragma once") == 1);
+  }
+}
+
+TEST_CASE("no source depends on where somebody's copy lives") {
+  // Put together here so that this file passes its own test.
+  const std::string slash = "/";
+  const std::vector<std::string> places = {slash + "home" + slash, slash + "root" + slash,
+                                           slash + "work" + slash};
+  for (const std::string& path : project_files()) {
+    if (!needs_licence_line(path) && !has_suffix(path, ".md")) continue;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(path)) {
+      ++number;
+      for (const std::string& place : places) {
+        INFO(path << ":" << number << ": " << line);
+        CHECK(line.find(place) == std::string::npos);
+      }
+    }
+  }
+}
+
+TEST_CASE("the kernel's index names files that exist and every header of the kernel") {
+  const std::string text = read_text(fs::path(CREST_SOURCE_DIR) / "kernel/README.md");
+  std::set<std::string> named;
+  // A path is a run of path characters that ends in .hpp or .cpp.
+  std::string word;
+  for (const char c : text + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/' || c == '.') {
+      word += c;
+      continue;
+    }
+    if (is_cpp(word)) named.insert(has_prefix(word, "kernel/") ? word.substr(7) : word);
+    word.clear();
+  }
+  CHECK(named.size() >= 5);
+  for (const std::string& path : named) {
+    INFO("kernel/README.md names " << path);
+    CHECK(fs::exists(fs::path(CREST_SOURCE_DIR) / "kernel" / path));
+  }
+  for (const std::string& path : project_files()) {
+    if (!has_prefix(path, "kernel/") || !has_suffix(path, ".hpp")) continue;
+    INFO(path << " is not in kernel/README.md");
+    CHECK(named.count(path.substr(7)) == 1);
+  }
+}
