@@ -145,7 +145,8 @@ Grid torus_grid(const Surface& s, int vertices) {
   const auto even = [](double x) {
     return static_cast<Index>(2 * std::max(2.0, std::round(x / 2)));
   };
-  const Index cells_v = even(std::sqrt(vertices / ratio)), cells_u = even(vertices / cells_v);
+  const Index cells_v = even(std::sqrt(vertices / ratio));
+  const Index cells_u = even(static_cast<double>(vertices) / cells_v);
   Uniform uniform(1);
   const auto jitter = [&] { return kJitter * (2 * Real(uniform()) - 1); };
   Grid grid;

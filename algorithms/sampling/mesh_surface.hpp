@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "algorithms/sampling/surfaces.hpp"
+#include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::sampling {
 
