@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_reader.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <new>
 
+#include "io/formats.hpp"
 #include "io/polygon_soup.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -16,13 +14,6 @@ namespace crest::io {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
-
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::string load(const std::string& path) {
   std::error_code error;

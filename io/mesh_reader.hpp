@@ -22,7 +22,7 @@ struct MeshFile {
 /// Guarantees: face i of the mesh is face i of the file; vertices keep their order.
 /// Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line. Vertex and face numbers
 ///   are those of the file, counted from 0.
-/// Cost: linear in the file's size, up to sorting the edges; nothing is allocated on the strength
+/// Cost: linear in the file's size; nothing is allocated on the strength
 ///   of a count that the file is too short for.
 MeshFile read_mesh(const std::string& path);
 

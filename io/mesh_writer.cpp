@@ -2,47 +2,77 @@
 #include "io/mesh_writer.hpp"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 #include "io/atomic_file.hpp"
+#include "io/formats.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
 
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
+using Points = std::vector<kernel::Vec3>;
+using Faces = std::vector<kernel::Triangle>;
+
+/// Header, then a line a point and a line a face with the given starts; indices from `base`.
+std::string text_of(const Points& points, const Faces& faces, const std::string& header,
+                    const char* vertex, const char* face, kernel::Index base) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}", header);
+  for (const kernel::Vec3& p : points) {
+    fmt::format_to(out, "{}{} {} {}\n", vertex, p[0], p[1], p[2]);
+  }
+  for (const kernel::Triangle& f : faces) {
+    fmt::format_to(out, "{}{} {} {}\n", face, f[0] + base, f[1] + base, f[2] + base);
+  }
+  return fmt::to_string(text);
+}
+
+std::string ply_header(std::size_t points, std::size_t faces) {
+  return fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      points, faces);
+}
+
+std::string vtp_of(const Points& points, const Faces& faces) {
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  for (const kernel::Vec3& p : points) positions->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> cells;
+  for (const kernel::Triangle& f : faces) {
+    cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(positions);
+  data->SetPolys(cells);
+  return vtp_bytes(*data);
 }
 
 }  // namespace
 
-void write_mesh(const std::string& path, const std::vector<kernel::Vec3>& points,
-                const std::vector<kernel::Triangle>& faces) {
+void write_mesh(const std::string& path, const Points& points, const Faces& faces) {
   const std::string extension = lower_extension(path);
-  const bool off = extension == ".off";
-  if (!off && extension != ".obj") {
-    throw kernel::InputError(path + ": unknown extension; write .off or .obj");
+  std::string bytes;
+  if (extension == ".off") {
+    bytes = text_of(points, faces, fmt::format("OFF\n{} {} 0\n", points.size(), faces.size()), "",
+                    "3 ", 0);
+  } else if (extension == ".obj") {
+    bytes = text_of(points, faces, "", "v ", "f ", 1);
+  } else if (extension == ".ply") {
+    bytes = text_of(points, faces, ply_header(points.size(), faces.size()), "", "3 ", 0);
+  } else if (extension == ".vtp") {
+    bytes = vtp_of(points, faces);
+  } else {
+    throw kernel::InputError(path + ": file: has an unknown extension; write .off .obj .ply .vtp");
   }
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  if (off) fmt::format_to(out, "OFF\n{} {} 0\n", points.size(), faces.size());
-  for (const kernel::Vec3& p : points) {
-    fmt::format_to(out, "{}{} {} {}\n", off ? "" : "v ", p[0], p[1], p[2]);
-  }
-  for (const kernel::Triangle& f : faces) {
-    if (off) {
-      fmt::format_to(out, "3 {} {} {}\n", f[0], f[1], f[2]);
-    } else {
-      fmt::format_to(out, "f {} {} {}\n", f[0] + 1, f[1] + 1, f[2] + 1);
-    }
-  }
-  write_atomically(path, std::string_view(text.data(), text.size()));
+  write_atomically(path, bytes);
 }
 
 }  // namespace crest::io

@@ -9,8 +9,10 @@
 
 namespace crest::io {
 
-/// Writes OFF or OBJ, by the extension in any case. Numbers are the shortest decimals that read
-/// back as the same doubles. Shapes: V points, F faces with indices below V.
+/// Writes OFF, OBJ, PLY (text) or VTP, by the extension in any case; text numbers are the shortest
+/// decimals that read back as the same doubles.
+/// Shapes: V points, F faces with indices below V. Guarantees: the same bytes for the same mesh;
+/// no half-written file.
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
 void write_mesh(const std::string& path, const std::vector<kernel::Vec3>& points,
                 const std::vector<kernel::Triangle>& faces);

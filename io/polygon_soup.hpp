@@ -58,7 +58,7 @@ PolygonSoup read_stl(std::string bytes);
 PolygonSoup read_vtp(std::string bytes);
 
 /// The manifold in the soup, oriented. Throws kernel::InputError naming the element that prevents
-/// one. Cost: O(F log F).
+/// one. Cost: O(V + F) for bounded valences.
 MeshFile mesh_of_soup(const PolygonSoup& soup);
 
 }  // namespace crest::io

@@ -19,9 +19,9 @@ using kernel::kNone;
 using kernel::Triangle;
 using kernel::Vec3;
 
-/// A side of a face: its corners a -> b with the smaller one first.
+/// A side of a face: its corners a -> b with the smaller one first, and the third corner.
 struct Side {
-  Index low, high, face;
+  Index low, high, third, face;
   std::uint8_t corner;
   bool direct;  ///< runs from low to high
 };
@@ -56,18 +56,13 @@ std::vector<Triangle> proper_faces(const PolygonSoup& soup) {
   return faces;
 }
 
-void require_distinct(const std::vector<Triangle>& faces) {
-  std::vector<std::pair<Triangle, Index>> sorted(faces.size());
-  for (Index f = 0; f < faces.size(); ++f) {
-    sorted[f] = {faces[f], f};
-    std::sort(sorted[f].first.begin(), sorted[f].first.end());
-  }
-  std::sort(sorted.begin(), sorted.end());
+void require_distinct(const std::vector<Side>& sides) {
   Index first = kNone, original = kNone;
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[i - 1].first && sorted[i].second < first) {
-      first = sorted[i].second;
-      original = sorted[i - 1].second;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Side &s = sides[i - 1], &t = sides[i];
+    if (s.low == t.low && s.high == t.high && s.third == t.third && t.face < first) {
+      first = t.face;
+      original = s.face;
     }
   }
   if (first != kNone) {
@@ -76,29 +71,43 @@ void require_distinct(const std::vector<Triangle>& faces) {
   }
 }
 
-/// Sorted; the two sides of an interior edge are neighbours.
-std::vector<Side> manifold_sides(const std::vector<Triangle>& faces) {
-  std::vector<Side> sides;
-  sides.reserve(3 * faces.size());
+/// Sorted by low (counting), then by high, third vertex and face.
+std::vector<Side> sorted_sides(const std::vector<Triangle>& faces, std::size_t vertices) {
+  std::vector<std::size_t> begin(vertices + 1, 0);
+  for (const Triangle& face : faces) {
+    for (std::size_t k = 0; k < 3; ++k) ++begin[std::min(face[k], face[(k + 1) % 3]) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(3 * faces.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (Index f = 0; f < faces.size(); ++f) {
     for (std::uint8_t k = 0; k < 3; ++k) {
-      const Index a = faces[f][k], b = faces[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
+      const Index a = faces[f][k], b = faces[f][(k + 1) % 3], c = faces[f][(k + 2) % 3];
+      const Index low = std::min(a, b);
+      sides[next[low]++] = {low, std::max(a, b), c, f, k, a < b};
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return std::tie(s.low, s.high, s.face) < std::tie(t.low, t.high, t.face);
-  });
-  for (std::size_t i = 2; i < sides.size(); ++i) {
-    const Side &s = sides[i - 2], &t = sides[i];
-    if (s.low == t.low && s.high == t.high) {
-      fail(fmt::format("edge {}-{}", s.low, s.high),
-           fmt::format("is in faces {}, {} and {}, it is not manifold", s.face, sides[i - 1].face,
-                       t.face),
-           "separate the sheets that meet there");
-    }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+              [](const Side& s, const Side& t) {
+                return std::tie(s.high, s.third, s.face) < std::tie(t.high, t.third, t.face);
+              });
   }
   return sides;
+}
+
+/// Then the two sides of an interior edge are neighbours.
+void require_two_faces(const std::vector<Side>& sides) {
+  for (std::size_t i = 2; i < sides.size(); ++i) {
+    const Side &s = sides[i - 2], &t = sides[i];
+    if (s.low != t.low || s.high != t.high) continue;
+    std::array<Index, 3> f = {s.face, sides[i - 1].face, t.face};
+    std::sort(f.begin(), f.end());
+    fail(fmt::format("edge {}-{}", s.low, s.high),
+         fmt::format("is in faces {}, {} and {}, it is not manifold", f[0], f[1], f[2]),
+         "separate the sheets that meet there");
+  }
 }
 
 bool paired(const std::vector<Side>& sides, std::size_t i) {
@@ -224,8 +233,9 @@ MeshFile mesh_of_soup(const PolygonSoup& soup) {
     }
   }
   std::vector<Triangle> faces = proper_faces(soup);
-  require_distinct(faces);
-  const std::vector<Side> sides = manifold_sides(faces);
+  const std::vector<Side> sides = sorted_sides(faces, soup.points.size());
+  require_distinct(sides);
+  require_two_faces(sides);
   require_fans(faces, sides, soup.points.size());
   const Index flipped = orient(faces, neighbours(sides, faces.size()));
   MeshFile file;
