@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest sample, crest ridges and crest-verify, end to end.
+#include <catch2/catch.hpp>
+
+#include "tests/cli/run_crest.hpp"
+
+using namespace crest::tests;
+
+namespace {
+
+/// A rotated ellipsoid e.off in a folder of its own.
+struct EllipsoidFolder : TemporaryFolder {
+  explicit EllipsoidFolder(int vertices = 2500) {
+    const auto made = run_crest("crest sample ellipsoid --parameters 1,1.5,2 --rotate --vertices " +
+                                    std::to_string(vertices) + " -o e.off",
+                                path());
+    INFO(made.err);
+    REQUIRE(made.exit_code == 0);
+  }
+};
+
+ProgramResult require_done(const std::string& line, const fs::path& folder) {
+  const auto result = run_crest(line, folder);
+  INFO(line << "\n" << result.err << result.out);
+  REQUIRE(result.exit_code == 0);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("ridges of an ellipsoid: known answers, files, a certificate that verifies") {
+  const EllipsoidFolder folder(10000);
+  const auto run = require_done(
+      "crest ridges e.off -o e.vtp --picture e.svg --report e.json --certificate e.crest",
+      folder.path());
+  CHECK(run.err.empty());  // no progress when piped
+  CHECK(run.out.find("index sum 2") != std::string::npos);
+  const auto report = read_json(folder / "e.json");
+  CHECK(report["euler_characteristic"] == 2);
+  CHECK(report["boundary_loops"] == 0);
+  CHECK(report["umbilics"]["count"] == 4);
+  CHECK(report["umbilics"]["index_sum"] == 2);
+  for (const auto& umbilic : report["umbilics"]["items"]) {
+    CHECK(umbilic["index"] == 0.5);
+    CHECK(umbilic["kind"] == "1-ridge");
+    CHECK(umbilic["point"].size() == 3);
+  }
+  for (const char* colour : {"blue", "red"}) {
+    INFO(colour);
+    CHECK(report["ridges"][colour]["loops"] == 1);
+    CHECK(report["ridges"][colour]["segments"] == 2);
+  }
+  CHECK(report["open_ends"] == 0);
+  CHECK(report["certificate"]["written"] == true);
+  CHECK(report["certificate"]["certified"] == true);
+  CHECK(report["certificate"]["claims"] == nlohmann::json::array({"ridges-mesh"}));
+  CHECK(report["data_digest"].get<std::string>().size() == 64);
+  for (const char* arithmetic : {"", " --arithmetic mpfr"}) {
+    const auto verdict =
+        run_crest(std::string("crest-verify e.crest --input e.off") + arithmetic, folder.path());
+    INFO(verdict.out << verdict.err);
+    CHECK(verdict.exit_code == 0);
+    CHECK(verdict.out.find("ACCEPTED") != std::string::npos);
+    CHECK(verdict.out.find(report["data_digest"].get<std::string>()) != std::string::npos);
+  }
+  CHECK(read_text(folder / "e.vtp").find("<VTKFile") != std::string::npos);
+  CHECK(read_text(folder / "e.vtp").find(report["data_digest"].get<std::string>()) !=
+        std::string::npos);
+  CHECK(read_text(folder / "e.svg").find("<svg") != std::string::npos);
+}
+
+TEST_CASE("the certificate is about its mesh: crest-verify rejects another and a damaged file") {
+  const EllipsoidFolder folder;
+  require_done("crest ridges e.off --certificate e.crest", folder.path());
+  require_done("crest sample ellipsoid --parameters 1,1.4,2 --rotate --vertices 2500 -o other.off",
+               folder.path());
+  CHECK(run_crest("crest-verify e.crest --input other.off", folder.path()).exit_code == 1);
+  std::string bytes = read_text(folder / "e.crest");
+  bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
+  write_text(folder / "damaged.crest", bytes);
+  CHECK(run_crest("crest-verify damaged.crest", folder.path()).exit_code == 1);
+  CHECK(run_crest("crest-verify missing.crest", folder.path()).exit_code == 3);
+}
+
+TEST_CASE("the report has its keys, also without a certificate") {
+  const EllipsoidFolder folder;
+  require_done("crest ridges e.off --report e.json --threads 2", folder.path());
+  const auto report = read_json(folder / "e.json");
+  for (const char* key : {"crest",
+                          "command",
+                          "input",
+                          "seconds",
+                          "peak_rss_bytes",
+                          "threads",
+                          "predicates",
+                          "certificate",
+                          "warnings",
+                          "vertices",
+                          "faces",
+                          "euler_characteristic",
+                          "boundary_loops",
+                          "umbilics",
+                          "ridges",
+                          "open_ends",
+                          "conflict_triangles",
+                          "ambiguous_edges",
+                          "scale",
+                          "fit",
+                          "paper_umbilics",
+                          "dropped",
+                          "data_digest"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  CHECK(report["command"] == "ridges");
+  CHECK(report["input"] == "e.off");
+  CHECK(report["threads"] == 2);
+  CHECK(report["peak_rss_bytes"].get<double>() > 1e6);
+  CHECK(report["seconds"]["total"].get<double>() > 0);
+  for (const char* phase : {"read", "fit", "extract", "write"}) {
+    CHECK(report["seconds"].contains(phase));
+  }
+  REQUIRE_FALSE(report["predicates"].empty());
+  for (const auto& [name, counts] : report["predicates"].items()) {
+    INFO(name);
+    for (const char* stage : {"calls", "interval", "exact", "symbolic"}) {
+      CHECK(counts[stage].is_number_unsigned());
+    }
+  }
+  for (const char* colour : {"blue", "red"}) {
+    const auto& part = report["ridges"][colour];
+    CHECK(part["length"].get<double>() > 0);
+    CHECK(part["elliptic_length"].get<double>() + part["hyperbolic_length"].get<double>() <=
+          part["length"].get<double>() * (1 + 1e-12));
+  }
+  CHECK(
+      report["certificate"] ==
+      nlohmann::json({{"written", false}, {"certified", false}, {"undecided", 0}, {"claims", {}}}));
+  CHECK(report["fit"]["vertices_by_degree"]["4"] == report["vertices"]);
+  CHECK(report["paper_umbilics"]["plus"].is_number_unsigned());
+}
+
+TEST_CASE("output bytes do not depend on the number of threads") {
+  const EllipsoidFolder folder(6000);
+  for (const char* threads : {"1", "2", "3"}) {
+    const std::string n = threads;
+    require_done("crest ridges e.off --quiet --threads " + n + " -o " + n + ".vtp --picture " + n +
+                     ".svg --certificate " + n + ".crest && crest ridges e.off --quiet --threads " +
+                     n + " -o " + n + ".obj && crest ridges e.off --quiet --threads " + n + " -o " +
+                     n + ".ply",
+                 folder.path());
+  }
+  for (const char* extension : {".vtp", ".obj", ".ply", ".svg", ".crest"}) {
+    INFO(extension);
+    const std::string one = read_text(folder / (std::string("1") + extension));
+    CHECK(one.size() > 1000);
+    CHECK((one == read_text(folder / (std::string("2") + extension))));
+    CHECK((one == read_text(folder / (std::string("3") + extension))));
+  }
+}
+
+TEST_CASE("filters drop ridges from the output and say how many; the certificate keeps all") {
+  const EllipsoidFolder folder;
+  require_done("crest ridges e.off --quiet --report all.json --certificate all.crest",
+               folder.path());
+  require_done(
+      "crest ridges e.off --quiet --min-length 1e6 --report none.json --certificate none.crest",
+      folder.path());
+  const auto all = read_json(folder / "all.json"), none = read_json(folder / "none.json");
+  const auto ridges = [](const nlohmann::json& report) {
+    std::size_t count = 0;
+    for (const char* colour : {"blue", "red"}) {
+      const auto& part = report["ridges"][colour];
+      count += part["loops"].get<std::size_t>() + part["segments"].get<std::size_t>();
+    }
+    return count;
+  };
+  CHECK(ridges(all) >= 6);
+  CHECK(ridges(none) == 0);
+  CHECK(none["dropped"]["by_length"] == ridges(all));
+  CHECK(none["umbilics"] == all["umbilics"]);
+  CHECK((read_text(folder / "all.crest") == read_text(folder / "none.crest")));
+}
+
+TEST_CASE("options change what they name") {
+  const EllipsoidFolder folder;
+  require_done("crest ridges e.off --quiet --order 3 --report third.json", folder.path());
+  require_done("crest ridges e.off --quiet --crest-only --report crest.json", folder.path());
+  require_done("crest ridges e.off --quiet --scale 0.4 --report scale.json", folder.path());
+  require_done("crest ridges e.off --quiet --scale auto --report auto.json", folder.path());
+  require_done("crest ridges e.off --quiet --rings 3 --report rings.json", folder.path());
+  CHECK(read_json(folder / "third.json")["order"] == 3);
+  CHECK(read_json(folder / "scale.json")["scale"] == 0.4);
+  CHECK(read_json(folder / "auto.json")["scale"].get<double>() > 0);
+  const auto crest = read_json(folder / "crest.json");
+  for (const char* colour : {"blue", "red"}) {
+    CHECK(crest["ridges"][colour]["hyperbolic_length"] == 0);
+  }
+  CHECK(read_json(folder / "rings.json")["data_digest"] !=
+        read_json(folder / "third.json")["data_digest"]);
+}
+
+TEST_CASE("--quiet is quiet, and sample's noise depends on its seed") {
+  const TemporaryFolder folder;
+  const std::string sample = "crest sample ellipsoid --vertices 600 --quiet --noise 0.1 ";
+  const auto result = require_done(sample + "-o a.off", folder.path());
+  CHECK(result.out.empty());
+  CHECK(result.err.empty());
+  require_done(sample + "--seed 1 -o b.off && " + sample + "--seed 2 -o c.off", folder.path());
+  CHECK((read_text(folder / "a.off") == read_text(folder / "b.off")));
+  CHECK((read_text(folder / "a.off") != read_text(folder / "c.off")));
+  const auto ridges = require_done("crest ridges a.off --quiet", folder.path());
+  CHECK(ridges.out.empty());
+  CHECK(ridges.err.empty());
+}
