@@ -91,27 +91,28 @@ MpInterval mp(const Rational& x) {
 }
 
 struct MpStar {
-  std::vector<MpInterval> position;
+  std::vector<MpInterval> position, corner;
   MpInterval phi{kBits};
 };
 
 MpStar mp_star(const Star& star) {
   const std::size_t n = star.ring.size(), faces = star.closed ? n : n - 1;
-  std::vector<MpInterval> angle;
+  MpStar result;
   MpInterval sum(0.0, kBits);
   for (std::size_t j = 0; j < faces; ++j) {
     const V<Rational> a = exact_difference(star.ring[j], star.centre);
     const V<Rational> b = exact_difference(star.ring[(j + 1) % n], star.centre);
     const V<Rational> c = cross(a, b);
-    angle.push_back(atan2(sqrt(mp(dot(c, c))), mp(dot(a, b))));
-    sum = sum + angle.back();
+    result.corner.push_back(atan2(sqrt(mp(dot(c, c))), mp(dot(a, b))));
+    sum = sum + result.corner.back();
   }
-  MpStar result;
   MpInterval at(0.0, kBits);
   const MpInterval turn = MpInterval(2.0, kBits) * MpInterval::pi(kBits);
   for (std::size_t j = 0; j < n; ++j) {
     result.position.push_back(star.closed ? turn * at / sum : at);
-    if (j < faces) at = at + angle[j];
+    if (j == faces) break;
+    at = at + result.corner[j];
+    if (star.closed) result.corner[j] = turn * result.corner[j] / sum;
   }
   const std::size_t k = exact_reference(star);
   if (k == n) {
@@ -122,6 +123,18 @@ MpStar mp_star(const Star& star) {
       seen_from(exact_difference(star.ring[k], star.centre), exact(star.n), exact(star.d1));
   result.phi = result.position[k] + atan2(mp(y), mp(x));
   return result;
+}
+
+double middle(const MpInterval& x) {
+  return (x.lower() + x.upper()) / 2;
+}
+
+StarAngles interval_star_angles(const Star& star, std::span<double> position,
+                                std::span<double> corner) {
+  const MpStar exact = mp_star(star);
+  for (std::size_t j = 0; j < exact.position.size(); ++j) position[j] = middle(exact.position[j]);
+  for (std::size_t j = 0; j < exact.corner.size(); ++j) corner[j] = middle(exact.corner[j]);
+  return {middle(exact.phi), 1e-14, Stage::interval};
 }
 
 }  // namespace
@@ -155,28 +168,25 @@ StarAngles star_angles(const Star& star, std::span<double> position, std::span<d
     error = sum > 4 * raw_error ? 3 * scale * raw_error + 1e-14 : kUnknown;
   }
   if (!comfortable(shortest) || !comfortable(longest)) error = kUnknown;
-  return {position[reference.k] + reference.angle, 2 * error + reference.error};
+  error = 2 * error + reference.error;
+  // Nothing below needs more than a few digits, but it needs them for certain.
+  if (!(error < 1e-3)) return interval_star_angles(star, position, corner);
+  return {position[reference.k] + reference.angle, error, Stage::triage};
 }
 
-std::optional<int> interval_turns(const EdgeStars& edge, double raw) {
+std::optional<double> interval_rotation(const EdgeStars& edge) {
   const MpStar v = mp_star(edge.v), w = mp_star(edge.w);
   const MpInterval pi = MpInterval::pi(kBits);
   // phi(w) - phi(v) - r(v, w) with r = a(w, v) + pi - a(v, w)
-  MpInterval x = w.phi - v.phi - w.position[edge.at_w] - pi + v.position[edge.at_v];
-  if (edge.reversed) x = x + pi;
-  const double guess = -std::floor((raw + kPi) / (2 * kPi));
-  for (int step : {0, 1, -1}) {
-    const double m = guess + step;
-    const MpInterval omega = x + MpInterval(2 * m, kBits) * pi;
-    const MaybeSign above = certain_sign(omega + pi), below = certain_sign(pi - omega);
-    if (above == Sign::positive && below == Sign::positive) return static_cast<int>(m);
+  MpInterval raw = w.phi - v.phi - w.position[edge.at_w] - pi + v.position[edge.at_v];
+  if (edge.reversed) raw = raw + pi;
+  const double turns = -std::floor((middle(raw) + kPi) / (2 * kPi));
+  for (const double m : {turns, turns + 1, turns - 1}) {
+    const MpInterval omega = raw + MpInterval(2 * m, kBits) * pi;
+    if (certain_sign(omega + pi) == Sign::positive && certain_sign(pi - omega) == Sign::positive)
+      return middle(omega);
   }
   return std::nullopt;
-}
-
-int symbolic_turns(double raw) {
-  // raw is an odd multiple of pi up to its error.
-  return static_cast<int>(std::lround((kPi - raw) / (2 * kPi)));
 }
 
 }  // namespace crest::kernel

@@ -36,26 +36,26 @@ struct Star {
   Vec3 d1, n;
 };
 
-/// The fan's angles in double with a bound on every number's error (infinite: ask the next stage).
+/// The fan's angles in double with a bound on their error.
 struct StarAngles {
-  double phi = 0;    ///< angle of d1 in the fan
+  double phi = 0;    ///< angle of d1 in the fan, modulo 2 pi
   double error = 0;  ///< bound on the error of phi plus that of any position or scaled corner
+  Stage stage = Stage::triage;  ///< interval: double could not bound them, MPFR computed them
 };
 /// position[k]: angle of neighbour k, from 0; corner[j]: scaled angle of face j.
 /// Shapes: position ring.size(), corner ring.size() (one less at the boundary).
 StarAngles star_angles(const Star& star, std::span<double> position, std::span<double> corner);
 
-/// The number m for which raw + 2 pi m lies in (-pi, pi].
-struct Turns {
-  int m;
+/// omega in (-pi, pi], off by at most the given errors, and who chose the multiple of 2 pi.
+struct Rotation {
+  double omega;
   Stage stage;
 };
-/// Nothing when raw is within error of an odd multiple of pi.
-inline std::optional<int> triage_turns(double raw, double error) {
-  const double m = -std::floor((raw + kPi) / (2 * kPi));
-  const double rest = std::fabs(raw + 2 * kPi * m);
-  if (!(rest < kPi - (error + 1e-12))) return std::nullopt;
-  return static_cast<int>(m);
+/// raw + 2 pi m in (-pi, pi]. Nothing when that is within error of an odd multiple of pi.
+inline std::optional<double> triage_rotation(double raw, double error) {
+  const double omega = raw - 2 * kPi * std::floor((raw + kPi) / (2 * kPi));
+  if (!(std::fabs(omega) < kPi - (error + 1e-12))) return std::nullopt;
+  return omega;
 }
 
 /// An edge v -> w from its lower to its higher vertex: w is neighbour at_v of v's star, v neighbour
@@ -65,9 +65,12 @@ struct EdgeStars {
   std::size_t at_v, at_w;
   bool reversed;
 };
-/// MPFR intervals of 256 bits. Nothing when a 2^-200 enclosure still holds an odd multiple of pi.
-std::optional<int> interval_turns(const EdgeStars& edge, double raw);
-/// The tie: omega = +pi.
-int symbolic_turns(double raw);
+/// MPFR intervals of 256 bits. Nothing when an enclosure below 2^-200 still holds an odd multiple
+/// of pi.
+std::optional<double> interval_rotation(const EdgeStars& edge);
+/// The tie: +pi for the edge from its lower to its higher vertex.
+inline double symbolic_rotation() {
+  return kPi;
+}
 
 }  // namespace crest::kernel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/ridges/certificate.hpp"
+
+namespace crest::ridges {
+namespace {
+
+certify::MeshData data_of(const kernel::TriangleMesh& mesh,
+                          const std::vector<kernel::MongeForm>& forms) {
+  certify::MeshData data;
+  data.faces = mesh.faces();
+  data.positions = mesh.points();
+  for (Vec3& p : data.positions)
+    for (double& x : p) x += 0.0;  // one form of zero
+  data.monge.resize(forms.size());
+  for (std::size_t v = 0; v < forms.size(); ++v) {
+    const kernel::MongeForm& m = forms[v];
+    data.monge[v] = {m.d1[0], m.d1[1], m.d1[2], m.n[0], m.n[1], m.n[2], m.k1,
+                     m.k2,    m.b0,    m.b1,    m.b2,   m.b3,   m.c0,   m.c4};
+    for (double& x : data.monge[v]) x += 0.0;
+  }
+  return data;
+}
+
+certify::RidgeRecord record_of(const Ridge& ridge) {
+  certify::RidgeRecord r;
+  r.flags = static_cast<std::uint8_t>((ridge.colour == Colour::red ? 1 : 0) | (ridge.loop ? 2 : 0));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool at_umbilic = ridge.ends[i].kind == EndKind::umbilic;
+    r.end_kind[i] = static_cast<std::uint8_t>(ridge.ends[i].kind);
+    r.end_patch[i] = at_umbilic ? ridge.ends[i].umbilic : 0;
+  }
+  for (std::size_t i = 0; i < ridge.crossings.size(); ++i) {
+    const unsigned segment =
+        i < ridge.third_order.size() ? static_cast<unsigned>(ridge.third_order[i]) : 0;
+    r.nodes.push_back(
+        {ridge.crossings[i].edge,
+         static_cast<std::uint8_t>(static_cast<unsigned>(ridge.crossings[i].type) | segment << 2)});
+  }
+  return r;
+}
+
+}  // namespace
+
+certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh,
+                                                const std::vector<kernel::MongeForm>& forms,
+                                                const RidgeGraph& graph) {
+  certify::RidgesMeshCertificate c;
+  c.data = data_of(mesh, forms);
+  c.euler_characteristic = mesh.euler_characteristic();
+  c.boundary_loops = mesh.boundary_loops();
+  c.twice_index_sum = graph.twice_index_sum;
+  c.conflict_triangles = graph.conflict_triangles;
+  c.ambiguous_edges = graph.ambiguous_edges;
+  c.zero_extremalities = {graph.zero_extremalities[0], graph.zero_extremalities[1]};
+  for (const FaceIndex& i : graph.face_indices)
+    c.face_indices.push_back({i.face, static_cast<std::int8_t>(i.twice_index)});
+  for (const Umbilic& u : graph.umbilics)
+    c.patches.push_back({u.face, static_cast<std::int8_t>(u.twice_index),
+                         static_cast<std::uint8_t>(u.kind), static_cast<std::uint8_t>(u.coherent),
+                         u.patch});
+  for (const Ridge& r : graph.ridges) {
+    ++c.counts[(r.colour == Colour::red ? 2u : 0u) + (r.loop ? 0u : 1u)];
+    c.ridges.push_back(record_of(r));
+  }
+  return c;
+}
+
+}  // namespace crest::ridges

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/ridges/edge_states.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "kernel/predicates/acute_rule.hpp"
+#include "kernel/predicates/extremality_sign.hpp"
+
+namespace crest::ridges {
+namespace {
+
+using kernel::MongeForm;
+using kernel::Stage;
+
+std::int8_t as_int(kernel::Sign s) {
+  return static_cast<std::int8_t>(s);
+}
+
+kernel::Decision plain_acute_rule(const Vec3& d, const Vec3& e) {
+  const double dot = d[0] * e[0] + d[1] * e[1] + d[2] * e[2];
+  return {dot < 0 ? kernel::Sign::negative : kernel::Sign::positive, Stage::triage};
+}
+
+void decide_extremalities(const std::vector<MongeForm>& forms, EdgeStates& s) {
+  for (int c = 0; c < 2; ++c) {
+    s.extremality[c].resize(forms.size());
+    for (std::size_t v = 0; v < forms.size(); ++v) {
+      const kernel::Decision d =
+          kernel::extremality_sign(c == 0 ? forms[v].b0 : forms[v].b3, forms[v].d1);
+      s.extremality_counts.add(d.stage);
+      s.zero_extremalities[c] += d.stage == Stage::symbolic;
+      s.extremality[c][v] = as_int(d.sign);
+    }
+  }
+}
+
+}  // namespace
+
+EdgeStates edge_states(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+                       bool guarded) {
+  EdgeStates s;
+  decide_extremalities(forms, s);
+  s.acute.resize(mesh.edge_count());
+  s.crossed.resize(mesh.edge_count());
+  tbb::enumerable_thread_specific<StageCounts> counts;
+  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), 8192), [&](const auto& range) {
+    StageCounts local;
+    for (Index e = range.begin(); e != range.end(); ++e) {
+      const Index p = mesh.edges()[e].v0, q = mesh.edges()[e].v1;
+      const kernel::Decision d = guarded ? kernel::acute_rule(forms[p].d1, forms[q].d1)
+                                         : plain_acute_rule(forms[p].d1, forms[q].d1);
+      local.add(d.stage);
+      s.acute[e] = as_int(d.sign);
+      unsigned bits = 0;
+      for (unsigned c = 0; c < 2; ++c)
+        if (s.acute[e] * s.extremality[c][p] * s.extremality[c][q] < 0) bits |= 1u << c;
+      s.crossed[e] = static_cast<std::uint8_t>(bits);
+    }
+    counts.local() += local;
+  });
+  for (const StageCounts& c : counts) s.acute_counts += c;
+  s.ambiguous_edges = static_cast<Index>(s.acute_counts.symbolic);
+  return s;
+}
+
+}  // namespace crest::ridges

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "algorithms/ridges/chains.hpp"
+#include "algorithms/ridges/measures.hpp"
+#include "algorithms/ridges/patch_joins.hpp"
+#include "algorithms/ridges/ridge_types.hpp"
+#include "algorithms/ridges/ridges.hpp"
+#include "algorithms/ridges/umbilics.hpp"
+
+namespace crest::ridges {
+namespace {
+
+using kernel::MongeForm;
+
+std::vector<PatchJoins> all_joins(const kernel::TriangleMesh& mesh,
+                                  const std::vector<MongeForm>& forms, const EdgeStates& states,
+                                  const UmbilicPatches& patches) {
+  std::vector<PatchJoins> joins;
+  for (Index i = 0; i < patches.umbilics.size(); ++i)
+    joins.push_back(
+        join_patch(mesh, states, patches.owner, patches.umbilics[i], i,
+                   [&](Index e, Colour c) { return crossing_weight(mesh, forms, e, c); }));
+  return joins;
+}
+
+Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
+              const std::vector<MongeForm>& forms, const EdgeStates& states,
+              const std::vector<PatchJoins>& joins, TypeCounts& counts) {
+  Ridge ridge;
+  ridge.colour = chain.colour;
+  ridge.loop = chain.loop;
+  std::copy(chain.ends, chain.ends + 2, ridge.ends);
+  ridge.crossings.reserve(chain.edges.size());
+  for (Index e : chain.edges) {
+    ridge.crossings.push_back(measure_crossing(mesh, forms, e, chain.colour));
+    ridge.crossings.back().type = fourth_order_type(mesh, forms, e, chain.colour, counts);
+  }
+  ridge.third_order.reserve(ridge.segment_count());
+  for (std::size_t i = 0; i < ridge.segment_count(); ++i)
+    ridge.third_order.push_back(third_order_type(mesh, forms, states, chain.edges[i],
+                                                 chain.edges[(i + 1) % chain.edges.size()],
+                                                 chain.colour, counts));
+  if (chain.ends[0].kind == EndKind::umbilic)
+    ridge.lead_in = joins[chain.ends[0].umbilic].at({chain.edges.front(), chain.colour});
+  if (chain.ends[1].kind == EndKind::umbilic) {
+    ridge.lead_out = joins[chain.ends[1].umbilic].at({chain.edges.back(), chain.colour});
+    std::reverse(ridge.lead_out.begin(), ridge.lead_out.end());
+  }
+  measure_ridge(ridge);
+  return ridge;
+}
+
+}  // namespace
+
+RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
+                               const std::vector<MongeForm>& forms, const GraphOptions& options,
+                               PredicateReport* report) {
+  const EdgeStates states = edge_states(mesh, forms, options.guarded);
+  const FaceIndices indices = face_indices(mesh, forms, states);
+  UmbilicPatches patches = find_umbilics(mesh, forms, states, indices, options.umbilic_patch);
+
+  RidgeGraph graph;
+  graph.ambiguous_edges = states.ambiguous_edges;
+  std::copy(states.zero_extremalities, states.zero_extremalities + 2, graph.zero_extremalities);
+  graph.twice_index_sum = indices.twice_sum;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    graph.conflict_triangles += states.conflict(mesh, f);
+    if (indices.twice[f] != 0) graph.face_indices.push_back({f, indices.twice[f]});
+  }
+  TypeCounts counts;
+  const std::vector<PatchJoins> joins = all_joins(mesh, forms, states, patches);
+  for (const Chain& chain : chain_crossings(mesh, states, patches.owner))
+    graph.ridges.push_back(realise(chain, mesh, forms, states, joins, counts));
+  graph.umbilics = std::move(patches.umbilics);
+  if (report)
+    *report = {
+        {"acute_rule", states.acute_counts},   {"extremality_sign", states.extremality_counts},
+        {"star_angles", indices.star_counts},  {"rotation", indices.rotation_counts},
+        {"umbilic_kind", patches.kind_counts}, {"crossing_type", counts.crossing},
+        {"segment_type", counts.segment}};
+  return graph;
+}
+
+Index open_ends(const RidgeGraph& graph) {
+  Index count = 0;
+  for (const Ridge& r : graph.ridges)
+    if (!r.loop)
+      for (const RidgeEnd& end : r.ends) count += end.kind == EndKind::none;
+  return count;
+}
+
+}  // namespace crest::ridges

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The index of the maximal direction field on every triangle (certify/SPEC.md, "Index of a face").
+#include "algorithms/ridges/edge_states.hpp"
+
+namespace crest::ridges {
+
+struct FaceIndices {
+  std::vector<std::int8_t> twice;  ///< F: twice the index; odd exactly on conflict triangles
+  int twice_sum = 0;               ///< on a closed mesh twice the Euler characteristic, identically
+  StageCounts star_counts, rotation_counts;
+};
+
+FaceIndices face_indices(const kernel::TriangleMesh& mesh,
+                         const std::vector<kernel::MongeForm>& forms, const EdgeStates& states);
+
+}  // namespace crest::ridges

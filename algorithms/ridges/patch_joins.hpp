@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Drawing ridges inside umbilic patches: polylines on the mesh, from the contour's crossings to the
+// umbilic, that do not cross (paper 002, section 6.5; "Join" in certify/SPEC.md).
+#include <functional>
+#include <map>
+
+#include "algorithms/ridges/umbilics.hpp"
+
+namespace crest::ridges {
+
+/// Key: contour edge and colour. Value: the points from the umbilic (included) to the crossing
+/// (not included), all on the patch.
+using PatchJoins = std::map<std::pair<Index, Colour>, std::vector<Vec3>>;
+
+/// Position of a crossing between its edge's ends, 0 at the lower vertex.
+using CrossingWeight = std::function<double(Index edge, Colour colour)>;
+
+/// The lines follow the tree of triangles of least steps from the central triangle. The lines that
+/// share a side of a triangle pass it at equal distances in the order in which their contour
+/// crossings follow each other around the patch, so chords in a triangle do not cross.
+PatchJoins join_patch(const kernel::TriangleMesh& mesh, const EdgeStates& states,
+                      const std::vector<Index>& owner, const Umbilic& umbilic, Index number,
+                      const CrossingWeight& weight);
+
+}  // namespace crest::ridges

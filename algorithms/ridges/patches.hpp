@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Patches around umbilics: topological disks grown by a priority queue (paper 002, section 8.1).
+#include "algorithms/ridges/edge_states.hpp"
+
+namespace crest::ridges {
+
+/// Grows disks of triangles; keeps its marks between calls.
+class PatchGrower {
+ public:
+  explicit PatchGrower(const kernel::TriangleMesh& mesh);
+
+  /// The disk around seed: triangles join in the order of the distance of their centroids to the
+  /// seed's, as long as the union stays a disk, up to size times the greatest such distance in the
+  /// seed's one-ring (the triangles that share a vertex with it). Triangles with owner[f] != kNone
+  /// do not join. Guarantees: a disk that contains seed. Returns faces in order of joining.
+  const std::vector<Index>& grow(Index seed, double size, const std::vector<Index>& owner);
+
+  bool contains(Index f) const { return face_mark_[f] == stamp_; }
+  Vec3 centroid(Index f) const;
+
+ private:
+  bool stays_disk(Index f) const;
+  void join(Index f);
+  double one_ring_reach(Index seed) const;
+  double distance(Index f, const Vec3& from) const;
+
+  const kernel::TriangleMesh& mesh_;
+  std::vector<std::uint32_t> face_mark_, queued_mark_, vertex_mark_;
+  std::uint32_t stamp_ = 0;
+  std::vector<Index> faces_;
+};
+
+/// Edges with exactly one face in the patch that grower holds, and their crossings by colour.
+std::array<Index, 2> contour_crossings(const kernel::TriangleMesh& mesh, const EdgeStates& states,
+                                       const std::vector<Index>& faces, const PatchGrower& grower);
+
+}  // namespace crest::ridges

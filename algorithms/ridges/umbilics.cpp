@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/ridges/umbilics.hpp"
+
+#include <algorithm>
+
+#include "kernel/predicates/umbilic_kind.hpp"
+
+namespace crest::ridges {
+namespace {
+
+using kernel::MongeForm;
+
+double mean_gap(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms, Index f) {
+  double sum = 0;
+  for (Index v : mesh.faces()[f]) sum += forms[v].k1 - forms[v].k2;
+  return sum / 3;
+}
+
+UmbilicKind kind_of(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms, Index f,
+                    StageCounts& counts) {
+  Index best = mesh.faces()[f][0];
+  for (Index v : mesh.faces()[f]) {
+    const MongeForm &m = forms[v], &b = forms[best];
+    if (kernel::compare_gaps({m.k1, m.k2, b.k1, b.k2}).sign == kernel::Sign::negative) best = v;
+  }
+  const MongeForm& m = forms[best];
+  const kernel::Decision d = kernel::umbilic_kind({m.b0, m.b1, m.b2, m.b3});
+  counts.add(d.stage);
+  if (d.sign == kernel::Sign::zero) return UmbilicKind::degenerate;
+  return d.sign == kernel::Sign::positive ? UmbilicKind::one_ridge : UmbilicKind::three_ridge;
+}
+
+bool coherent(int twice_index, const std::array<Index, 2>& crossings) {
+  return (twice_index == 1 || twice_index == -1) && crossings[0] == crossings[1] &&
+         (crossings[0] == 1 || crossings[0] == 3);
+}
+
+class Finder {
+ public:
+  Finder(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+         const EdgeStates& states, const FaceIndices& indices, double size)
+      : mesh_(mesh), forms_(forms), states_(states), indices_(indices), size_(size), grower_(mesh) {
+    result_.owner.assign(mesh.face_count(), kernel::kNone);
+  }
+
+  UmbilicPatches run() {
+    for (Index seed : seeds())
+      if (result_.owner[seed] == kernel::kNone) add(seed);
+    renumber();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<Index> seeds() const {
+    std::vector<std::pair<double, Index>> order;
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (indices_.twice[f] != 0) order.push_back({mean_gap(mesh_, forms_, f), f});
+    std::sort(order.begin(), order.end());
+    std::vector<Index> faces;
+    for (const auto& [gap, f] : order) faces.push_back(f);
+    return faces;
+  }
+
+  void add(Index seed) {
+    Umbilic u;
+    u.face = seed;
+    u.point = grower_.centroid(seed);
+    for (const double factor : {1.0, 2.0 / 3, 1.0 / 3, 0.0}) {
+      const std::vector<Index>& faces = grower_.grow(seed, factor * size_, result_.owner);
+      u.twice_index = 0;
+      for (Index f : faces) u.twice_index += indices_.twice[f];
+      const auto crossings = contour_crossings(mesh_, states_, faces, grower_);
+      u.border_crossings[0] = crossings[0];
+      u.border_crossings[1] = crossings[1];
+      u.coherent = coherent(u.twice_index, crossings);
+      u.patch = faces;
+      if (u.coherent) break;
+    }
+    std::sort(u.patch.begin(), u.patch.end());
+    for (Index f : u.patch) result_.owner[f] = static_cast<Index>(result_.umbilics.size());
+    u.kind = kind_of(mesh_, forms_, seed, result_.kind_counts);
+    result_.umbilics.push_back(std::move(u));
+  }
+
+  void renumber() {
+    std::sort(result_.umbilics.begin(), result_.umbilics.end(),
+              [](const Umbilic& a, const Umbilic& b) { return a.face < b.face; });
+    for (Index i = 0; i < result_.umbilics.size(); ++i)
+      for (Index f : result_.umbilics[i].patch) result_.owner[f] = i;
+  }
+
+  const kernel::TriangleMesh& mesh_;
+  const std::vector<MongeForm>& forms_;
+  const EdgeStates& states_;
+  const FaceIndices& indices_;
+  double size_;
+  PatchGrower grower_;
+  UmbilicPatches result_;
+};
+
+}  // namespace
+
+UmbilicPatches find_umbilics(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+                             const EdgeStates& states, const FaceIndices& indices, double size) {
+  return Finder(mesh, forms, states, indices, size).run();
+}
+
+}  // namespace crest::ridges
