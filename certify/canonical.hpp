@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The one form of a claim (certify/SPEC.md, "Canonical form").
+#include "certify/certificate.hpp"
+
+namespace crest::certify {
+
+/// Sorts faces, patches and ridges and gives each ridge its start and direction; ends keep naming
+/// their patches. Idempotent. Throws std::invalid_argument if an end names no patch or a ridge has
+/// no node. Cost: linear plus the sorting of records.
+void make_canonical(RidgesMeshCertificate& certificate);
+
+}  // namespace crest::certify

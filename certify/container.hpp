@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The container of certify/SPEC.md: header, data section, claim section, seal.
+#include <span>
+#include <stdexcept>
+
+#include "certify/certificate.hpp"
+
+namespace crest::certify {
+
+inline constexpr std::array<std::uint8_t, 8> kMagic = {'C', 'R', 'E', 'S', 'T', 'C', 'R', 'T'};
+inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kRidgesMesh = 1;
+inline constexpr std::size_t kDigestOffset = 16, kLengthsOffset = 48, kHeaderSize = 64,
+                             kSealSize = 32;
+/// Bytes of a face, and of a vertex (position and Monge data).
+inline constexpr std::size_t kFaceSize = 12, kVertexSize = 17 * 8;
+
+/// The bytes are not a certificate: the text says which part.
+class Malformed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Views into the bytes of a certificate.
+struct Container {
+  std::uint32_t version, claim;
+  Digest stated_data_digest, stated_seal;
+  std::span<const std::uint8_t> header, data, claims;
+
+  Digest data_digest() const;
+  Digest seal() const;
+};
+
+/// Throws Malformed if the magic is another or the lengths do not add up to the bytes. Reads
+/// neither section.
+Container open_container(const Bytes& bytes);
+
+/// The data section alone, and the claim section of claim 1 into `certificate` (data untouched).
+/// Every length is compared with the bytes left before anything is allocated.
+/// Throws Malformed: counts that do not fit, numbers not finite or -0, bytes left over.
+MeshData decode_data(std::span<const std::uint8_t> data);
+void decode_claims(std::span<const std::uint8_t> claims, RidgesMeshCertificate& certificate);
+
+}  // namespace crest::certify

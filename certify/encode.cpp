@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <stdexcept>
+
+#include "certify/canonical.hpp"
+#include "certify/container.hpp"
+#include "certify/sha256.hpp"
+
+namespace crest::certify {
+namespace {
+
+class ByteWriter {
+ public:
+  template <class Integer>
+  void integer(Integer value) {
+    auto bits = static_cast<std::uint64_t>(value);
+    for (std::size_t i = 0; i < sizeof(Integer); ++i, bits >>= 8)
+      bytes_.push_back(static_cast<std::uint8_t>(bits));
+  }
+  void rows(const std::vector<std::array<std::uint32_t, 3>>& rows) {
+    std::uint8_t* to = grow(rows.size() * kFaceSize);
+    for (const auto& row : rows)
+      for (const auto word : row) to = store(to, word);
+  }
+  /// A zero is written as +0.
+  template <std::size_t n>
+  void rows(const std::vector<std::array<double, n>>& rows) {
+    std::uint8_t* to = grow(rows.size() * n * sizeof(double));
+    for (const auto& row : rows)
+      for (const double x : row)
+        to = store(to, x == 0 ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x));
+  }
+  void count(std::size_t n) {
+    if (n > 0xffffffffU) throw std::invalid_argument("certificate: a list is too long");
+    integer(static_cast<std::uint32_t>(n));
+  }
+  void bytes(std::span<const std::uint8_t> piece) {
+    bytes_.insert(bytes_.end(), piece.begin(), piece.end());
+  }
+  void reserve(std::size_t n) { bytes_.reserve(n); }
+  std::size_t size() const { return bytes_.size(); }
+  Bytes& result() { return bytes_; }
+
+ private:
+  std::uint8_t* grow(std::size_t n) {
+    bytes_.resize(bytes_.size() + n);
+    return bytes_.data() + bytes_.size() - n;
+  }
+  template <class Word>
+  static std::uint8_t* store(std::uint8_t* to, Word word) {
+    for (std::size_t i = 0; i < sizeof(Word); ++i)
+      to[i] = static_cast<std::uint8_t>(word >> (8 * i));
+    return to + sizeof(Word);
+  }
+  Bytes bytes_;
+};
+
+void write_data(ByteWriter& out, const MeshData& data) {
+  if (data.monge.size() != data.positions.size())
+    throw std::invalid_argument("certificate: as many Monge forms as vertices are needed");
+  out.count(data.positions.size());
+  out.count(data.faces.size());
+  out.rows(data.faces);
+  out.rows(data.positions);
+  out.rows(data.monge);
+}
+
+void write_ridge(ByteWriter& out, const RidgeRecord& ridge) {
+  out.integer(ridge.flags);
+  out.count(ridge.nodes.size());
+  for (std::size_t end = 0; end < 2; ++end) {
+    out.integer(ridge.end_kind[end]);
+    out.integer(ridge.end_patch[end]);
+  }
+  for (const auto& node : ridge.nodes) {
+    out.integer(node.edge);
+    out.integer(node.type);
+  }
+}
+
+void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
+  out.integer(c.euler_characteristic);
+  out.integer(c.boundary_loops);
+  out.integer(c.twice_index_sum);
+  out.integer(c.conflict_triangles);
+  out.integer(c.ambiguous_edges);
+  for (const auto zeros : c.zero_extremalities) out.integer(zeros);
+  out.count(c.face_indices.size());
+  for (const auto& record : c.face_indices) {
+    out.integer(record.face);
+    out.integer(record.twice_index);
+  }
+  out.count(c.patches.size());
+  for (const auto& patch : c.patches) {
+    out.integer(patch.centre);
+    out.integer(patch.twice_index);
+    out.integer(patch.kind);
+    out.integer(patch.coherent);
+    out.count(patch.faces.size());
+    for (const auto face : patch.faces) out.integer(face);
+  }
+  for (const auto count : c.counts) out.integer(count);
+  for (const auto& ridge : c.ridges) write_ridge(out, ridge);
+}
+
+/// Open for writing: reseal and rebind report lengths that do not fit as a wrong argument.
+Container open_for_sealing(const Bytes& bytes) {
+  try {
+    return open_container(bytes);
+  } catch (const Malformed& problem) {
+    throw std::invalid_argument(problem.what());
+  }
+}
+
+void store_seal(Bytes& bytes, const Digest& seal) {
+  std::copy(seal.begin(), seal.end(), bytes.end() - static_cast<std::ptrdiff_t>(kSealSize));
+}
+
+}  // namespace
+
+Bytes encode(RidgesMeshCertificate certificate) {
+  make_canonical(certificate);
+  ByteWriter out;
+  const std::size_t data_size = 8 + certificate.data.faces.size() * kFaceSize +
+                                certificate.data.positions.size() * kVertexSize;
+  out.reserve(kHeaderSize + data_size + data_size / 8);
+  out.bytes(kMagic);
+  out.integer(kVersion);
+  out.integer(kRidgesMesh);
+  out.bytes(Digest{});
+  out.integer(std::uint64_t{data_size});
+  out.integer(std::uint64_t{0});
+  write_data(out, certificate.data);
+  const std::size_t claims_start = out.size();
+  write_claims(out, certificate);
+  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
+  out.bytes(Digest{});
+  Bytes bytes = std::move(out.result());
+  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
+    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
+  rebind(bytes);
+  return bytes;
+}
+
+Digest data_digest(const Bytes& certificate) {
+  return open_for_sealing(certificate).data_digest();
+}
+
+void reseal(Bytes& certificate) {
+  store_seal(certificate, open_for_sealing(certificate).seal());
+}
+
+void rebind(Bytes& certificate) {
+  const Digest digest = open_for_sealing(certificate).data_digest();
+  std::copy(digest.begin(), digest.end(), certificate.begin() + kDigestOffset);
+  reseal(certificate);
+}
+
+}  // namespace crest::certify

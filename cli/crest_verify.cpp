@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program `crest-verify`: checks a certificate with nothing of algorithms/ linked in.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "certify/verify.hpp"
+#include "kernel/arithmetic/self_test.hpp"
+
+namespace {
+
+using namespace crest::certify;
+
+enum Exit { kAccepted = 0, kRejected = 1, kUsage = 2, kUnreadable = 3, kInternal = 70 };
+
+struct Arguments {
+  std::string certificate;
+  VerifyOptions options;
+  bool quiet = false;
+  std::vector<std::string> reseal, rebind;
+};
+
+int complain(Exit code, const std::string& text) {
+  std::fprintf(stderr, "crest-verify: %s\n", text.c_str());
+  return code;
+}
+
+int recompute(const std::vector<std::string>& files, void (*seal)(Bytes&)) {
+  Bytes bytes;
+  try {
+    bytes = read_file(files[0]);
+    seal(bytes);
+  } catch (const std::invalid_argument& problem) {
+    return complain(kUnreadable, files[0] + ": " + problem.what());
+  } catch (const std::runtime_error& problem) {
+    return complain(kUnreadable, problem.what());
+  }
+  write_file(files[1], bytes);
+  return kAccepted;
+}
+
+int check(const Arguments& arguments) {
+  Bytes bytes;
+  try {
+    bytes = read_file(arguments.certificate);
+  } catch (const std::runtime_error& problem) {
+    return complain(kUnreadable, problem.what());
+  }
+  const Verdict verdict = verify(bytes, arguments.options);
+  if (!arguments.quiet) {
+    for (const auto& line : verdict.lines) std::printf("%s\n", line.c_str());
+    if (verdict.data) std::printf("data digest: %s\n", hex(*verdict.data).c_str());
+  }
+  if (verdict.accepted) {
+    std::printf("ACCEPTED\n");
+    return kAccepted;
+  }
+  std::printf("REJECTED: %s\n", verdict.reason.c_str());
+  return kRejected;
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  static const std::map<std::string, Arithmetic> kArithmetic = {{"double", Arithmetic::doubles},
+                                                                {"mpfr", Arithmetic::mpfr}};
+  auto* const certificate =
+      app.add_option("CERT", arguments.certificate, "the certificate to check");
+  auto* const arithmetic =
+      app.add_option("--arithmetic", arguments.options.arithmetic,
+                     "double (with proven bounds, default) or mpfr (directed rounding)")
+          ->transform(CLI::CheckedTransformer(kArithmetic))
+          ->default_str("double");
+  auto* const input =
+      app.add_option("--input", arguments.options.input,
+                     "also require the data to be this mesh (.off, .obj, .ply, .stl)");
+  auto* const quiet = app.add_flag("--quiet", arguments.quiet, "print the verdict alone");
+  auto* const reseal =
+      app.add_option("--reseal", arguments.reseal, "IN OUT: copy with the seal recomputed")
+          ->expected(2)
+          ->type_name("IN OUT");
+  auto* const rebind = app.add_option("--rebind", arguments.rebind,
+                                      "IN OUT: copy with the data digest and the seal recomputed")
+                           ->expected(2)
+                           ->type_name("IN OUT");
+  for (auto* const other : {certificate, arithmetic, input, quiet}) {
+    reseal->excludes(other);
+    rebind->excludes(other);
+  }
+  reseal->excludes(rebind);
+  app.footer(
+      "Exit codes: 0 accepted, 1 rejected, 2 usage, 3 unreadable file, 70 internal error.\n"
+      "\nExamples:\n"
+      "  crest-verify bunny.crest --input bunny.obj\n"
+      "  crest-verify bunny.crest --arithmetic mpfr --quiet");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Check a certificate of crest: is its claim true of the data it carries?",
+               "crest-verify");
+  Arguments arguments;
+  describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? kAccepted : kUsage;
+  }
+  if (!arguments.reseal.empty()) return recompute(arguments.reseal, reseal);
+  if (!arguments.rebind.empty()) return recompute(arguments.rebind, rebind);
+  if (arguments.certificate.empty())
+    return complain(kUsage, "a certificate is needed; see crest-verify --help");
+  crest::kernel::require_sound_floating_point();
+  try {
+    return check(arguments);
+  } catch (const TieUnavailable& problem) {
+    return complain(kUsage, problem.what());
+  } catch (const InputUnreadable& problem) {
+    return complain(kUnreadable, problem.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& problem) {
+    return complain(kInternal, problem.what());
+  }
+}
