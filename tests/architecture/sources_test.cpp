@@ -33,21 +33,23 @@ TEST_CASE("every source names its licence in the first two lines") {
   CHECK(sources > 40);
 }
 
-TEST_CASE("no source is longer than 700 lines, no header longer than 150") {
+TEST_CASE("no source is longer than 700 lines, no header of a library longer than 150") {
   for (const std::string& path : project_files()) {
     if (!is_cpp(path)) continue;
     const std::size_t lines = lines_of(path).size();
     INFO(path << " has " << lines << " lines");
-    CHECK(lines <= (has_suffix(path, ".hpp") ? 150u : 700u));
+    const bool program = has_prefix(path, "experiments/") || has_prefix(path, "tests/");
+    CHECK(lines <= (has_suffix(path, ".hpp") && !program ? 150u : 700u));
   }
 }
 
-TEST_CASE("names of files and folders are snake_case") {
+TEST_CASE("names of source files are snake_case") {
   for (const std::string& path : project_files()) {
     if (!is_cpp(path)) continue;
+    const std::string name = fs::path(path).stem().string();
     INFO(path);
-    CHECK(std::all_of(path.begin(), path.end(), [](unsigned char c) {
-      return std::islower(c) || std::isdigit(c) || c == '_' || c == '/' || c == '.';
+    CHECK(std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::islower(c) || std::isdigit(c) || c == '_';
     }));
   }
 }
