@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "io/ridge_lines.hpp"
+
+namespace crest::io {
+namespace {
+
+using kernel::Vec3;
+using ridges::RidgeType;
+using ridges::UmbilicKind;
+
+constexpr Colour kGrey = {128, 128, 128};
+
+/// Red under blue; in each colour the hyperbolic ones under the elliptic ones.
+const std::vector<StrokeClass>& palette() {
+  static const std::vector<StrokeClass> classes = {
+      {"red, flat", kGrey, {}},
+      {"red hyperbolic", {250, 208, 20}, {}},
+      {"red turning", {240, 128, 24}, {}},
+      {"red elliptic", {218, 26, 32}, {}},
+      {"blue, flat", kGrey, {}},
+      {"blue hyperbolic", {22, 158, 60}, {}},
+      {"blue turning", {24, 140, 160}, {}},
+      {"blue elliptic", {28, 70, 222}, {}},
+  };
+  return classes;
+}
+
+std::size_t class_of(ridges::Colour colour, RidgeType type) {
+  constexpr std::array<std::size_t, 4> place = {0, 3, 1, 2};  // flat, elliptic, hyperbolic, turning
+  return place[static_cast<std::size_t>(type)] + (colour == ridges::Colour::blue ? 4 : 0);
+}
+
+Colour dot_colour(UmbilicKind kind) {
+  if (kind == UmbilicKind::one_ridge) return {255, 255, 255};
+  if (kind == UmbilicKind::three_ridge) return {0, 0, 0};
+  return kGrey;
+}
+
+/// Collects the visible parts of one ridge, a stroke for each run of one type.
+class StrokeMaker {
+ public:
+  StrokeMaker(const Camera& camera, const Canvas& surface, Drawing& drawing)
+      : camera_(camera), surface_(surface), drawing_(drawing) {
+    // Lines lie on the surface; the bias only has to cover rounding and the patches' polylines.
+    bias_ = 0.004 * camera.width;
+  }
+
+  void add(const Vec3& from, const Vec3& to, std::size_t stroke_class) {
+    if (stroke_class != class_) end();
+    class_ = stroke_class;
+    drawing_.classes[class_].in_graph = true;
+    const Vec3 p = camera_.project(from), q = camera_.project(to);
+    const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+    const int steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, 1e5));
+    const auto at = [&](int i) {
+      const double t = static_cast<double>(i) / steps;
+      return combine(1 - t, p, t, q);
+    };
+    bool before = surface_.visible(p, bias_);
+    for (int i = 1; i <= steps; ++i) {
+      const bool now = surface_.visible(at(i), bias_);
+      if (before && now && stroke_.empty()) stroke_.push_back(at(i - 1));
+      if (!now && before && !stroke_.empty()) {
+        stroke_.push_back(at(i - 1));
+        end();
+      }
+      before = now;
+    }
+    if (before && !stroke_.empty()) stroke_.push_back(q);
+  }
+
+  void end() {
+    if (stroke_.size() > 1) drawing_.classes[class_].strokes.push_back(std::move(stroke_));
+    stroke_.clear();
+  }
+
+ private:
+  const Camera& camera_;
+  const Canvas& surface_;
+  Drawing& drawing_;
+  double bias_;
+  std::size_t class_ = 0;
+  std::vector<Vec3> stroke_;
+};
+
+void add_strokes(const Camera& camera, const Canvas& surface, const ridges::RidgeGraph& graph,
+                 int order, Drawing& drawing) {
+  StrokeMaker maker(camera, surface, drawing);
+  for (const ridges::Ridge& ridge : graph.ridges) {
+    const std::vector<LinePoint> line = line_points(ridge);
+    const std::size_t n = line.size();
+    for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
+      const RidgeType type = order == 3 ? line[i].third_order : line[i].fourth_order;
+      maker.add(line[i].point, line[(i + 1) % n].point, class_of(ridge.colour, type));
+    }
+    maker.end();
+  }
+}
+
+void add_legend(const ridges::RidgeGraph& graph, Drawing& drawing) {
+  // From the top: blue before red, elliptic first.
+  for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c) {
+    if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
+  }
+  const std::pair<UmbilicKind, const char*> kinds[] = {
+      {UmbilicKind::one_ridge, "umbilic, 1-ridge"},
+      {UmbilicKind::three_ridge, "umbilic, 3-ridge"},
+      {UmbilicKind::degenerate, "umbilic, degenerate"}};
+  for (const auto& [kind, label] : kinds) {
+    const bool present = std::any_of(graph.umbilics.begin(), graph.umbilics.end(),
+                                     [&](const auto& umbilic) { return umbilic.kind == kind; });
+    if (present) drawing.legend.push_back({label, dot_colour(kind), true});
+  }
+}
+
+/// Columns of dots, the lowest bit on top.
+using Glyph = std::array<std::uint8_t, 5>;
+const std::map<char, Glyph>& font() {
+  static const std::map<char, Glyph> glyphs = {
+      {'a', {0x20, 0x54, 0x54, 0x54, 0x78}}, {'b', {0x7f, 0x48, 0x44, 0x44, 0x38}},
+      {'c', {0x38, 0x44, 0x44, 0x44, 0x28}}, {'d', {0x38, 0x44, 0x44, 0x48, 0x7f}},
+      {'e', {0x38, 0x54, 0x54, 0x54, 0x18}}, {'f', {0x00, 0x08, 0x7e, 0x09, 0x02}},
+      {'g', {0x18, 0xa4, 0xa4, 0xa4, 0x7c}}, {'h', {0x7f, 0x08, 0x04, 0x04, 0x78}},
+      {'i', {0x00, 0x44, 0x7d, 0x40, 0x00}}, {'l', {0x00, 0x41, 0x7f, 0x40, 0x00}},
+      {'m', {0x7c, 0x04, 0x78, 0x04, 0x78}}, {'n', {0x7c, 0x08, 0x04, 0x04, 0x78}},
+      {'o', {0x38, 0x44, 0x44, 0x44, 0x38}}, {'p', {0xfc, 0x24, 0x24, 0x24, 0x18}},
+      {'r', {0x7c, 0x08, 0x04, 0x04, 0x08}}, {'t', {0x04, 0x04, 0x3f, 0x44, 0x24}},
+      {'u', {0x3c, 0x40, 0x40, 0x20, 0x7c}}, {'y', {0x1c, 0xa0, 0xa0, 0xa0, 0x7c}},
+      {'1', {0x00, 0x42, 0x7f, 0x40, 0x00}}, {'3', {0x22, 0x41, 0x49, 0x49, 0x36}},
+      {'-', {0x08, 0x08, 0x08, 0x08, 0x08}}, {',', {0x00, 0x80, 0x60, 0x00, 0x00}}};
+  return glyphs;
+}
+
+constexpr double kAdvance = 6;  // dots
+
+}  // namespace
+
+Colour casing(Colour colour) {
+  const auto darker = [](std::uint8_t c) { return static_cast<std::uint8_t>(c * 2 / 5); };
+  return {darker(colour.red), darker(colour.green), darker(colour.blue)};
+}
+
+Drawing make_drawing(const Camera& camera, const Canvas& surface, const ridges::RidgeGraph& graph,
+                     int order) {
+  Drawing drawing{};
+  drawing.classes = palette();
+  drawing.stroke_width = std::max(1.2, 0.0026 * camera.width);
+  drawing.casing_width = drawing.stroke_width + std::max(0.6, 0.0011 * camera.width);
+  drawing.dot_radius = std::max(2.0, 0.0055 * camera.width);
+  add_strokes(camera, surface, graph, order, drawing);
+  for (const ridges::Umbilic& umbilic : graph.umbilics) {
+    const Vec3 pixel = camera.project(umbilic.point);
+    if (surface.visible(pixel, 0.004 * camera.width)) {
+      drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
+    }
+  }
+  add_legend(graph, drawing);
+  return drawing;
+}
+
+void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text) {
+  for (char c : text) {
+    const auto glyph = font().find(c);
+    for (std::size_t column = 0; glyph != font().end() && column < 5; ++column) {
+      for (int row = 0; row < 8; ++row) {
+        if ((glyph->second[column] >> row & 1) == 0) continue;
+        const double left = x + static_cast<double>(column) * size, top = y + row * size;
+        canvas.fill_box(left, top, left + size, top + size, {40, 40, 44}, 1);
+      }
+    }
+    x += kAdvance * size;
+  }
+}
+
+double text_width(const std::string& text) {
+  return kAdvance * static_cast<double>(text.size());
+}
+
+}  // namespace crest::io

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Shaded pictures of a mesh with its ridges and umbilics, drawn in software.
+#include <optional>
+#include <string>
+
+#include "algorithms/ridges/ridge_graph.hpp"
+#include "kernel/geometry/triangle_mesh.hpp"
+
+namespace crest::io {
+
+struct PictureOptions {
+  int width = 1200;                  ///< pixels; the height follows from the view
+  std::optional<kernel::Vec3> view;  ///< from the eye into the scene; nothing: chosen
+  bool show_legend = true;
+  int order = 4;  ///< types by the fourth-order or the third-order rule (3)
+};
+
+/// Writes .png or .svg, by the extension in any case, in the colours of paper 002: blue elliptic
+/// blue, blue hyperbolic green, red elliptic red, red hyperbolic yellow; turning segments in
+/// between, flat ones grey; umbilics white (1-ridge), black (3-ridge) or grey (degenerate). Hidden
+/// parts are not drawn. In .svg the surface is an embedded PNG, the ridges are paths.
+/// Guarantees: the same bytes for the same input; no half-written file.
+/// Throws: kernel::InputError for another extension, a width outside [16, 16384], a zero view, or
+///   a place that cannot be written.
+void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                   const ridges::RidgeGraph& graph, const PictureOptions& options = {});
+
+}  // namespace crest::io
