@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program `crest`: one sub-command a system, the same words everywhere.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -20,6 +21,12 @@ std::string examples_footer(const std::string& before, const Command& command) {
   return text;
 }
 
+bool is_command(const std::string& name) {
+  const auto all = crest::cli::commands();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Command* command) { return command->name == name; });
+}
+
 /// Errors in the command line: one line and where to look, exit code 2.
 int usage_error(const CLI::App& app, const std::string& what) {
   const auto chosen = app.get_subcommands();
@@ -33,8 +40,12 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
   std::vector<std::pair<CLI::App*, std::function<int()>>> runs;
   for (const Command* command : crest::cli::commands()) {
     CLI::App* sub = app.add_subcommand(command->name, command->summary);
+    sub->footer("");  // not the one of the whole program
     runs.emplace_back(sub, command->add(*sub));
     sub->footer(examples_footer(sub->get_footer(), *command));
+  }
+  if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) {
+    return usage_error(app, std::string("there is no command ") + argv[1]);
   }
   try {
     app.parse(argc, argv);

@@ -54,6 +54,26 @@ TEST_CASE("names of source files are snake_case") {
   }
 }
 
+TEST_CASE("names of test cases are read alike by CTest and Catch2") {
+  // A semicolon splits a CMake list; the others mean something in a Catch2 test specification.
+  std::size_t cases = 0;
+  for (const std::string& path : project_files()) {
+    if (!has_prefix(path, "tests/") || !has_suffix(path, ".cpp")) continue;
+    for (const std::string& line : lines_of(path)) {
+      for (const std::string macro : {"TEST_CASE(\"", "TEMPLATE_TEST_CASE(\""}) {
+        if (!has_prefix(line, macro)) continue;
+        const std::string name =
+            line.substr(macro.size(), line.find('"', macro.size()) - macro.size());
+        INFO(path << ": " << name);
+        CHECK(name.find_first_of(";[]\\*~") == std::string::npos);
+        CHECK_FALSE(has_prefix(name, "-"));
+        ++cases;
+      }
+    }
+  }
+  CHECK(cases > 20);
+}
+
 TEST_CASE("every header is guarded by #pragma once") {
   for (const std::string& path : project_files()) {
     if (!has_suffix(path, ".hpp")) continue;

@@ -77,7 +77,7 @@ TEST_CASE("every command of the README runs as it stands") {
   CHECK(ran >= 3);
 }
 
-TEST_CASE("--cite prints the BibTeX of what the run used, and only that") {
+TEST_CASE("citing prints the BibTeX of what the run used and only that") {
   const TemporaryFolder folder;
   REQUIRE(run_crest("crest sample ellipsoid --vertices 600 -o e.off", folder.path()).exit_code ==
           0);

@@ -159,7 +159,7 @@ TEST_CASE("output bytes do not depend on the number of threads") {
   }
 }
 
-TEST_CASE("filters drop ridges from the output and say how many; the certificate keeps all") {
+TEST_CASE("filters drop ridges from the output and say how many, the certificate keeps all") {
   const EllipsoidFolder folder;
   require_done("crest ridges e.off --quiet --report all.json --certificate all.crest",
                folder.path());
@@ -188,7 +188,7 @@ TEST_CASE("options change what they name") {
   require_done("crest ridges e.off --quiet --crest-only --report crest.json", folder.path());
   require_done("crest ridges e.off --quiet --scale 0.4 --report scale.json", folder.path());
   require_done("crest ridges e.off --quiet --scale auto --report auto.json", folder.path());
-  require_done("crest ridges e.off --quiet --rings 3 --report rings.json", folder.path());
+  require_done("crest ridges e.off --quiet --rings 4 --report rings.json", folder.path());
   CHECK(read_json(folder / "third.json")["order"] == 3);
   CHECK(read_json(folder / "scale.json")["scale"] == 0.4);
   CHECK(read_json(folder / "auto.json")["scale"].get<double>() > 0);
@@ -200,7 +200,7 @@ TEST_CASE("options change what they name") {
         read_json(folder / "third.json")["data_digest"]);
 }
 
-TEST_CASE("--quiet is quiet, and sample's noise depends on its seed") {
+TEST_CASE("a quiet run is quiet, and noise depends on its seed") {
   const TemporaryFolder folder;
   const std::string sample = "crest sample ellipsoid --vertices 600 --quiet --noise 0.1 ";
   const auto result = require_done(sample + "-o a.off", folder.path());
