@@ -26,7 +26,7 @@ std::vector<PatchJoins> all_joins(const kernel::TriangleMesh& mesh,
 
 Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
               const std::vector<MongeForm>& forms, const EdgeStates& states,
-              const std::vector<PatchJoins>& joins, TypeCounts& counts) {
+              const std::vector<PatchJoins>& joins, double size, TypeCounts& counts) {
   Ridge ridge;
   ridge.colour = chain.colour;
   ridge.loop = chain.loop;
@@ -47,7 +47,7 @@ Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
     ridge.lead_out = joins[chain.ends[1].umbilic].at({chain.edges.back(), chain.colour});
     std::reverse(ridge.lead_out.begin(), ridge.lead_out.end());
   }
-  measure_ridge(ridge);
+  measure_ridge(ridge, size);
   return ridge;
 }
 
@@ -61,6 +61,7 @@ RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
   UmbilicPatches patches = find_umbilics(mesh, forms, states, indices, options.umbilic_patch);
 
   RidgeGraph graph;
+  graph.model_size = model_size(mesh);
   graph.ambiguous_edges = states.ambiguous_edges;
   std::copy(states.zero_extremalities, states.zero_extremalities + 2, graph.zero_extremalities);
   graph.twice_index_sum = indices.twice_sum;
@@ -71,7 +72,7 @@ RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
   TypeCounts counts;
   const std::vector<PatchJoins> joins = all_joins(mesh, forms, states, patches);
   for (const Chain& chain : chain_crossings(mesh, states, patches.owner))
-    graph.ridges.push_back(realise(chain, mesh, forms, states, joins, counts));
+    graph.ridges.push_back(realise(chain, mesh, forms, states, joins, graph.model_size, counts));
   graph.umbilics = std::move(patches.umbilics);
   if (report)
     *report = {

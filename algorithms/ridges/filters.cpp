@@ -15,7 +15,7 @@ bool on_crest(const Crossing& c, Colour colour) {
   return colour == Colour::blue ? c.k1 > std::fabs(c.k2) : -c.k2 > std::fabs(c.k1);
 }
 
-Ridge piece_of(const Ridge& ridge, std::size_t first, std::size_t count) {
+Ridge piece_of(const Ridge& ridge, std::size_t first, std::size_t count, double size) {
   Ridge piece;
   piece.colour = ridge.colour;
   piece.loop = false;
@@ -32,11 +32,11 @@ Ridge piece_of(const Ridge& ridge, std::size_t first, std::size_t count) {
     piece.ends[1] = ridge.ends[1];
     piece.lead_out = ridge.lead_out;
   }
-  measure_ridge(piece);
+  measure_ridge(piece, size);
   return piece;
 }
 
-void append_crest_pieces(const Ridge& ridge, std::vector<Ridge>& out) {
+void append_crest_pieces(const Ridge& ridge, double size, std::vector<Ridge>& out) {
   const std::size_t n = ridge.crossings.size();
   std::vector<bool> crest(n);
   for (std::size_t i = 0; i < n; ++i) crest[i] = on_crest(ridge.crossings[i], ridge.colour);
@@ -50,7 +50,7 @@ void append_crest_pieces(const Ridge& ridge, std::vector<Ridge>& out) {
   for (std::size_t i = 0; i < n;) {
     std::size_t count = 0;
     while (i + count < n && crest[(start + i + count) % n]) ++count;
-    if (count > 0) out.push_back(piece_of(ridge, (start + i) % n, count));
+    if (count > 0) out.push_back(piece_of(ridge, (start + i) % n, count, size));
     i += count + 1;
   }
 }
@@ -63,7 +63,7 @@ FilterReport filter(RidgeGraph& graph, const FilterOptions& options) {
     std::vector<Ridge> pieces;
     for (const Ridge& r : graph.ridges) {
       const std::size_t before = pieces.size();
-      append_crest_pieces(r, pieces);
+      append_crest_pieces(r, graph.model_size, pieces);
       report.by_crest += pieces.size() == before;
     }
     graph.ridges = std::move(pieces);

@@ -60,7 +60,17 @@ Crossing measure_crossing(const kernel::TriangleMesh& mesh, const std::vector<Mo
   return c;
 }
 
-void measure_ridge(Ridge& ridge) {
+double model_size(const kernel::TriangleMesh& mesh) {
+  Vec3 mean{};
+  for (const Vec3& p : mesh.points())
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += p[k];
+  for (double& x : mean) x /= mesh.vertex_count();
+  double size = 0;
+  for (const Vec3& p : mesh.points()) size = std::fmax(size, distance(p, mean));
+  return size;
+}
+
+void measure_ridge(Ridge& ridge, double model_size) {
   ridge.length = ridge.elliptic_length = ridge.hyperbolic_length = 0;
   ridge.strength = ridge.sharpness = 0;
   const auto& nodes = ridge.crossings;
@@ -91,6 +101,7 @@ void measure_ridge(Ridge& ridge) {
     ridge.strength += l * (curvature(a) + curvature(b)) / 2;
     ridge.sharpness += l * (second_derivative(a) + second_derivative(b)) / 2;
   }
+  ridge.sharpness *= model_size * model_size;
   const double drawn =
       (ridge.lead_in.empty() ? 0 : polyline_length(ridge.lead_in, nodes[0].point)) +
       (ridge.lead_out.empty() ? 0

@@ -15,9 +15,13 @@ double crossing_weight(const kernel::TriangleMesh& mesh,
 Crossing measure_crossing(const kernel::TriangleMesh& mesh,
                           const std::vector<kernel::MongeForm>& forms, Index edge, Colour colour);
 
+/// The length that makes sharpness free of units: the largest distance of a vertex from the mean of
+/// all vertices. Invariant under rigid motions.
+double model_size(const kernel::TriangleMesh& mesh);
+
 /// Fills length, elliptic_length, hyperbolic_length (the drawn lines inside patches count as
 /// hyperbolic: section 6.5), strength and sharpness (section 7.2; trapezoidal rule between
 /// crossings). A turning segment is divided where its linear P is zero.
-void measure_ridge(Ridge& ridge);
+void measure_ridge(Ridge& ridge, double model_size);
 
 }  // namespace crest::ridges

@@ -54,7 +54,7 @@ struct Ridge {
                                         ///< after the last crossing, centre included
   double length = 0, elliptic_length = 0, hyperbolic_length = 0;
   double strength = 0;   ///< integral of |k1| (blue) or |k2| (red); no unit
-  double sharpness = 0;  ///< integral of |P / (k1 - k2)|; scale-independent
+  double sharpness = 0;  ///< integral of |P / (k1 - k2)| times model_size^2; no unit
   std::size_t segment_count() const { return crossings.size() - (loop ? 0u : 1u); }
   /// Fourth-order type of the segment after crossing i: that of its ends, or turning.
   RidgeType fourth_order(std::size_t i) const {
@@ -84,6 +84,7 @@ struct FaceIndex {
 };
 
 struct RidgeGraph {
+  double model_size = 0;                 ///< largest distance of a vertex from the vertices' mean
   std::vector<Ridge> ridges;             ///< blue first; within a colour by smallest edge
   std::vector<Umbilic> umbilics;         ///< by face
   std::vector<FaceIndex> face_indices;   ///< by face; only non-zero ones

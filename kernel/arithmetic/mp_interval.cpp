@@ -176,9 +176,12 @@ MpInterval atan2(const MpInterval& y, const MpInterval& x) {
       mpfr_set(r.high_, pi.high_, MPFR_RNDU);
       return r;
     }
-    MpInterval r(bits);
-    mpfr_atan2(r.low_, mpfr_sgn(x.high_) > 0 ? y.low_ : y.high_, x.high_, MPFR_RNDD);
-    mpfr_atan2(r.high_, mpfr_sgn(x.low_) < 0 ? y.low_ : y.high_, x.low_, MPFR_RNDU);
+    // MPFR's atan2 tells -0 from +0; here zero is a point like others.
+    MpInterval up(y), r(bits);
+    mpfr_abs(up.low_, up.low_, MPFR_RNDD);
+    mpfr_abs(up.high_, up.high_, MPFR_RNDU);
+    mpfr_atan2(r.low_, mpfr_sgn(x.high_) > 0 ? up.low_ : up.high_, x.high_, MPFR_RNDD);
+    mpfr_atan2(r.high_, mpfr_sgn(x.low_) < 0 ? up.low_ : up.high_, x.low_, MPFR_RNDU);
     return r;
   }
   if (mpfr_sgn(y.high_) <= 0) return -atan2(-y, x);

@@ -63,13 +63,12 @@ struct Reference {
 Reference triage_reference(const Star& star) {
   const Vec3 e = difference(star.ring[0], star.centre);
   const auto [x, y] = seen_from<double>(e, star.n, star.d1);
-  // Every term of x and y is at most |n|^2 |e| |d1| (y has one n: |n| is within 1e-6 of 1 here).
-  const double n2 = dot(star.n, star.n), d2 = dot(star.d1, star.d1), e2 = dot(e, e);
-  const double size = std::sqrt(e2);
+  const double n = std::sqrt(dot(star.n, star.n)), d = std::sqrt(dot(star.d1, star.d1));
+  const double size = std::sqrt(dot(e, e));
   const double length = std::sqrt(x * x + y * y);
-  if (std::fabs(n2 - 1) > 1e-6 || std::fabs(d2 - 1) > 1e-6 || !comfortable(size))
-    return {0, 0, kUnknown};
-  const double slip = 64 * kUnitRoundoff * size;
+  if (!comfortable(n) || !comfortable(d) || !comfortable(size)) return {0, 0, kUnknown};
+  // x and y are sums of products of at most |n|^2 |e| |d1| and |n| |e| |d1|.
+  const double slip = 64 * kUnitRoundoff * std::fmax(n * n, n) * size * d;
   if (!(length > 1e6 * slip)) return {0, 0, kUnknown};
   // A displacement of at most 2 slip at distance length turns the argument by less than 4
   // slip/length.
@@ -167,7 +166,7 @@ StarAngles star_angles(const Star& star, std::span<double> position, std::span<d
     // Numerator and denominator err by raw_error each; the quotient is at most 1.
     error = sum > 4 * raw_error ? 3 * scale * raw_error + 1e-14 : kUnknown;
   }
-  if (!comfortable(shortest) || !comfortable(longest)) error = kUnknown;
+  if (!comfortable(std::sqrt(shortest)) || !comfortable(std::sqrt(longest))) error = kUnknown;
   error = 2 * error + reference.error;
   // Nothing below needs more than a few digits, but it needs them for certain.
   if (!(error < 1e-3)) return interval_star_angles(star, position, corner);
