@@ -124,7 +124,11 @@ Grid star_grid(const Surface& s, int vertices, bool rotate) {
   const double n = std::round(std::sqrt((vertices - 2) / 10.0));
   Grid grid = std::move(SphereGrid(static_cast<Index>(std::max(1.0, n))).grid_);
   const Surface::Rotation turn = generic_rotation(1);
-  for (Point& p : grid.points) p = s.centre + s.size * (rotate ? turn * p : p);
+  for (Point& p : grid.points) {
+    if (rotate) p = turn * p;
+    // Plain rays starve the tips of long surfaces, affine images stretch their sides: halfway.
+    for (std::size_t i = 0; i < 3; ++i) p[i] = s.centre[i] + std::sqrt(s.reach[i]) * p[i];
+  }
   return grid;
 }
 

@@ -30,11 +30,11 @@ T square(const T& x) {
   return x * x;
 }
 
-void star(Surface& s, Point centre, Real size) {
+void star(Surface& s, Point centre, Point reach) {
   s.shape = Surface::Shape::star;
   s.known.euler_characteristic = 2;
   s.centre = centre;
-  s.size = size;
+  s.reach = reach;
   s.ray_origin = [centre](const Point&) { return centre; };
 }
 
@@ -44,7 +44,7 @@ void ellipsoid(Surface& s, const Parameters& p) {
   s.implicit = implicit([a, b, c](const auto& x, const auto& y, const auto& z) {
     return a * (x * x) + b * (y * y) + c * (z * z) - Real(1);
   });
-  star(s, {}, std::min({p[0], p[1], p[2]}));
+  star(s, {}, {p[0], p[1], p[2]});
   if (p[0] != p[1] && p[1] != p[2] && p[0] != p[2]) s.known.umbilics = Umbilics{4, 0};
 }
 
@@ -57,7 +57,7 @@ void blend(Surface& s, const Parameters&) {
         term(x - Real(0.25L), 0.1L) + term(y - Real(0.1L), 0.2L) + term(z - Real(0.1L), 0.3L);
     return Real(1) - exp(Real(-0.7L) * (q1 - Real(1))) - exp(Real(-0.7L) * (q2 - Real(1)));
   });
-  star(s, {0.15L, 0.06L, 0.05L}, 0.2L);
+  star(s, {0.15L, 0.06L, 0.05L}, {0.25L, 0.25L, 0.4L});
   s.known.umbilics = Umbilics{6, 2};
 }
 
@@ -70,7 +70,7 @@ void quartic_sphere(Surface& s, const Parameters& p) {
                        Real(0.3L) * (x * (y * z)) + Real(0.2L) * (x * xx);
     return xx * xx + yy * yy + zz * zz + a * (xx + yy + zz) + e * cubic - (1 + a);
   });
-  star(s, {}, 1);
+  star(s, {}, {1, 1, 1});
 }
 
 void sphere(Surface& s, const Parameters& p) {
@@ -78,7 +78,7 @@ void sphere(Surface& s, const Parameters& p) {
   const Real r = p[0];
   s.implicit = implicit(
       [r](const auto& x, const auto& y, const auto& z) { return x * x + y * y + z * z - r * r; });
-  star(s, {}, r);
+  star(s, {}, {r, r, r});
   s.exact = [radius = p[0]](const Point&, kernel::MongeForm& m) {
     m.k1 = m.k2 = -1 / radius;
     m.b0 = m.b1 = m.b2 = m.b3 = m.c1 = m.c3 = 0;
@@ -121,6 +121,7 @@ void perturbed_torus(Surface& s, const Parameters& p) {
   require(std::abs(p[2]) <= 0.5, "perturbed-torus: needs |EPS| <= 0.5");
   require(p[3] > 0, "perturbed-torus: needs STRETCH > 0");
   const Real big = p[0], small = p[1], e = p[2], stretch = p[3];
+  s.tube = small * (1 + stretch) / 2;
   s.implicit = implicit([big, small, e, stretch](const auto& x, const auto& y, const auto& z) {
     const auto u = (1 / big) * x, v = (1 / big) * y, w = (1 / (stretch * small)) * z;
     const auto g = Real(0.6L) * (u * v) + Real(0.4L) * (u * w) + Real(0.3L) * v -

@@ -34,9 +34,10 @@ class Surface {
   Shape shape = Shape::star;
   std::shared_ptr<const ImplicitSurface> implicit;
   Rotation rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Point centre{};  ///< body; the surface is star-shaped from it (star)
-  Real size = 1;   ///< a typical radius (star); the core circle's radius (torus)
-  Real tube = 0;   ///< radius of the tube (torus)
+  Point centre{};        ///< body; the surface is star-shaped from it (star)
+  Real size = 1;         ///< radius of the core circle (torus)
+  Point reach{1, 1, 1};  ///< rough semi-axes along x, y, z: they share out the points (star)
+  Real tube = 0;         ///< mean radius of the tube (torus)
   /// Patch: body point over (u, v) in [-1, 1]^2, on the surface or above the foot of its ray.
   std::function<Point(Real u, Real v)> chart;
   /// Where the ray through a body point starts: inside the surface.
