@@ -155,7 +155,7 @@ DoubleAngles enclose_angles(const MeshData& data, const Topology& topology) {
   out.total.resize(vertices);
   out.phi.resize(vertices);
   out.error.assign(vertices, 0);
-  const Argument argument;
+  static const Argument argument;
   enclose_corners(data, argument, out);
   for (u32 v = 0; v < vertices; ++v) {
     out.error[v] += scale_ring(topology, v, out);

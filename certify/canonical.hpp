@@ -11,4 +11,7 @@ namespace crest::certify {
 /// no node. Cost: linear plus the sorting of records.
 void make_canonical(RidgesMeshCertificate& certificate);
 
+/// encode() without make_canonical: the records in the order and direction given.
+Bytes encode_as_is(const RidgesMeshCertificate& certificate);
+
 }  // namespace crest::certify

@@ -120,8 +120,7 @@ void store_seal(Bytes& bytes, const Digest& seal) {
 
 }  // namespace
 
-Bytes encode(RidgesMeshCertificate certificate) {
-  make_canonical(certificate);
+Bytes encode_as_is(const RidgesMeshCertificate& certificate) {
   ByteWriter out;
   const std::size_t data_size = 8 + certificate.data.faces.size() * kFaceSize +
                                 certificate.data.positions.size() * kVertexSize;
@@ -142,6 +141,11 @@ Bytes encode(RidgesMeshCertificate certificate) {
     bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
   rebind(bytes);
   return bytes;
+}
+
+Bytes encode(RidgesMeshCertificate certificate) {
+  make_canonical(certificate);
+  return encode_as_is(certificate);
 }
 
 Digest data_digest(const Bytes& certificate) {
