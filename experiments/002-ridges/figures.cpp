@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures 1, 25, 26 and 27 of paper 002: pictures and the counts behind them.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "algorithms/sampling/mesh_surface.hpp"
+#include "experiments/peers/ridges/crest_run.hpp"
+#include "io/mesh_reader.hpp"
+#include "io/picture.hpp"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path data = "../shared/data/meshes", out = "out/figures";
+  double strength = 2, sharpness = 20;
+};
+
+struct Model {
+  std::string name;
+  kernel::TriangleMesh mesh;
+  ridges::RidgeGraph graph;
+  double seconds;
+};
+
+Model extract(const std::string& name, kernel::TriangleMesh mesh, const ridges::FitOptions& fit) {
+  const auto start = std::chrono::steady_clock::now();
+  const ridges::FitResult forms = ridges::fit_monge_forms(mesh, fit);
+  ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, forms.forms);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {name, std::move(mesh), std::move(graph), time.count()};
+}
+
+Model sampled(const std::string& name, int vertices) {
+  const sampling::SurfaceSample s = sampling::sample(name, {}, vertices, true);
+  return extract(name, kernel::TriangleMesh(s.points, s.faces), {});
+}
+
+void figure(const std::string& label, const Model& model, const ridges::FilterOptions& filter,
+            const Options& o) {
+  ridges::RidgeGraph graph = model.graph;
+  ridges::filter(graph, filter);
+  const peers::CrestResult c = peers::count(graph);
+  const std::string file = (o.out / ("figure_" + label + ".svg")).string();
+  io::write_picture(file, model.mesh, graph);
+  fmt::print("| {} | {} | {} | {}, {} | {} + {} | {} + {} | {:.2f} | {} |\n", label, model.name,
+             model.mesh.vertex_count(), c.plus, c.minus, c.blue.loops, c.blue.segments, c.red.loops,
+             c.red.segments, model.seconds, file);
+}
+
+std::optional<Model> scanned(const Options& o, const std::string& file,
+                             const ridges::FitOptions& fit) {
+  const fs::path path = o.data / file;
+  if (!fs::exists(path)) {
+    std::cerr << path.string() << ": not there (see --data): figure skipped\n";
+    return std::nullopt;
+  }
+  return extract(file, io::read_mesh(path.string()).mesh, fit);
+}
+
+void run(const Options& o) {
+  fs::create_directories(o.out);
+  fmt::print(
+      "| figure | model | vertices | umbilics +1/2, -1/2 | blue loops + segments | red | seconds | "
+      "picture |\n|---|---|---|---|---|---|---|---|\n");
+  figure("1", sampled("ellipsoid", 10000), {}, o);
+  figure("25", sampled("blend", 40000), {}, o);
+  ridges::FilterOptions crest, strong, sharp;
+  crest.crest_only = strong.crest_only = sharp.crest_only = true;
+  strong.min_strength = o.strength;
+  sharp.min_sharpness = o.sharpness;
+  if (const auto part = scanned(o, "fandisk.off", {})) {
+    figure("26a", *part, crest, o);
+    figure("26b", *part, strong, o);
+    figure("26c", *part, sharp, o);
+  }
+  ridges::FitOptions wide;
+  wide.auto_scale = true;  // a scan: see the noise table
+  if (const auto scan = scanned(o, "horse.ply", wide)) figure("27", *scan, sharp, o);
+}
+
+}  // namespace
+}  // namespace crest
+
+int main(int argc, char** argv) {
+  crest::Options o;
+  CLI::App app{"Figures 1, 25, 26 and 27 of paper 002"};
+  app.add_option("--data", o.data,
+                 "folder of fandisk.off and horse.ply (default "
+                 "../shared/data/meshes)");
+  app.add_option("--out", o.out, "folder for the pictures (default out/figures)");
+  app.add_option("--min-strength", o.strength, "of figure 26b");
+  app.add_option("--min-sharpness", o.sharpness, "of figures 26c and 27");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    crest::run(o);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 3;
+  }
+  return 0;
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The index sum against the Euler characteristic on every closed scan of a folder, and how many
+// ridge ends stay unjoined, Crest beside CGAL.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "algorithms/ridges/certificate.hpp"
+#include "certify/verify.hpp"
+#include "experiments/peers/ridges/cgal_peer.hpp"
+#include "experiments/peers/ridges/crest_run.hpp"
+#include "io/mesh_reader.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string folder = "../shared/data/meshes";
+  unsigned cgal_limit = 20000;
+};
+
+io::MeshFile read(const fs::path& path) {
+  if (path.extension() != ".xz") return io::read_mesh(path.string());
+  const std::string command = "xz -dc '" + path.string() + "'";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string bytes;
+  char block[1 << 16];
+  while (const std::size_t n = pipe ? std::fread(block, 1, sizeof block, pipe.get()) : 0)
+    bytes.append(block, n);
+  return io::read_mesh_bytes(path.stem().string(), std::move(bytes));
+}
+
+struct Tally {
+  int meshes = 0, equal = 0, verified = 0, cgal_meshes = 0, cgal_equal = 0;
+};
+
+void row(const fs::path& path, const kernel::TriangleMesh& mesh, const Options& o, Tally& tally) {
+  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, {});
+  const ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
+  const peers::CrestResult c = peers::count(graph);
+  const bool accepted =
+      certify::verify(certify::encode(ridges::make_certificate(mesh, fit.forms, graph))).accepted;
+  const int chi = mesh.euler_characteristic();
+  ++tally.meshes;
+  tally.equal += graph.twice_index_sum == 2 * chi;
+  tally.verified += accepted;
+  std::string peer = "| | | ";
+  if (mesh.vertex_count() <= o.cgal_limit) {
+    const peers::CgalResult r = peers::run_cgal(mesh, {});
+    ++tally.cgal_meshes;
+    tally.cgal_equal += r.index_sum() == chi;
+    peer = fmt::format("| {}, {}, {} | {} | {} ", r.plus, r.minus, r.other, r.index_sum(),
+                       r.blue_lines.open_ends + r.red_lines.open_ends);
+  }
+  fmt::print("| {} | {} | {} | {}, {}, {} | {} | {} | {} {}|\n", path.filename().string(),
+             mesh.vertex_count(), chi, c.plus, c.minus, c.other, c.index_sum, c.open_ends,
+             accepted ? "accepted" : "REJECTED", peer);
+  std::fflush(stdout);
+}
+
+int run(const Options& o) {
+  if (!fs::is_directory(o.folder)) {
+    std::cerr << o.folder << ": no such folder; give one with meshes (--folder): skipped\n";
+    return 0;
+  }
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(o.folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  fmt::print(
+      "| mesh | vertices | chi | +1/2, -1/2, other | index sum | unjoined ends | crest-verify | "
+      "CGAL +1/2, -1/2, other | CGAL index sum | CGAL unjoined ends |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  Tally tally;
+  for (const fs::path& path : files) {
+    try {
+      const io::MeshFile file = read(path);
+      if (file.mesh.closed()) row(path, file.mesh, o, tally);
+    } catch (const kernel::InputError&) {
+      // Not a closed manifold triangle mesh: not a case of this table.
+    }
+  }
+  fmt::print(
+      "\nCrest: index sum = chi on {} of {} meshes, {} certificates accepted. CGAL: {} of {}.\n",
+      tally.equal, tally.meshes, tally.verified, tally.cgal_equal, tally.cgal_meshes);
+  return tally.equal == tally.meshes && tally.verified == tally.meshes ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace crest
+
+int main(int argc, char** argv) {
+  crest::Options o;
+  CLI::App app{"Index sum and Euler characteristic of closed meshes, Crest beside CGAL"};
+  app.add_option("--folder", o.folder, "of meshes (default ../shared/data/meshes)");
+  app.add_option("--cgal-limit", o.cgal_limit,
+                 "largest mesh given to CGAL, vertices (default 20000)");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return crest::run(o);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 3;
+  }
+}
