@@ -119,17 +119,18 @@ Matrix principal_axes(const kernel::TriangleMesh& mesh) {
   return axes;
 }
 
-/// Ridge length that faces the eye.
-double facing_length(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                     const ridges::RidgeGraph& graph, const Vec3& view) {
+/// Length of the elliptic ridges that face the eye, weighted by their curvature: features count,
+/// ripples hardly.
+double facing_strength(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                       const ridges::RidgeGraph& graph, const Vec3& view) {
   double sum = 0;
   for (const ridges::Ridge& ridge : graph.ridges) {
     for (std::size_t i = 0; i + 1 < ridge.crossings.size(); ++i) {
       const ridges::Crossing& c = ridge.crossings[i];
       const kernel::Edge& e = mesh.edges()[c.edge];
-      if (dot(normals[e.v0], view) >= 0) continue;
+      if (c.type != ridges::RidgeType::elliptic || dot(normals[e.v0], view) >= 0) continue;
       const Vec3 d = combine(1, ridge.crossings[i + 1].point, -1, c.point);
-      sum += std::sqrt(dot(d, d));
+      sum += std::abs(ridge.colour == ridges::Colour::blue ? c.k1 : c.k2) * std::sqrt(dot(d, d));
     }
   }
   return sum;
@@ -179,7 +180,7 @@ Vec3 automatic_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& n
         const Vec3 tilt = combine(0.6 * side, axes[2], 0.8 * above, axes[1]);
         const Vec3 view = combine(sign * std::cos(kTilt), axes[0], std::sin(kTilt), tilt);
         const double score = graph.ridges.empty() ? facing_area(mesh, view)
-                                                  : facing_length(mesh, normals, graph, view);
+                                                  : facing_strength(mesh, normals, graph, view);
         // A hair more than before: equal scores keep the first view.
         if (score > most * (1 + 1e-9)) {
           most = score;

@@ -36,7 +36,7 @@ struct Camera {
 };
 
 /// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
-/// ridge length (the most area without ridges).
+/// of the elliptic ridges, weighted by curvature (the most area without ridges).
 kernel::Vec3 automatic_view(const kernel::TriangleMesh& mesh,
                             const std::vector<kernel::Vec3>& normals,
                             const ridges::RidgeGraph& graph);

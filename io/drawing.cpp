@@ -43,29 +43,57 @@ Colour dot_colour(UmbilicKind kind) {
   return kGrey;
 }
 
+/// Tells which points the eye can see.
+class Sight {
+ public:
+  Sight(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
+        const std::vector<Vec3>& normals)
+      : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals) {}
+
+  /// Lines lie on the surface; the bias only covers rounding and the patches' polylines.
+  bool free(const Vec3& pixel) const { return surface_.visible(pixel, 0.003 * camera_.width); }
+
+  /// The back of a closed surface is hidden even where the bias does not tell, at its outline.
+  bool faces_eye(kernel::Index v, kernel::Index w) const {
+    if (!mesh_.closed()) return true;
+    const Vec3 n = combine(1, normals_[v], 1, normals_[w]);
+    return dot(normalised(n, combine(-1, camera_.forward, 0, n)), camera_.forward) < 0.1;
+  }
+  bool faces_eye(const ridges::Crossing& crossing) const {
+    const kernel::Edge& e = mesh_.edges()[crossing.edge];
+    return faces_eye(e.v0, e.v1);
+  }
+  bool faces_eye(const ridges::Umbilic& umbilic) const {
+    const kernel::Triangle& f = mesh_.faces()[umbilic.face];
+    return faces_eye(f[0], f[1]);
+  }
+  const Camera& camera() const { return camera_; }
+
+ private:
+  const Camera& camera_;
+  const Canvas& surface_;
+  const kernel::TriangleMesh& mesh_;
+  const std::vector<Vec3>& normals_;
+};
+
 /// Collects the visible parts of one ridge, a stroke for each run of one type.
 class StrokeMaker {
  public:
-  StrokeMaker(const Camera& camera, const Canvas& surface, Drawing& drawing)
-      : camera_(camera), surface_(surface), drawing_(drawing) {
-    // Lines lie on the surface; the bias only has to cover rounding and the patches' polylines.
-    bias_ = 0.004 * camera.width;
-  }
+  StrokeMaker(const Sight& sight, Drawing& drawing) : sight_(sight), drawing_(drawing) {}
 
   void add(const Vec3& from, const Vec3& to, std::size_t stroke_class) {
     if (stroke_class != class_) end();
     class_ = stroke_class;
-    drawing_.classes[class_].in_graph = true;
-    const Vec3 p = camera_.project(from), q = camera_.project(to);
+    const Vec3 p = sight_.camera().project(from), q = sight_.camera().project(to);
     const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
     const int steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, 1e5));
     const auto at = [&](int i) {
       const double t = static_cast<double>(i) / steps;
       return combine(1 - t, p, t, q);
     };
-    bool before = surface_.visible(p, bias_);
+    bool before = sight_.free(p);
     for (int i = 1; i <= steps; ++i) {
-      const bool now = surface_.visible(at(i), bias_);
+      const bool now = sight_.free(at(i));
       if (before && now && stroke_.empty()) stroke_.push_back(at(i - 1));
       if (!now && before && !stroke_.empty()) {
         stroke_.push_back(at(i - 1));
@@ -82,26 +110,62 @@ class StrokeMaker {
   }
 
  private:
-  const Camera& camera_;
-  const Canvas& surface_;
+  const Sight& sight_;
   Drawing& drawing_;
-  double bias_;
   std::size_t class_ = 0;
   std::vector<Vec3> stroke_;
 };
 
-void add_strokes(const Camera& camera, const Canvas& surface, const ridges::RidgeGraph& graph,
-                 int order, Drawing& drawing) {
-  StrokeMaker maker(camera, surface, drawing);
+void add_strokes(const Sight& sight, const ridges::RidgeGraph& graph, int order, Drawing& drawing) {
+  StrokeMaker maker(sight, drawing);
+  const auto hidden = [&](const LinePoint& p) {
+    return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
+  };
   for (const ridges::Ridge& ridge : graph.ridges) {
     const std::vector<LinePoint> line = line_points(ridge);
     const std::size_t n = line.size();
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
+      const LinePoint& next = line[(i + 1) % n];
       const RidgeType type = order == 3 ? line[i].third_order : line[i].fourth_order;
-      maker.add(line[i].point, line[(i + 1) % n].point, class_of(ridge.colour, type));
+      const std::size_t stroke_class = class_of(ridge.colour, type);
+      drawing.classes[stroke_class].in_graph = true;
+      if (hidden(line[i]) || hidden(next)) {
+        maker.end();
+      } else {
+        maker.add(line[i].point, next.point, stroke_class);
+      }
     }
     maker.end();
   }
+}
+
+void add_dots(const Sight& sight, const ridges::RidgeGraph& graph, Drawing& drawing) {
+  for (const ridges::Umbilic& umbilic : graph.umbilics) {
+    const Vec3 pixel = sight.camera().project(umbilic.point);
+    if (sight.faces_eye(umbilic) && sight.free(pixel)) {
+      drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
+    }
+  }
+}
+
+/// Sizes grow with the picture and shrink when ink would cover more than its share of it.
+void set_sizes(const Camera& camera, Drawing& drawing) {
+  constexpr double stroke_share = 0.10, dot_share = 0.02, pi = 3.14159;
+  const double area = static_cast<double>(camera.width) * camera.height;
+  double length = 1;
+  for (const StrokeClass& c : drawing.classes) {
+    for (const auto& stroke : c.strokes) {
+      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+        length += std::hypot(stroke[i + 1][0] - stroke[i][0], stroke[i + 1][1] - stroke[i][1]);
+      }
+    }
+  }
+  const double unit = std::max(camera.width / 1200.0, 0.4);
+  drawing.stroke_width = std::clamp(stroke_share * area / length, 1.2 * unit, 3.2 * unit);
+  drawing.casing_width = 1.4 * drawing.stroke_width;
+  const auto dots = static_cast<double>(drawing.dots.size() + 1);
+  drawing.dot_radius =
+      std::clamp(std::sqrt(dot_share * area / (pi * dots)), 1.8 * unit, 6.6 * unit);
 }
 
 void add_legend(const ridges::RidgeGraph& graph, Drawing& drawing) {
@@ -147,20 +211,14 @@ Colour casing(Colour colour) {
   return {darker(colour.red), darker(colour.green), darker(colour.blue)};
 }
 
-Drawing make_drawing(const Camera& camera, const Canvas& surface, const ridges::RidgeGraph& graph,
-                     int order) {
+Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
+                     const std::vector<Vec3>& normals, const ridges::RidgeGraph& graph, int order) {
   Drawing drawing{};
   drawing.classes = palette();
-  drawing.stroke_width = std::max(1.2, 0.0026 * camera.width);
-  drawing.casing_width = drawing.stroke_width + std::max(0.6, 0.0011 * camera.width);
-  drawing.dot_radius = std::max(2.0, 0.0055 * camera.width);
-  add_strokes(camera, surface, graph, order, drawing);
-  for (const ridges::Umbilic& umbilic : graph.umbilics) {
-    const Vec3 pixel = camera.project(umbilic.point);
-    if (surface.visible(pixel, 0.004 * camera.width)) {
-      drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
-    }
-  }
+  const Sight sight(camera, surface, mesh, normals);
+  add_strokes(sight, graph, order, drawing);
+  add_dots(sight, graph, drawing);
+  set_sizes(camera, drawing);
   add_legend(graph, drawing);
   return drawing;
 }
@@ -172,7 +230,7 @@ void draw_text(Canvas& canvas, double x, double y, double size, const std::strin
       for (int row = 0; row < 8; ++row) {
         if ((glyph->second[column] >> row & 1) == 0) continue;
         const double left = x + static_cast<double>(column) * size, top = y + row * size;
-        canvas.fill_box(left, top, left + size, top + size, {40, 40, 44}, 1);
+        canvas.fill_box(left, top, left + size, top + size, {40, 40, 44});
       }
     }
     x += kAdvance * size;

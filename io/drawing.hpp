@@ -41,7 +41,9 @@ struct Drawing {
 Colour casing(Colour colour);
 
 /// Cuts the ridges where the canvas's surface hides them. order: 3 or 4, which types to use.
-Drawing make_drawing(const Camera& camera, const Canvas& surface, const ridges::RidgeGraph& graph,
+/// Strokes and dots become thinner where there are too many for the picture.
+Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
+                     const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
                      int order);
 
 /// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.

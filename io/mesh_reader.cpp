@@ -25,8 +25,8 @@ std::string load(const std::string& path) {
   }
   const auto size = std::filesystem::file_size(path, error);
   if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
-  if (size == 0) fail("file", "is empty", "export the mesh again");
   std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (bytes.empty()) return bytes;
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
     fail("file", "cannot be read", "check its permissions");
@@ -34,23 +34,28 @@ std::string load(const std::string& path) {
   return bytes;
 }
 
-MeshFile read_without_name(const std::string& path) {
-  using Reader = PolygonSoup (*)(std::string);
+using Reader = PolygonSoup (*)(std::string);
+
+Reader reader_for(const std::string& extension) {
   static const std::map<std::string, Reader> readers = {{".off", read_off},
                                                         {".obj", read_obj},
                                                         {".ply", read_ply},
                                                         {".stl", read_stl},
                                                         {".vtp", read_vtp}};
-  const std::string extension = lower_extension(path);
   const auto reader = readers.find(extension);
   if (reader == readers.end()) {
     fail("file",
          extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
          "use .off, .obj, .ply, .stl or .vtp");
   }
-  std::string bytes = load(path);
+  return reader->second;
+}
+
+MeshFile read_bytes(const std::string& extension, std::string bytes) {
+  const Reader reader = reader_for(extension);
+  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
   try {
-    return mesh_of_soup(reader->second(std::move(bytes)));
+    return mesh_of_soup(reader(std::move(bytes)));
   } catch (const kernel::InputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -76,9 +81,19 @@ void fail(const std::string& element, const std::string& problem, const std::str
 
 MeshFile read_mesh(const std::string& path) {
   try {
-    return read_without_name(path);
+    const std::string extension = lower_extension(path);
+    reader_for(extension);  // before a large file of another format is loaded
+    return read_bytes(extension, load(path));
   } catch (const kernel::InputError& error) {
     throw kernel::InputError(one_line(error.with_file(path).what()));
+  }
+}
+
+MeshFile read_mesh_bytes(const std::string& name, std::string bytes) {
+  try {
+    return read_bytes(lower_extension(name), std::move(bytes));
+  } catch (const kernel::InputError& error) {
+    throw kernel::InputError(one_line(error.with_file(name).what()));
   }
 }
 

@@ -26,4 +26,7 @@ struct MeshFile {
 ///   of a count that the file is too short for.
 MeshFile read_mesh(const std::string& path);
 
+/// The same for a file that is in memory: `name` gives the format and stands in messages.
+MeshFile read_mesh_bytes(const std::string& name, std::string bytes);
+
 }  // namespace crest::io

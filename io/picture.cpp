@@ -20,39 +20,43 @@ namespace {
 
 constexpr Colour kRim = {0, 0, 0};
 
-/// Where the legend's parts go, in pixels, for both media.
+/// Where the legend goes, in pixels, for both media: columns in a band below the surface.
 struct LegendLayout {
-  double dot, line, left, top, width, height;
-  LegendLayout(const Drawing& drawing, const Camera& camera)
-      : dot(std::max(1.0, std::round(camera.width / 700.0))), line(14 * dot), left(8 * dot) {
+  double dot = 1, column = 0, row = 0, top = 0;
+  std::size_t columns = 1;
+  int height = 0;  ///< of the band
+
+  LegendLayout(const Drawing& drawing, const Camera& camera, bool show) {
+    if (!show || drawing.legend.empty()) return;
+    dot = std::max(1.0, std::round(camera.width / 800.0));
     double longest = 0;
     for (const LegendEntry& entry : drawing.legend) {
       longest = std::max(longest, text_width(entry.label));
     }
-    width = dot * (longest + 44);
-    height = line * static_cast<double>(drawing.legend.size()) + 8 * dot;
-    top = camera.height - height - 8 * dot;
+    column = dot * (longest + 44);
+    row = 14 * dot;
+    columns = static_cast<std::size_t>(std::clamp((camera.width - 16 * dot) / column, 1.0, 4.0));
+    const std::size_t rows = (drawing.legend.size() + columns - 1) / columns;
+    top = camera.height;
+    height = static_cast<int>(row * static_cast<double>(rows) + 8 * dot);
   }
-  double baseline(std::size_t i) const {
-    return top + 4 * dot + line * (static_cast<double>(i) + 0.5);
-  }
+  double x(std::size_t i) const { return dot * 8 + column * static_cast<double>(i % columns); }
+  double y(std::size_t i) const { return top + row * (static_cast<double>(i / columns) + 0.5); }
 };
 
-void paint_legend(Canvas& canvas, const Drawing& drawing, const Camera& camera) {
-  if (drawing.legend.empty()) return;
-  const LegendLayout at(drawing, camera);
-  canvas.fill_box(at.left, at.top, at.left + at.width, at.top + at.height, {255, 255, 255}, 0.85);
+void paint_legend(Canvas& canvas, const Drawing& drawing, const LegendLayout& at) {
+  if (at.height == 0) return;
   for (std::size_t i = 0; i < drawing.legend.size(); ++i) {
     const LegendEntry& entry = drawing.legend[i];
-    const double y = at.baseline(i), x0 = at.left + 6 * at.dot, x1 = at.left + 30 * at.dot;
+    const double y = at.y(i), x0 = at.x(i), x1 = x0 + 24 * at.dot;
     if (entry.dot) {
       canvas.fill_disk({0.5 * (x0 + x1), y, 0}, drawing.dot_radius, kRim);
       canvas.fill_disk({0.5 * (x0 + x1), y, 0}, 0.7 * drawing.dot_radius, entry.colour);
     } else {
-      canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.casing_width, casing(entry.colour), 1);
-      canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.stroke_width, entry.colour, 1);
+      canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.casing_width, casing(entry.colour));
+      canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.stroke_width, entry.colour);
     }
-    draw_text(canvas, at.left + 36 * at.dot, y - 4 * at.dot, at.dot, entry.label);
+    draw_text(canvas, x0 + 30 * at.dot, y - 4 * at.dot, at.dot, entry.label);
   }
 }
 
@@ -63,7 +67,7 @@ void paint(Canvas& canvas, const Drawing& drawing) {
         for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
           canvas.draw_stroke(stroke[i], stroke[i + 1],
                              rim ? drawing.casing_width : drawing.stroke_width,
-                             rim ? casing(c.colour) : c.colour, 1);
+                             rim ? casing(c.colour) : c.colour);
         }
       }
     }
@@ -105,17 +109,15 @@ std::string svg_dot(double x, double y, double radius, Colour colour) {
       x, y, 0.85 * radius, hex(colour), hex(kRim), 0.3 * radius);
 }
 
-std::string svg_legend(const Drawing& drawing, const Camera& camera) {
-  if (drawing.legend.empty()) return {};
-  const LegendLayout at(drawing, camera);
+std::string svg_legend(const Drawing& drawing, const LegendLayout& at) {
+  if (at.height == 0) return {};
   std::string svg = fmt::format(
-      "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{:.1f}\" fill=\"#28282c\">\n"
-      "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#ffffff\" "
-      "fill-opacity=\"0.85\"/>\n",
-      10.5 * at.dot, at.left, at.top, at.width, at.height);
+      "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{:.1f}\" "
+      "fill=\"#28282c\">\n",
+      10.5 * at.dot);
   for (std::size_t i = 0; i < drawing.legend.size(); ++i) {
     const LegendEntry& entry = drawing.legend[i];
-    const double y = at.baseline(i), x0 = at.left + 6 * at.dot, x1 = at.left + 30 * at.dot;
+    const double y = at.y(i), x0 = at.x(i), x1 = x0 + 24 * at.dot;
     if (entry.dot) {
       svg += svg_dot(0.5 * (x0 + x1), y, drawing.dot_radius, entry.colour);
     } else {
@@ -127,21 +129,22 @@ std::string svg_legend(const Drawing& drawing, const Camera& camera) {
             rim ? drawing.casing_width : drawing.stroke_width);
       }
     }
-    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", at.left + 36 * at.dot,
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", x0 + 30 * at.dot,
                        y + 3.6 * at.dot, entry.label);
   }
   return svg + "</g>\n";
 }
 
 std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& camera,
-                   bool legend) {
+                   const LegendLayout& legend) {
   std::string svg = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
-      "<image width=\"{0}\" height=\"{1}\" xlink:href=\"data:image/png;base64,{2}\"/>\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
+      "<image width=\"{0}\" height=\"{3}\" xlink:href=\"data:image/png;base64,{2}\"/>\n"
       "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-      camera.width, camera.height, base64(surface.png()));
+      camera.width, camera.height + legend.height, base64(surface.png()), camera.height);
   for (const StrokeClass& c : drawing.classes) {
     if (c.strokes.empty()) continue;
     const std::string data = path_data(c.strokes);
@@ -155,7 +158,7 @@ std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& 
   for (const Dot& dot : drawing.dots) {
     svg += svg_dot(dot.centre[0], dot.centre[1], drawing.dot_radius, dot.colour);
   }
-  if (legend) svg += svg_legend(drawing, camera);
+  svg += svg_legend(drawing, legend);
   return svg + "</svg>\n";
 }
 
@@ -185,12 +188,14 @@ void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
   const Camera camera = fit_camera(mesh, view, options.width);
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
-  const Drawing drawing = make_drawing(camera, canvas, graph, options.order);
+  const Drawing drawing = make_drawing(camera, canvas, mesh, normals, graph, options.order);
+  const LegendLayout legend(drawing, camera, options.show_legend);
   if (lower_extension(path) == ".svg") {
-    return write_atomically(path, svg_of(canvas, drawing, camera, options.show_legend));
+    return write_atomically(path, svg_of(canvas, drawing, camera, legend));
   }
   paint(canvas, drawing);
-  if (options.show_legend) paint_legend(canvas, drawing, camera);
+  canvas.extend(legend.height);
+  paint_legend(canvas, drawing, legend);
   write_atomically(path, canvas.png());
 }
 

@@ -25,13 +25,13 @@ Colour shade(Vec3 n) {
   const Vec3 key = {-0.453, 0.566, 0.689}, fill = {0.745, 0.115, 0.657};
   const Vec3 half = normalised({key[0], key[1], key[2] + 1}, {0, 0, 1});
   const double diffuse =
-      0.30 + 0.52 * std::max(0.0, dot(n, key)) + 0.20 * std::max(0.0, dot(n, fill));
+      0.34 + 0.58 * std::max(0.0, dot(n, key)) + 0.20 * std::max(0.0, dot(n, fill));
   const double h = std::max(0.0, dot(n, half)), h4 = h * h * h * h, h16 = h4 * h4 * h4 * h4;
   const double light = diffuse + 0.07 * h16;
   const auto channel = [&](double base) {
     return static_cast<std::uint8_t>(std::clamp(std::lround(base * light), 0L, 255L));
   };
-  return {channel(232), channel(233), channel(237)};
+  return {channel(240), channel(241), channel(244)};
 }
 
 int clamp_to(double x, int limit) {
@@ -111,17 +111,8 @@ bool Canvas::visible(const Vec3& pixel, double bias) const {
   return pixel[2] <= static_cast<double>(farthest) + bias;
 }
 
-void Canvas::blend(std::size_t sample, Colour colour, double opacity) {
-  const auto mix = [&](std::uint8_t under, std::uint8_t over) {
-    return static_cast<std::uint8_t>(std::lround((1 - opacity) * under + opacity * over));
-  };
-  Colour& c = colour_[sample];
-  c = {mix(c.red, colour.red), mix(c.green, colour.green), mix(c.blue, colour.blue)};
-}
-
 template <class Inside>
-void Canvas::paint(double x0, double y0, double x1, double y1, Colour colour, double opacity,
-                   Inside&& inside) {
+void Canvas::paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside) {
   const int rows[2] = {clamp_to(std::floor(y0 * kSamples), height_),
                        clamp_to(std::ceil(y1 * kSamples), height_)};
   const int columns[2] = {clamp_to(std::floor(x0 * kSamples), width_),
@@ -129,19 +120,17 @@ void Canvas::paint(double x0, double y0, double x1, double y1, Colour colour, do
   for (int row = rows[0]; row < rows[1]; ++row) {
     for (int column = columns[0]; column < columns[1]; ++column) {
       if (!inside((column + 0.5) / kSamples, (row + 0.5) / kSamples)) continue;
-      blend(static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-                static_cast<std::size_t>(column),
-            colour, opacity);
+      colour_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+              static_cast<std::size_t>(column)] = colour;
     }
   }
 }
 
-void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Colour colour,
-                         double opacity) {
+void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Colour colour) {
   const double r = 0.5 * width, dx = to[0] - from[0], dy = to[1] - from[1];
   const double squared = dx * dx + dy * dy;
   paint(std::min(from[0], to[0]) - r, std::min(from[1], to[1]) - r, std::max(from[0], to[0]) + r,
-        std::max(from[1], to[1]) + r, colour, opacity, [&](double x, double y) {
+        std::max(from[1], to[1]) + r, colour, [&](double x, double y) {
           const double along = (x - from[0]) * dx + (y - from[1]) * dy;
           const double t = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
           const double ex = x - from[0] - t * dx, ey = y - from[1] - t * dy;
@@ -150,12 +139,19 @@ void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Colour 
 }
 
 void Canvas::fill_disk(const Vec3& centre, double radius, Colour colour) {
-  draw_stroke(centre, centre, 2 * radius, colour, 1);
+  draw_stroke(centre, centre, 2 * radius, colour);
 }
 
-void Canvas::fill_box(double x0, double y0, double x1, double y1, Colour colour, double opacity) {
-  paint(x0, y0, x1, y1, colour, opacity,
+void Canvas::fill_box(double x0, double y0, double x1, double y1, Colour colour) {
+  paint(x0, y0, x1, y1, colour,
         [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });
+}
+
+void Canvas::extend(int rows) {
+  height_ += rows * kSamples;
+  const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  colour_.resize(size, Colour{255, 255, 255});
+  depth_.resize(size, std::numeric_limits<float>::infinity());
 }
 
 std::string Canvas::png() const {

@@ -30,23 +30,23 @@ class Canvas {
   /// True where a point of the surface is nearest to the eye, up to `bias` (all in pixels).
   bool visible(const kernel::Vec3& pixel, double bias) const;
 
-  /// A stroke with round ends, in front of everything; opacity in [0, 1].
-  void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Colour colour,
-                   double opacity);
+  /// A stroke with round ends, in front of everything.
+  void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Colour colour);
   void fill_disk(const kernel::Vec3& centre, double radius, Colour colour);
   /// Axis-parallel, in pixels; clipped.
-  void fill_box(double x0, double y0, double x1, double y1, Colour colour, double opacity);
+  void fill_box(double x0, double y0, double x1, double y1, Colour colour);
+
+  /// Adds white rows of pixels below.
+  void extend(int rows);
 
   /// The averaged samples as a PNG file's bytes.
   std::string png() const;
 
  private:
   void draw_triangle(const kernel::Vec3 (&corner)[3], const kernel::Vec3 (&normal)[3]);
-  void blend(std::size_t sample, Colour colour, double opacity);
-  /// Blends every sample whose centre satisfies the predicate, within a box of samples.
+  /// Sets every sample whose centre satisfies the predicate, within a box of samples.
   template <class Inside>
-  void paint(double x0, double y0, double x1, double y1, Colour colour, double opacity,
-             Inside&& inside);
+  void paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside);
 
   int width_, height_;  ///< in samples
   std::vector<Colour> colour_;

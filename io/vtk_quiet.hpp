@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// VTK reports by printing; here its messages are kept instead.
+// VTK reports by printing and logging; here it does neither.
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -13,8 +14,16 @@ namespace crest::io {
 /// Not for use in two threads at a time: VTK's output window is global.
 class VtkQuiet {
  public:
-  VtkQuiet() : previous_(vtkOutputWindow::GetInstance()) { vtkOutputWindow::SetInstance(window_); }
-  ~VtkQuiet() { vtkOutputWindow::SetInstance(previous_); }
+  VtkQuiet()
+      : previous_(vtkOutputWindow::GetInstance()),
+        verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(window_);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~VtkQuiet() {
+    vtkLogger::SetStderrVerbosity(verbosity_);
+    vtkOutputWindow::SetInstance(previous_);
+  }
   VtkQuiet(const VtkQuiet&) = delete;
   VtkQuiet& operator=(const VtkQuiet&) = delete;
   bool failed() const { return window_->failed; }
@@ -35,6 +44,7 @@ class VtkQuiet {
     Window() = default;
   };
   vtkSmartPointer<vtkOutputWindow> previous_;
+  vtkLogger::Verbosity verbosity_;
   vtkNew<Window> window_;
 };
 

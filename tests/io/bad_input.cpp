@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hand-made faults: each gives one line that names the file, the element and a remedy.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "io/mesh_reader.hpp"
+#include "kernel/geometry/input_error.hpp"
+#include "tests/io/temporary_folder.hpp"
+
+namespace {
+
+using crest::io::read_mesh;
+using crest::tests::store;
+using crest::tests::TemporaryFolder;
+
+std::string error_of(const std::string& path) {
+  try {
+    read_mesh(path);
+  } catch (const crest::kernel::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const std::string kTetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string kTetrahedronFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+struct Case {
+  const char* name;
+  std::string bytes;
+  const char* expected;
+};
+
+std::string binary_stl(std::uint32_t announced, std::uint32_t written, float special) {
+  std::string bytes(80, 'x');
+  bytes.append(reinterpret_cast<const char*>(&announced), 4);
+  for (std::uint32_t i = 0; i < written; ++i) {
+    const auto base = static_cast<float>(10 * i);
+    const float facet[12] = {0, 0, 0, base, 0, 0, base + 1, 0, 0, base, special, 0};
+    bytes.append(reinterpret_cast<const char*>(facet), sizeof facet);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+std::string ply(const std::string& elements, const std::string& data) {
+  return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + data;
+}
+const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string kList = "property list uchar int vertex_indices\n";
+
+const std::string kStl =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\n";
+
+const Case kCases[] = {
+    {"empty.off", "", "file: is empty"},
+    {"no_header.off", "3 1 0\n", "header (line 1): '3' is not read"},
+    {"binary.off", "OFF BINARY\n", "header: binary OFF is not read"},
+    {"counts.off", "OFF\n3 x 0\n", "header (line 2): has a bad count"},
+    {"huge.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "more than the file holds"},
+    {"cut.off", "OFF\n4 4 0\n" + kTetrahedron + "3 0 2 1\n3 0 1 3\n", "face 2: is missing"},
+    {"nan.off", "OFF # c\n4 4 0\n\n0 0 0\n1 0 0\n0 nan 0\n0 0 1\n" + kTetrahedronFaces,
+     "vertex 2 (line 6): coordinate 'nan' is not finite"},
+    {"huge_number.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1e999 0\n0 0 1\n" + kTetrahedronFaces,
+     "vertex 2 (line 5): coordinate '1e999' is not finite"},
+    {"word.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1x 0\n0 0 1\n" + kTetrahedronFaces,
+     "vertex 2 (line 5): coordinate '1x' is not a number"},
+    {"quad.off", "OFF\n4 1 0\n" + kTetrahedron + "4 0 1 2 3\n",
+     "face 0 (line 7): has 4 vertices; triangulate it first"},
+    {"range.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 4\n",
+     "face 0 (line 7): vertex 4 does not"},
+    {"negative.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 -1\n", "vertex -1 does not exist"},
+    {"repeat.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 1\n", "face 0: repeats vertex 1"},
+    {"collinear.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "face 0: its area is exactly"},
+    {"duplicate.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 1 2 0\n",
+     "face 1: has the vertices of face 0"},
+    {"edge.off", "OFF\n5 3 0\n" + kTetrahedron + "0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
+     "edge 0-1: is in faces 0, 1 and 2"},
+    // Vertex 0 is unreferenced: the number in the message is still the file's.
+    {"fans.off", "OFF\n6 2 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 1 4 5\n",
+     "vertex 1: joins several fans"},
+    {"no_faces.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "faces: there are none"},
+    {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0',
+     "byte 36: is zero"},
+    {"vertex.obj", "v 0 0\n", "vertex 0 (line 1): has 2 coordinates"},
+    {"nan.obj", "v 0 0 0\nv nan 0 0\n", "vertex 1 (line 2): coordinate 'nan' is not finite"},
+    {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n",
+     "face 0 (line 4): index 0 does not exist"},
+    {"range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "face 0: vertex 3 (counted from 0) does"},
+    {"past.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n",
+     "face 0 (line 4): index -4 is out of range"},
+    {"words.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf one 2 3\n", "index 'one' is not an integer"},
+    {"no_faces.obj", "hello world\n", "faces: there are none"},
+    {"header.ply", "plx\n", "header (line 1): does not start with 'ply'"},
+    {"end.ply", "ply\nformat ascii 1.0\n", "header: has no 'end_header'"},
+    {"type.ply", ply("element vertex 1\nproperty half x\n", ""), "line 4): unknown type 'half'"},
+    {"xyz.ply", ply("element vertex 1\nproperty int x\nelement face 1\n" + kList, "1\n"),
+     "vertices have no float or double property 'x'"},
+    {"list.ply",
+     ply("element vertex 3\n" + kXyz +
+             "element face 1\nproperty list uchar uchar "
+             "vertex_indices\n",
+         "0 0 0 1 0 0 0 1 0\n3 0 1 2\n"),
+     "faces have no list of int or uint"},
+    {"huge.ply", ply("element vertex 99999999999\n" + kXyz + "element face 1\n" + kList, "0 0 0\n"),
+     "more than the file holds"},
+    {"long.ply",
+     ply("element vertex 1\n" + kXyz +
+             "element face 1\nproperty list uint int "
+             "vertex_indices\n",
+         "0 0 0\n4000000000 0 0 0\n"),
+     "face 0 (line 11): has 4000000000 vertices"},
+    {"other.ply",
+     ply("element a 1\nproperty list uint int b\nelement vertex 3\n" + kXyz + "element face 1\n" +
+             kList,
+         "4000000000 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n"),
+     "a 0 (line 13): the file ends"},
+    {"nan.ply",
+     ply("element vertex 3\n" + kXyz + "element face 1\n" + kList,
+         "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"),
+     "vertex 1 (line 11): coordinate y is not finite"},
+    {"range.ply",
+     ply("element vertex 3\n" + kXyz + "element face 1\n" + kList,
+         "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
+     "face 0: vertex -1"},
+    {"cut.ply",
+     ply("element vertex 3\n" + kXyz + "element face 1\n" + kList, "0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+     "the file ends before or in it"},
+    {"short.stl", "abc", "file: is too short for STL"},
+    {"cut.stl", binary_stl(3, 2, 1), "face 2: is missing or cut, the header announces 3 faces"},
+    {"nan.stl", binary_stl(2, 2, std::nanf("")),
+     "face 0: a coordinate of its corner 2 is not finite"},
+    {"text_cut.stl", kStl, "face 1: the file ends before 'endsolid'"},
+    {"text_nan.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n",
+     "face 0 (line 4): coordinate 'nan' is not finite"},
+    {"text_two.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n",
+     "face 0 (line 5): has 2 vertices"},
+    {"garbage.vtp", "this is no XML", "file: cannot be read as VTP"},
+    {"huge.vtp", "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"99999999999\"",
+     "header: NumberOfPoints is 99999999999, more than the file holds"},
+    {"thing.xyz", "1 2 3", "file: has the unknown extension '.xyz'"},
+    {"thing", "1 2 3", "file: has no extension"},
+};
+
+}  // namespace
+
+TEST_CASE("each fault gives one line naming file, element and remedy", "[io]") {
+  const TemporaryFolder folder;
+  for (const Case& c : kCases) {
+    const std::string path = folder / c.name;
+    store(path, c.bytes);
+    const std::string line = error_of(path);
+    INFO(c.name << " -> " << line);
+    CHECK(line.starts_with(path + ": "));
+    CHECK(line.find(c.expected) != std::string::npos);
+    CHECK(line.find("; ") != std::string::npos);
+    CHECK(line.find('\n') == std::string::npos);
+  }
+  CHECK(error_of(folder / "absent.off").find("file: does not exist; ") != std::string::npos);
+  CHECK(error_of(folder.path() + "/").find("file: ") != std::string::npos);
+}
+
+TEST_CASE("a file's name with a line break still gives one line", "[io]") {
+  const TemporaryFolder folder;
+  const std::string line = error_of(folder / "a\nb.off");
+  CHECK(line.find('\n') == std::string::npos);
+}
+
+TEST_CASE("what only looks bad is read", "[io]") {
+  const TemporaryFolder folder;
+  store(folder / "tabs.obj",
+        "# c\r\nv\t0 0 0\r\nv 1 0 0\nv 0 1 0 1\nl 1 2\nv 0 0 +1e-400\nv 1 1 \\\n1\n" +
+            std::string("f 1 2\t3\r\nf 1//7 3//7 -1/2/3 # comment\n"));
+  const auto obj = read_mesh(folder / "tabs.obj");
+  CHECK(obj.mesh.face_count() == 2);
+  CHECK(obj.mesh.vertex_count() == 4);
+  REQUIRE(obj.warnings.size() == 1);
+  CHECK(obj.warnings[0] == "dropped 1 vertices that belong to no face");
+
+  store(folder / "colours.off",
+        "STCNOFF 3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 9 9\n");
+  CHECK(read_mesh(folder / "colours.off").mesh.face_count() == 1);
+
+  store(folder / "NAMED.STL", "  solid facet solid vertex\n" + kStl.substr(8) + "endsolid solid\n");
+  CHECK(read_mesh(folder / "NAMED.STL").mesh.face_count() == 1);
+
+  std::string solid = binary_stl(2, 2, 1);
+  solid.replace(0, 6, "solid ");
+  store(folder / "solid.stl", solid);
+  CHECK(read_mesh(folder / "solid.stl").mesh.face_count() == 2);
+}
+
+TEST_CASE("the minority of each component is flipped, a tie keeps the first face", "[io]") {
+  const TemporaryFolder folder;
+  store(folder / "tetrahedron.off",
+        "OFF\n4 4 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto one = read_mesh(folder / "tetrahedron.off");
+  REQUIRE(one.warnings.size() == 1);
+  CHECK(one.warnings[0] == "flipped 1 faces oriented against the majority of their component");
+  CHECK(one.mesh.faces()[1] == crest::kernel::Triangle{0, 1, 3});
+  CHECK(one.mesh.faces()[0] == crest::kernel::Triangle{0, 2, 1});
+  store(folder / "tie.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n");
+  const auto tie = read_mesh(folder / "tie.off");
+  CHECK(tie.mesh.faces()[0] == crest::kernel::Triangle{0, 1, 2});
+  CHECK(tie.mesh.faces()[1] == crest::kernel::Triangle{0, 3, 1});
+}

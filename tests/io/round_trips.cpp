@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is written reads back exactly, and appears whole or not at all.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <random>
+
+#include "io/atomic_file.hpp"
+#include "io/mesh_reader.hpp"
+#include "io/mesh_writer.hpp"
+#include "kernel/geometry/input_error.hpp"
+#include "tests/io/temporary_folder.hpp"
+#include "tests/support/environment.hpp"
+
+namespace {
+
+using crest::kernel::Triangle;
+using crest::kernel::Vec3;
+using crest::tests::contents;
+using crest::tests::store;
+using crest::tests::TemporaryFolder;
+
+/// A triangulated height field whose coordinates use all bits of a double.
+struct Field {
+  std::vector<Vec3> points;
+  std::vector<Triangle> faces;
+};
+Field random_field(unsigned n) {
+  std::mt19937_64 random(crest::tests::kSeed);
+  std::uniform_real_distribution<double> offset(-0.3, 0.3);
+  Field field;
+  for (unsigned i = 0; i < n; ++i) {
+    for (unsigned j = 0; j < n; ++j) {
+      field.points.push_back({i + offset(random), j + offset(random), offset(random) * 1e-7});
+    }
+  }
+  for (unsigned i = 0; i + 1 < n; ++i) {
+    for (unsigned j = 0; j + 1 < n; ++j) {
+      const unsigned a = i * n + j, b = a + n;
+      field.faces.push_back({a, b, b + 1});
+      field.faces.push_back({a, b + 1, a + 1});
+    }
+  }
+  return field;
+}
+
+}  // namespace
+
+TEST_CASE("meshes read back exactly in every format that is written", "[io]") {
+  const Field field = random_field(12);
+  const TemporaryFolder folder;
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.vtp", "B.OFF", "B.Vtp"}) {
+    INFO("seed " << crest::tests::kSeed << ", " << name);
+    crest::io::write_mesh(folder / name, field.points, field.faces);
+    const auto file = crest::io::read_mesh(folder / name);
+    CHECK(file.mesh.points() == field.points);
+    CHECK(file.mesh.faces() == field.faces);
+    CHECK(file.warnings.empty());
+    const std::string first = contents(folder / name);
+    crest::io::write_mesh(folder / name, field.points, field.faces);
+    CHECK(contents(folder / name) == first);
+  }
+  CHECK(folder.files() == 6);
+}
+
+TEST_CASE("extreme coordinates survive", "[io]") {
+  const std::vector<Vec3> points = {
+      {0.1, 1e300, 5e-324}, {-0.1, -1e300, 1.0 / 3}, {2.2250738585072014e-308, 7, 1e-200}};
+  const TemporaryFolder folder;
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.vtp"}) {
+    INFO(name);
+    crest::io::write_mesh(folder / name, points, {{0, 1, 2}});
+    CHECK(crest::io::read_mesh(folder / name).mesh.points() == points);
+  }
+}
+
+TEST_CASE("output appears whole or not at all", "[io]") {
+  const TemporaryFolder folder;
+  const auto fails = [](const std::string& path) {
+    try {
+      crest::io::write_atomically(path, "new");
+    } catch (const crest::kernel::InputError& error) {
+      const std::string line = error.what();
+      CHECK(line.starts_with(path + ": file: cannot be written"));
+      CHECK(line.find('\n') == std::string::npos);
+      return true;
+    }
+    return false;
+  };
+  CHECK(fails(folder / "absent/a.txt"));
+  std::filesystem::create_directory(folder / "sub");
+  CHECK(fails(folder / "sub"));
+  CHECK(folder.files() == 1);
+
+  store(folder / "a.txt", "old");
+  crest::io::write_atomically(folder / "a.txt", "new");
+  CHECK(contents(folder / "a.txt") == "new");
+  std::filesystem::create_symlink("a.txt", folder / "link.txt");
+  crest::io::write_atomically(folder / "link.txt", "newer");
+  CHECK(std::filesystem::is_symlink(folder / "link.txt"));
+  CHECK(contents(folder / "a.txt") == "newer");
+  CHECK(folder.files() == 3);
+  crest::io::write_atomically("/dev/null", "gone");
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  // A device without room: the write itself fails.
+  CHECK(fails("/dev/full"));
+
+  if (geteuid() != 0) {  // root writes anywhere
+    std::filesystem::permissions(
+        folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    CHECK(fails(folder / "a.txt"));
+    CHECK(contents(folder / "a.txt") == "newer");
+  }
+}
+
+TEST_CASE("an unknown extension is refused before anything is written", "[io]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(crest::io::write_mesh(folder / "a.xyz", {}, {}), crest::kernel::InputError);
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("new files obey the umask", "[io]") {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  crest::io::write_atomically(folder / "a.txt", "a");
+  ::umask(before);
+  struct stat info {};
+  REQUIRE(::stat((folder / "a.txt").c_str(), &info) == 0);
+  CHECK((info.st_mode & 0777) == 0640);
+}
