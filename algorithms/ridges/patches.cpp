@@ -4,35 +4,32 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <queue>
 
 namespace crest::ridges {
 
 PatchGrower::PatchGrower(const kernel::TriangleMesh& mesh)
     : mesh_(mesh),
+      centroid_(mesh.face_count(), Vec3{}),
       face_mark_(mesh.face_count(), 0),
       queued_mark_(mesh.face_count(), 0),
-      vertex_mark_(mesh.vertex_count(), 0) {}
-
-Vec3 PatchGrower::centroid(Index f) const {
-  Vec3 c{};
-  for (Index v : mesh_.faces()[f])
-    for (std::size_t k = 0; k < 3; ++k) c[k] += mesh_.points()[v][k];
-  for (double& x : c) x /= 3;
-  return c;
+      vertex_mark_(mesh.vertex_count(), 0) {
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (Index v : mesh.faces()[f]) centroid_[f][k] += mesh.points()[v][k];
+      centroid_[f][k] /= 3;
+    }
 }
 
-double PatchGrower::distance(Index f, const Vec3& from) const {
-  const Vec3 c = centroid(f);
-  const double x = c[0] - from[0], y = c[1] - from[1], z = c[2] - from[2];
+double PatchGrower::distance(Index f, Index g) const {
+  const Vec3 &a = centroid_[f], &b = centroid_[g];
+  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return std::sqrt(x * x + y * y + z * z);
 }
 
 double PatchGrower::one_ring_reach(Index seed) const {
-  const Vec3 c = centroid(seed);
   double reach = 0;
   for (Index v : mesh_.faces()[seed])
-    for (Index f : mesh_.fan(v)) reach = std::max(reach, distance(f, c));
+    for (Index f : mesh_.fan(v)) reach = std::max(reach, distance(f, seed));
   return reach;
 }
 
@@ -64,25 +61,26 @@ const std::vector<Index>& PatchGrower::grow(Index seed, double size,
   join(seed);
   queued_mark_[seed] = stamp_;
   if (size <= 0) return faces_;
-  const Vec3 centre = centroid(seed);
   const double limit = size * one_ring_reach(seed);
-  using Entry = std::pair<double, Index>;  // ties by face number
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto later = std::greater<std::pair<double, Index>>();
+  queue_.clear();
   auto enqueue_neighbours = [&](Index f) {
     for (int k = 0; k < 3; ++k) {
       const Index g = mesh_.neighbor(f, k);
       if (g == kernel::kNone || contains(g) || queued_mark_[g] == stamp_) continue;
       if (owner[g] != kernel::kNone) continue;
-      const double d = distance(g, centre);
+      const double d = distance(g, seed);
       if (d > limit) continue;
       queued_mark_[g] = stamp_;
-      queue.push({d, g});
+      queue_.push_back({d, g});
+      std::push_heap(queue_.begin(), queue_.end(), later);
     }
   };
   enqueue_neighbours(seed);
-  while (!queue.empty()) {
-    const Index f = queue.top().second;
-    queue.pop();
+  while (!queue_.empty()) {
+    std::pop_heap(queue_.begin(), queue_.end(), later);
+    const Index f = queue_.back().second;
+    queue_.pop_back();
     if (!stays_disk(f)) {
       queued_mark_[f] = stamp_ - 1;  // a later neighbour may queue it again
       continue;

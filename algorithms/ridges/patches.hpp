@@ -2,6 +2,8 @@
 #pragma once
 
 // Patches around umbilics: topological disks grown by a priority queue (paper 002, section 8.1).
+#include <utility>
+
 #include "algorithms/ridges/edge_states.hpp"
 
 namespace crest::ridges {
@@ -18,18 +20,20 @@ class PatchGrower {
   const std::vector<Index>& grow(Index seed, double size, const std::vector<Index>& owner);
 
   bool contains(Index f) const { return face_mark_[f] == stamp_; }
-  Vec3 centroid(Index f) const;
+  const Vec3& centroid(Index f) const { return centroid_[f]; }
 
  private:
   bool stays_disk(Index f) const;
   void join(Index f);
   double one_ring_reach(Index seed) const;
-  double distance(Index f, const Vec3& from) const;
+  double distance(Index f, Index g) const;
 
   const kernel::TriangleMesh& mesh_;
+  std::vector<Vec3> centroid_;
   std::vector<std::uint32_t> face_mark_, queued_mark_, vertex_mark_;
   std::uint32_t stamp_ = 0;
   std::vector<Index> faces_;
+  std::vector<std::pair<double, Index>> queue_;  // a heap: distance, then face number
 };
 
 /// Edges with exactly one face in the patch that grower holds, and their crossings by colour.
