@@ -20,14 +20,11 @@ struct OffCounts {
   std::size_t vertices, faces;
 };
 
-/// Reads "[ST][C][N]OFF V F E"; leaves a plain OFF so that CGAL skips normals and colours as it
-/// does any surplus number of a line.
-OffCounts off_header(std::string& text, LineScanner& scanner) {
+/// Reads "[ST][C][N]OFF V F E", counts on the same line or the next.
+OffCounts off_header(std::string_view text, LineScanner& scanner) {
   const std::string remedy = "start the file with 'OFF' and the line 'vertices faces edges'";
   if (!scanner.next('#')) fail("header", "is missing", remedy);
   std::string_view keyword = scanner.words()[0];
-  const std::size_t at = static_cast<std::size_t>(keyword.data() - text.data());
-  const std::size_t length = keyword.size();
   for (const char* prefix : {"ST", "C", "N"}) {
     if (keyword.starts_with(prefix)) keyword.remove_prefix(std::strlen(prefix));
   }
@@ -40,7 +37,6 @@ OffCounts off_header(std::string& text, LineScanner& scanner) {
   if (!counts.empty() && counts[0] == "BINARY") {
     fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
   }
-  blank(text, at, length - 3);
   if (counts.empty() && scanner.next('#')) counts = scanner.words();
   const std::string line = fmt::format("header (line {})", scanner.number());
   if (counts.size() < 3) fail(line, "has no three counts", remedy);
@@ -90,6 +86,7 @@ void check_off(std::string& text) {
   check_text(text);
   LineScanner scanner(text);
   const OffCounts counts = off_header(text, scanner);
+  const std::size_t data = scanner.offset() + scanner.line().size();
   for (std::size_t v = 0; v < counts.vertices; ++v) {
     if (!scanner.next('#')) fail_truncated("vertex", v);
     check_coordinates(scanner.words(), 0, numbered("vertex", v, scanner.number()));
@@ -98,6 +95,12 @@ void check_off(std::string& text) {
     if (!scanner.next('#')) fail_truncated("face", f);
     check_off_face(scanner.words(), counts.vertices, numbered("face", f, scanner.number()));
   }
+  // CGAL has ways of its own with comments and headers; leave it a plain OFF, in which it skips
+  // normals and colours as it does any surplus number of a line.
+  for (std::size_t at = text.find('#', data); at != std::string::npos; at = text.find('#', at)) {
+    blank(text, at, std::min(text.find('\n', at), text.size()) - at);
+  }
+  text.replace(0, data, fmt::format("OFF\n{} {} 0", counts.vertices, counts.faces));
 }
 
 namespace {

@@ -23,13 +23,13 @@ using kernel::Vec3;
 Colour shade(Vec3 n) {
   if (n[2] < 0) n = combine(-1, n, 0, n);
   const Vec3 key = {-0.453, 0.566, 0.689}, fill = {0.745, 0.115, 0.657};
-  const Vec3 half = normalised({key[0], key[1], key[2] + 1}, {0, 0, 1});
+  const Vec3 half = {-0.246, 0.308, 0.919};  // between the key light and the eye
   const double diffuse =
       0.34 + 0.58 * std::max(0.0, dot(n, key)) + 0.20 * std::max(0.0, dot(n, fill));
   const double h = std::max(0.0, dot(n, half)), h4 = h * h * h * h, h16 = h4 * h4 * h4 * h4;
   const double light = diffuse + 0.07 * h16;
   const auto channel = [&](double base) {
-    return static_cast<std::uint8_t>(std::clamp(std::lround(base * light), 0L, 255L));
+    return static_cast<std::uint8_t>(std::min(base * light + 0.5, 255.0));
   };
   return {channel(240), channel(241), channel(244)};
 }
@@ -90,7 +90,8 @@ void Canvas::draw_triangle(const Vec3 (&corner)[3], const Vec3 (&normal)[3]) {
       if (!(depth < depth_[at])) continue;
       depth_[at] = depth;
       const Vec3 n = combine(1, combine(w0, normal[0], w1, normal[1]), w2, normal[2]);
-      colour_[at] = shade(normalised(n, {0, 0, 1}));
+      const double squared = dot(n, n);  // of a mean of unit vectors
+      colour_[at] = shade(squared > 0 ? combine(1 / std::sqrt(squared), n, 0, n) : Vec3{0, 0, 1});
     }
   }
 }
