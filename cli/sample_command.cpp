@@ -28,7 +28,7 @@ struct SampleOptions {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("SURFACE", o.common.input, "one of the surfaces below")->required();
-  app.add_option("-o,--output", o.common.output, "the mesh (.off .obj)")
+  app.add_option("-o,--output", o.common.output, "the mesh (.off .obj .ply .vtp)")
       ->required()
       ->type_name("FILE");
   app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")
@@ -74,7 +74,7 @@ void fill_report(Report& report, const SampleOptions& o, const sampling::Surface
 
 int run_sample(const SampleOptions& o) {
   Outputs outputs;
-  outputs.add("-o", o.common.output, {".off", ".obj"});
+  outputs.add("-o", o.common.output, {".off", ".obj", ".ply", ".vtp"});
   outputs.add("--report", o.common.report);
   const ThreadLimit limit(o.common.threads);
   Progress progress(o.common.quiet);

@@ -60,7 +60,7 @@ TEST_CASE("names of test cases are read alike by CTest and Catch2") {
   for (const std::string& path : project_files()) {
     if (!has_prefix(path, "tests/") || !has_suffix(path, ".cpp")) continue;
     const std::string text = read_text(fs::path(CREST_SOURCE_DIR) / path);
-    const std::string macro = "TEST_CASE(";
+    const std::string macro = std::string("TEST_") + "CASE(";
     for (auto at = text.find(macro); at != std::string::npos; at = text.find(macro, at + 1)) {
       const auto quote = text.find_first_not_of(" \n", at + macro.size());
       if (quote == std::string::npos || text[quote] != '"') continue;

@@ -54,7 +54,7 @@ TEST_CASE("wrong command lines: exit code 2 and one line") {
            "crest sample nothing -o n.off",
            "crest sample ellipsoid --parameters 1,2,-3 -o n.off",
            "crest sample ellipsoid --vertices 3 -o n.off",
-           "crest sample ellipsoid -o n.vtp",
+           "crest sample ellipsoid -o n.stl",
        }) {
     check_refused(line, folder.path(), 2);
   }
