@@ -98,89 +98,94 @@ Sums sum_moments(std::span<const kernel::Vec3> local) {
   return sums;
 }
 
-// Lower triangular factor, rows stored contiguously: G = L L^T.
-struct Factor {
-  double l[kMonomials][kMonomials];
-  int columns;  // complete degrees that could be factorised
+// The normal equations, row by row: 15 columns of the Gram matrix and the right-hand side. After
+// elimination row j holds the factor's row and y_j: G = U^T U, U^T y = right-hand side.
+constexpr int kWidth = kMonomials + 1;  // four groups of lanes
+struct System {
+  Lanes row[kMonomials][kWidth / 4];
+  double at(int i, int j) const { return row[i][j / 4][j % 4]; }
 };
 
-Factor factorise(const double (&moment)[kMoments], int wanted) {
-  constexpr double kLoss = 1e-8;  // square of the sine below which a column is called dependent
-  Factor f;
-  int i = 0;
-  for (; i < wanted; ++i) {
-    const auto ai = kExponents.a[static_cast<std::size_t>(i)];
-    const auto bi = kExponents.b[static_cast<std::size_t>(i)];
-    double pivot = 0;
-    for (int j = 0; j <= i; ++j) {
-      double s = moment[index_of(ai + kExponents.a[static_cast<std::size_t>(j)],
-                                 bi + kExponents.b[static_cast<std::size_t>(j)])];
-      if (j == i) pivot = s;
-      for (int k = 0; k < j; ++k) s -= f.l[i][k] * f.l[j][k];
-      f.l[i][j] = j < i ? s * f.l[j][j] : s;  // the diagonal holds 1 / l_jj
-    }
-    if (!(f.l[i][i] > kLoss * pivot)) break;
-    f.l[i][i] = 1 / std::sqrt(f.l[i][i]);
+struct GramTable {
+  std::array<std::array<std::uint8_t, kMonomials>, kMonomials> moment{};
+  constexpr GramTable() {
+    for (std::size_t i = 0; i < kMonomials; ++i)
+      for (std::size_t j = 0; j < kMonomials; ++j)
+        moment[i][j] = static_cast<std::uint8_t>(
+            index_of(kExponents.a[i] + kExponents.a[j], kExponents.b[i] + kExponents.b[j]));
   }
-  f.columns = i;
-  return f;
+};
+constexpr GramTable kGram;
+
+// Eliminates up to `wanted` columns; returns how many were independent. `inverse[j]` is 1 / u_jj.
+CREST_CLONES int eliminate(System& s, int wanted, double* inverse) {
+  constexpr double kLoss = 1e-8;  // square of the sine below which a column is called dependent
+  double diagonal[kMonomials];
+  for (int j = 0; j < kMonomials; ++j) diagonal[j] = s.row[j][j / 4][j % 4];
+  for (int j = 0; j < wanted; ++j) {
+    const double pivot = s.row[j][j / 4][j % 4];
+    if (!(pivot > kLoss * diagonal[j])) return j;
+    inverse[j] = 1 / std::sqrt(pivot);
+    for (int g = j / 4; g < kWidth / 4; ++g) s.row[j][g] *= inverse[j];
+    for (int i = j + 1; i < wanted; ++i) {
+      const double factor = s.row[j][i / 4][i % 4];
+      for (int g = i / 4; g < kWidth / 4; ++g) s.row[i][g] -= factor * s.row[j][g];
+    }
+  }
+  return wanted;
 }
 
 int degree_of(int columns) {
   return columns >= 15 ? 4 : columns >= 10 ? 3 : columns >= 6 ? 2 : columns >= 3 ? 1 : 0;
 }
 
-double largest_cubic_variance(const Factor& f, int n) {
-  // (G^-1)_ii is the squared length of L^-1 e_i.
-  double worst = 0;
-  for (int i = 6; i < 10; ++i) {
-    double y[kMonomials] = {}, square = 0;
-    for (int r = i; r < n; ++r) {
-      double s = r == i ? 1.0 : 0.0;
-      for (int k = i; k < r; ++k) s -= f.l[r][k] * y[k];
-      y[r] = s * f.l[r][r];
-      square += y[r] * y[r];
-    }
-    worst = std::max(worst, square);
+// (G^-1)_ii is the squared length of U^-T e_i; the four cubic columns are solved together.
+double largest_cubic_variance(const System& s, const double* inverse, int n) {
+  constexpr int kFirst = 6;
+  Lanes y[kMonomials] = {}, square = {};
+  for (int r = kFirst; r < n; ++r) {
+    Lanes rest = {};
+    if (r < kFirst + 4) rest[r - kFirst] = 1;
+    for (int k = kFirst; k < r; ++k) rest -= s.at(k, r) * y[k];
+    y[r] = rest * inverse[r];
+    square += y[r] * y[r];
   }
-  return worst;
+  return std::max(std::max(square[0], square[1]), std::max(square[2], square[3]));
 }
 
 }  // namespace
 
 Jet fit_jet(std::span<const kernel::Vec3> local, int max_degree) {
   const Sums sums = sum_moments(local);
-  double moment[kMoments], value[kMonomials];
+  double moment[kMoments];
   for (int i = 0; i < kMoments; ++i) moment[i] = total(sums.moment[i]);
-  for (int i = 0; i < kMonomials; ++i) value[i] = total(sums.value[i]);
-
+  System system;
+  for (std::size_t i = 0; i < kMonomials; ++i) {
+    for (std::size_t j = 0; j < kMonomials; ++j)
+      system.row[i][j / 4][j % 4] = moment[kGram.moment[i][j]];
+    system.row[i][kMonomials / 4][kMonomials % 4] = total(sums.value[i]);
+  }
   const int points = static_cast<int>(std::min<std::size_t>(local.size(), 1000));
   const int wanted = std::min(offset(max_degree + 1), offset(degree_of(points) + 1));
-  const Factor f = factorise(moment, wanted);
+  double inverse[kMonomials];
   Jet jet;
-  jet.degree = degree_of(f.columns);
+  jet.degree = degree_of(eliminate(system, wanted, inverse));
   const int n = jet.degree > 0 ? offset(jet.degree + 1) : 0;
   if (n == 0) return jet;
 
-  double y[kMonomials], explained = 0, smallest = f.l[0][0], largest = f.l[0][0];
-  for (int i = 0; i < n; ++i) {
-    double s = value[i];
-    for (int k = 0; k < i; ++k) s -= f.l[i][k] * y[k];
-    y[i] = s * f.l[i][i];
-    explained += y[i] * y[i];
-    smallest = std::min(smallest, f.l[i][i]);
-    largest = std::max(largest, f.l[i][i]);
-  }
+  double explained = 0;
+  for (int i = 0; i < n; ++i) explained += system.at(i, kMonomials) * system.at(i, kMonomials);
   for (int i = n - 1; i >= 0; --i) {
-    double s = y[i];
-    for (int k = i + 1; k < n; ++k) s -= f.l[k][i] * jet.c[static_cast<std::size_t>(k)];
-    jet.c[static_cast<std::size_t>(i)] = s * f.l[i][i];
+    double s = system.at(i, kMonomials);
+    for (int k = i + 1; k < n; ++k) s -= system.at(i, k) * jet.c[static_cast<std::size_t>(k)];
+    jet.c[static_cast<std::size_t>(i)] = s * inverse[i];
   }
-  jet.condition = largest / smallest;
+  const auto [smallest, largest] = std::minmax_element(inverse, inverse + n);
+  jet.condition = *largest / *smallest;
   if (n >= 10) {
     const double freedom = std::max(1.0, static_cast<double>(local.size()) - n);
     const double variance = std::max(0.0, total(sums.square) - explained) / freedom;
-    jet.cubic_error = std::sqrt(variance * largest_cubic_variance(f, n));
+    jet.cubic_error = std::sqrt(variance * largest_cubic_variance(system, inverse, n));
   }
   return jet;
 }
