@@ -148,9 +148,11 @@ Certificate decode(const Bytes& bytes) {
 Bytes mutate_bytes(Bytes bytes, Random& random) {
   const std::uint64_t data = read64(bytes, kLengthsOffset);
   // Half of the edits in the claim section, which is the smaller part.
-  const std::size_t claims = kHeaderSize + static_cast<std::size_t>(data);
+  const std::uint64_t room = bytes.size() - std::min(bytes.size(), kHeaderSize);
+  const auto claims = static_cast<std::size_t>(kHeaderSize + std::min(data, room));
+  const bool anywhere = claims >= bytes.size() || random() % 2;
   const std::size_t at =
-      random() % 2 ? random() % bytes.size() : claims + random() % (bytes.size() - claims);
+      anywhere ? random() % bytes.size() : claims + random() % (bytes.size() - claims);
   const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(at);
   const std::size_t before = bytes.size();
   switch (random() % 8) {
@@ -174,8 +176,8 @@ Bytes mutate_bytes(Bytes bytes, Random& random) {
       bytes[at] ^= static_cast<std::uint8_t>(1U << random() % 8);
   }
   if (bytes.size() != before && bytes.size() > kHeaderSize + kSealSize && random() % 4) {
-    const std::uint64_t room = bytes.size() - kHeaderSize - kSealSize;
-    if (data <= room) write64(bytes, kLengthsOffset + 8, room - data);
+    const std::uint64_t left = bytes.size() - kHeaderSize - kSealSize;
+    if (data <= left) write64(bytes, kLengthsOffset + 8, left - data);
   }
   return bytes;
 }

@@ -28,7 +28,9 @@ std::vector<Original> originals() {
   std::vector<Original> out;
   Random random(kSeed);
   for (const auto& [name, data] : all_samples()) {
-    if (data.faces.size() > 200) continue;
+    // Where all angles come from MPFR a check takes 10 ms: the acceptance tests cover those.
+    const bool slow = name.find(" bits") != std::string::npos || name.find("d1 ") == 0;
+    if (data.faces.size() > 200 || slow) continue;
     const ReferenceRidges ridges(data);
     const auto c =
         *ridges.certificate(out.size() % 2 ? ridges.grown(8, random) : ridges.single_faces());
@@ -192,7 +194,7 @@ TEST_CASE("the claims of one mesh do not hold for another") {
       tally.rebound_accepted += accepted;
     }
   std::cout << "another mesh's data: " << tally.mutants << " mutants, " << tally.rebound_accepted
-            << " accepted (the same mesh at another scale, with the same claim)\n";
+            << " accepted (true claims there too)\n";
   CHECK(tally.mutants > 100);
 }
 
@@ -213,7 +215,7 @@ TEST_CASE("garbage and truncations are rejected without harm") {
   for (std::uint64_t i = 0; i < scaled(5000); ++i) {
     // A good header over random sections, or a good start with a random rest.
     Bytes wild = bytes;
-    const std::size_t keep = random() % 2 ? kHeaderSize : random() % wild.size();
+    const std::size_t keep = random() % 2 ? kHeaderSize : random() % (wild.size() - 2 * kSealSize);
     for (std::size_t k = keep; k < wild.size(); ++k) wild[k] = static_cast<std::uint8_t>(random());
     if (random() % 2)
       for (int k = 0; k < 4; ++k) wild[kHeaderSize + random() % 8] = 0xff;
