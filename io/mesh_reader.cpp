@@ -76,7 +76,8 @@ std::string one_line(std::string text) {
 }  // namespace
 
 void fail(const std::string& element, const std::string& problem, const std::string& remedy) {
-  throw kernel::InputError(element + ": " + problem + "; " + remedy);
+  // Before the exception's C string ends at a zero quoted from the file.
+  throw kernel::InputError(one_line(element + ": " + problem + "; " + remedy));
 }
 
 MeshFile read_mesh(const std::string& path) {
