@@ -44,12 +44,13 @@ struct PolygonSoup {
 [[noreturn]] void fail(const std::string& element, const std::string& problem,
                        const std::string& remedy);
 
-/// The checks before CGAL reads: they name the line and element that CGAL would refuse, ignore or
-/// crash on, and blank out what it cannot skip. Each throws kernel::InputError.
+/// The checks before CGAL or VTK reads: they name the line and element that it would refuse, ignore
+/// or crash on, and blank out what it cannot skip. Each throws kernel::InputError.
 void check_off(std::string& text);
 void check_obj(std::string& text);
 void check_ply(const std::string& bytes);
 void check_stl(std::string& bytes);
+void check_vtp(const std::string& bytes);
 
 PolygonSoup read_off(std::string bytes);
 PolygonSoup read_obj(std::string bytes);

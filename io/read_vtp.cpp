@@ -9,51 +9,12 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <charconv>
-
 #include "io/polygon_soup.hpp"
 #include "io/text_scan.hpp"
 #include "io/vtk_quiet.hpp"
 
 namespace crest::io {
 namespace {
-
-/// Sum of the values of an XML attribute over all its occurrences, capped.
-std::uint64_t attribute_sum(std::string_view bytes, std::string_view name) {
-  constexpr std::uint64_t cap = std::uint64_t{1} << 62;
-  std::uint64_t sum = 0;
-  for (std::size_t at = bytes.find(name); at != std::string_view::npos;
-       at = bytes.find(name, at + 1)) {
-    std::size_t i = at + name.size();
-    while (i < bytes.size() && (bytes[i] == ' ' || bytes[i] == '=' || bytes[i] == '"' ||
-                                bytes[i] == '\'' || bytes[i] == '\t' || bytes[i] == '\n')) {
-      ++i;
-    }
-    std::uint64_t value = 0;
-    const auto result = std::from_chars(bytes.data() + i, bytes.data() + bytes.size(), value);
-    if (result.ec == std::errc::result_out_of_range) value = cap;
-    sum = std::min(cap, sum + std::min(value, cap));
-  }
-  return sum;
-}
-
-/// VTK allocates what the header announces; a file compressed with zlib holds at most some 100
-/// points a byte.
-void check_announced(const std::string& bytes) {
-  const bool compressed = bytes.find("compressor") != std::string::npos;
-  const std::uint64_t room = bytes.size() * (compressed ? 100 : 1);
-  for (const char* name : {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips",
-                           "NumberOfPolys", "NumberOfTuples"}) {
-    const std::uint64_t count = attribute_sum(bytes, name);
-    if (count > room) {
-      fail("header", fmt::format("{} is {}, more than the file holds", name, count),
-           "the file is truncated or its header wrong; export the mesh again");
-    }
-  }
-  if (attribute_sum(bytes, "NumberOfComponents") > room) {
-    fail("header", "NumberOfComponents is more than the file holds", "export the mesh again");
-  }
-}
 
 Corners corners_of(const vtkDataArray& connectivity, std::int64_t begin) {
   Corners corners;
@@ -88,7 +49,7 @@ void read_faces(vtkCellArray& cells, std::vector<Corners>& faces) {
 }  // namespace
 
 PolygonSoup read_vtp(std::string bytes) {
-  check_announced(bytes);
+  check_vtp(bytes);
   const VtkQuiet quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
