@@ -91,18 +91,4 @@ const std::vector<Index>& PatchGrower::grow(Index seed, double size,
   return faces_;
 }
 
-std::array<Index, 2> contour_crossings(const kernel::TriangleMesh& mesh, const EdgeStates& states,
-                                       const std::vector<Index>& faces, const PatchGrower& grower) {
-  std::array<Index, 2> count{};
-  for (Index f : faces)
-    for (int k = 0; k < 3; ++k) {
-      const Index g = mesh.neighbor(f, k);
-      if (g != kernel::kNone && grower.contains(g)) continue;
-      const Index e = mesh.face_edges()[f][static_cast<std::size_t>(k)];
-      count[0] += states.is_crossed(e, Colour::blue);
-      count[1] += states.is_crossed(e, Colour::red);
-    }
-  return count;
-}
-
 }  // namespace crest::ridges

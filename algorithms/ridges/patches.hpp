@@ -16,7 +16,7 @@ class PatchGrower {
   /// The disk around seed: triangles join in the order of the distance of their centroids to the
   /// seed's, as long as the union stays a disk, up to size times the greatest such distance in the
   /// seed's one-ring (the triangles that share a vertex with it). Triangles with owner[f] != kNone
-  /// do not join. Guarantees: a disk that contains seed. Returns faces in order of joining.
+  /// do not join. Guarantees: the faces in order of joining, each prefix a disk that contains seed.
   const std::vector<Index>& grow(Index seed, double size, const std::vector<Index>& owner);
 
   bool contains(Index f) const { return face_mark_[f] == stamp_; }
@@ -35,9 +35,5 @@ class PatchGrower {
   std::vector<Index> faces_;
   std::vector<std::pair<double, Index>> queue_;  // a heap: distance, then face number
 };
-
-/// Edges with exactly one face in the patch that grower holds, and their crossings by colour.
-std::array<Index, 2> contour_crossings(const kernel::TriangleMesh& mesh, const EdgeStates& states,
-                                       const std::vector<Index>& faces, const PatchGrower& grower);
 
 }  // namespace crest::ridges

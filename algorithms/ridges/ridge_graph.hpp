@@ -68,13 +68,13 @@ enum class UmbilicKind : std::uint8_t { degenerate = 0, one_ridge = 1, three_rid
 
 /// An umbilic: a disk of triangles whose contour the principal directions wind around.
 struct Umbilic {
-  Index face;       ///< the triangle holding it
-  Vec3 point;       ///< its centroid
-  int twice_index;  ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
-  UmbilicKind kind;
-  bool coherent;              ///< the patch's contour has 1 or 3 crossings, as many blue as red
-  std::vector<Index> patch;   ///< faces, ascending; a topological disk
-  Index border_crossings[2];  ///< blue and red crossings of its contour
+  Index face;           ///< the triangle holding it
+  Vec3 point;           ///< its centroid
+  int twice_index = 0;  ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
+  UmbilicKind kind = UmbilicKind::degenerate;
+  bool coherent = false;     ///< the patch's contour has 1 or 3 crossings, as many blue as red
+  std::vector<Index> patch;  ///< faces, ascending; a topological disk
+  Index border_crossings[2] = {0, 0};  ///< blue and red crossings of its contour
 };
 
 /// Faces of non-zero index, before grouping into patches.

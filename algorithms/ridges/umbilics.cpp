@@ -39,7 +39,13 @@ class Finder {
  public:
   Finder(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
          const EdgeStates& states, const FaceIndices& indices, double size)
-      : mesh_(mesh), forms_(forms), states_(states), indices_(indices), size_(size), grower_(mesh) {
+      : mesh_(mesh),
+        forms_(forms),
+        states_(states),
+        indices_(indices),
+        size_(size),
+        grower_(mesh),
+        rank_(mesh.face_count(), kernel::kNone) {
     result_.owner.assign(mesh.face_count(), kernel::kNone);
   }
 
@@ -65,21 +71,40 @@ class Finder {
     Umbilic u;
     u.face = seed;
     u.point = grower_.centroid(seed);
-    for (const double factor : {1.0, 2.0 / 3, 1.0 / 3, 0.0}) {
-      const std::vector<Index>& faces = grower_.grow(seed, factor * size_, result_.owner);
-      u.twice_index = 0;
-      for (Index f : faces) u.twice_index += indices_.twice[f];
-      const auto crossings = contour_crossings(mesh_, states_, faces, grower_);
-      u.border_crossings[0] = crossings[0];
-      u.border_crossings[1] = crossings[1];
-      u.coherent = coherent(u.twice_index, crossings);
-      u.patch = faces;
-      if (u.coherent) break;
-    }
+    const std::vector<Index>& faces = grower_.grow(seed, size_, result_.owner);
+    u.patch.assign(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(choose(faces, u)));
     std::sort(u.patch.begin(), u.patch.end());
     for (Index f : u.patch) result_.owner[f] = static_cast<Index>(result_.umbilics.size());
     u.kind = kind_of(mesh_, forms_, seed, result_.kind_counts);
     result_.umbilics.push_back(std::move(u));
+  }
+
+  // Every prefix of the faces in order of joining is a disk: takes the longest coherent one, else
+  // the seed alone. Returns its length and fills the umbilic's numbers.
+  std::size_t choose(const std::vector<Index>& faces, Umbilic& u) {
+    std::size_t best = 0;
+    int twice_index = 0;
+    std::array<Index, 2> crossings{};
+    for (std::size_t i = 0; i < faces.size(); ++i) rank_[faces[i]] = static_cast<Index>(i);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
+      twice_index += indices_.twice[f];
+      for (int k = 0; k < 3; ++k) {
+        const Index g = mesh_.neighbor(f, k);
+        const bool inner = g != kernel::kNone && grower_.contains(g) && rank_[g] < i;
+        const Index e = mesh_.face_edges()[f][static_cast<std::size_t>(k)];
+        for (Colour c : {Colour::blue, Colour::red})
+          if (states_.is_crossed(e, c)) crossings[static_cast<std::size_t>(c)] += inner ? -1u : 1u;
+      }
+      const bool good = coherent(twice_index, crossings);
+      if (i > 0 && !good) continue;
+      best = i + 1;
+      u.twice_index = twice_index;
+      u.coherent = good;
+      u.border_crossings[0] = crossings[0];
+      u.border_crossings[1] = crossings[1];
+    }
+    return best;
   }
 
   void renumber() {
@@ -95,6 +120,7 @@ class Finder {
   const FaceIndices& indices_;
   double size_;
   PatchGrower grower_;
+  std::vector<Index> rank_;  // of the faces of the patch in hand
   UmbilicPatches result_;
 };
 

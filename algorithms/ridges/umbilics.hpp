@@ -14,9 +14,9 @@ struct UmbilicPatches {
 };
 
 /// Around every triangle of non-zero index, in the order of k1 - k2 (mean of its corners, then face
-/// number): the largest of the patches of size size, 2/3 size and 1/3 size that is coherent (index
-/// +-1/2, contour crossed by one ridge of each colour or by three of each: section 6.3), else the
-/// triangle alone. Patches do not overlap (hypothesis 2.2.a).
+/// number): the largest coherent patch met while it grows to the given size (index +-1/2, contour
+/// crossed by one ridge of each colour or by three of each: section 6.3), else the triangle alone.
+/// Patches do not overlap (hypothesis 2.2.a).
 UmbilicPatches find_umbilics(const kernel::TriangleMesh& mesh,
                              const std::vector<kernel::MongeForm>& forms, const EdgeStates& states,
                              const FaceIndices& indices, double size);
