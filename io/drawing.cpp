@@ -139,8 +139,20 @@ void add_strokes(const Sight& sight, const ridges::RidgeGraph& graph, int order,
   }
 }
 
-void add_dots(const Sight& sight, const ridges::RidgeGraph& graph, Drawing& drawing) {
-  for (const ridges::Umbilic& umbilic : graph.umbilics) {
+/// Umbilics at which a ridge of the graph ends: filters take the others' ridges away.
+std::vector<ridges::Umbilic> joined_umbilics(const ridges::RidgeGraph& graph) {
+  std::vector<bool> joined(graph.umbilics.size(), false);
+  for (const ridges::Ridge& ridge : graph.ridges)
+    for (const ridges::RidgeEnd& end : ridge.ends)
+      if (end.kind == ridges::EndKind::umbilic) joined[end.umbilic] = true;
+  std::vector<ridges::Umbilic> umbilics;
+  for (std::size_t i = 0; i < joined.size(); ++i)
+    if (joined[i]) umbilics.push_back(graph.umbilics[i]);
+  return umbilics;
+}
+
+void add_dots(const Sight& sight, const std::vector<ridges::Umbilic>& umbilics, Drawing& drawing) {
+  for (const ridges::Umbilic& umbilic : umbilics) {
     const Vec3 pixel = sight.camera().project(umbilic.point);
     if (sight.faces_eye(umbilic) && sight.free(pixel)) {
       drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
@@ -168,7 +180,7 @@ void set_sizes(const Camera& camera, Drawing& drawing) {
       std::clamp(std::sqrt(dot_share * area / (pi * dots)), 1.8 * unit, 6.6 * unit);
 }
 
-void add_legend(const ridges::RidgeGraph& graph, Drawing& drawing) {
+void add_legend(const std::vector<ridges::Umbilic>& umbilics, Drawing& drawing) {
   // From the top: blue before red, elliptic first.
   for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c) {
     if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
@@ -178,7 +190,7 @@ void add_legend(const ridges::RidgeGraph& graph, Drawing& drawing) {
       {UmbilicKind::three_ridge, "umbilic, 3-ridge"},
       {UmbilicKind::degenerate, "umbilic, degenerate"}};
   for (const auto& [kind, label] : kinds) {
-    const bool present = std::any_of(graph.umbilics.begin(), graph.umbilics.end(),
+    const bool present = std::any_of(umbilics.begin(), umbilics.end(),
                                      [&](const auto& umbilic) { return umbilic.kind == kind; });
     if (present) drawing.legend.push_back({label, dot_colour(kind), true});
   }
@@ -217,9 +229,10 @@ Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::
   drawing.classes = palette();
   const Sight sight(camera, surface, mesh, normals);
   add_strokes(sight, graph, order, drawing);
-  add_dots(sight, graph, drawing);
+  const std::vector<ridges::Umbilic> umbilics = joined_umbilics(graph);
+  add_dots(sight, umbilics, drawing);
   set_sizes(camera, drawing);
-  add_legend(graph, drawing);
+  add_legend(umbilics, drawing);
   return drawing;
 }
 

@@ -19,7 +19,8 @@ struct PictureOptions {
 
 /// Writes .png or .svg, by the extension in any case, in the colours of paper 002: blue elliptic
 /// blue, blue hyperbolic green, red elliptic red, red hyperbolic yellow; turning segments in
-/// between, flat ones grey; umbilics white (1-ridge), black (3-ridge) or grey (degenerate). Hidden
+/// between, flat ones grey; umbilics at which a
+/// ridge of the graph ends white (1-ridge), black (3-ridge) or grey (degenerate). Hidden
 /// parts are not drawn. In .svg the surface is an embedded PNG, the ridges are paths.
 /// Guarantees: the same bytes for the same input; no half-written file.
 /// Throws: kernel::InputError for another extension, a width outside [16, 16384], a zero view, or

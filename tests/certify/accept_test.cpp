@@ -158,7 +158,7 @@ TEST_CASE("the claim does not depend on the signs of the stored frames") {
   CHECK(checked >= 12);
 }
 
-TEST_CASE("files round-trip; unreadable ones throw") {
+TEST_CASE("files round-trip, unreadable ones throw") {
   const Bytes bytes = encode(reference(all_samples().front().data));
   const std::string path = std::string(CREST_BINARY_DIR) + "/certify-round-trip.crest";
   write_file(path, bytes);
