@@ -44,8 +44,9 @@ V<Rational> exact(const Vec3& a) {
   return {Rational(a[0]), Rational(a[1]), Rational(a[2])};
 }
 
+// Lengths whose fourth powers neither overflow nor underflow.
 bool comfortable(double x) {
-  return x > 1e-140 && x < 1e140;
+  return x > 1e-60 && x < 1e60;
 }
 
 // Angle between two edge vectors; its error is below kArgumentError + 16 u when the lengths are

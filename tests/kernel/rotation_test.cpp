@@ -109,6 +109,64 @@ TEST_CASE("star angles: double and MPFR stages agree within the error") {
   }
 }
 
+TEST_CASE("rotation: stages agree on the degenerate families", "[stress]") {
+  // Stars and frames of family numbers: coincident directions, folds, slivers, exact right angles.
+  std::uint64_t decided = 0, ties = 0, undecided = 0;
+  for (Family family : kFamilies) {
+    Draw d(620 + static_cast<std::uint64_t>(family));
+    auto draw_star = [&](std::vector<Vec3>& ring) {
+      ring.clear();
+      for (int k = d.integer(3, 6); k > 0; --k) ring.push_back(draw_vector(d, family));
+      return Star{{0, 0, 0}, ring, d.coin(), draw_vector(d, family), draw_vector(d, family)};
+    };
+    for (std::uint64_t i = 0; i < scaled(600); ++i) {
+      std::vector<Vec3> ring_v, ring_w;
+      const EdgeStars edge{draw_star(ring_v), draw_star(ring_w), 1, 2, d.coin()};
+      std::vector<double> pv(ring_v.size()), pw(ring_w.size()), c(10);
+      const StarAngles a = star_angles(edge.v, pv, {c.data(), pv.size()});
+      const StarAngles b = star_angles(edge.w, pw, {c.data(), pw.size()});
+      REQUIRE(a.error + b.error < 2e-3);
+      const double raw = b.phi - a.phi - pw[2] - kPi + pv[1] + (edge.reversed ? kPi : 0);
+      const auto fast = triage_rotation(raw, a.error + b.error);
+      const auto exact = interval_rotation(edge);
+      if (exact) REQUIRE(std::fabs(modulo_turn(raw - *exact)) < a.error + b.error + 1e-12);
+      if (fast) {
+        REQUIRE(exact);
+        REQUIRE(std::fabs(*fast - *exact) < a.error + b.error + 1e-12);
+      }
+      decided += fast.has_value();
+      undecided += !fast && exact;
+      ties += !exact;
+    }
+  }
+  CHECK(decided > 0);
+  CHECK(undecided + ties > 0);
+  INFO(decided << " by double, " << undecided << " by MPFR only, " << ties << " ties");
+  CHECK(decided + undecided + ties == kFamilies.size() * scaled(600));
+}
+
+TEST_CASE("rotation: in axis-parallel stars a quarter of the rotations are exact half turns") {
+  const std::vector<Vec3> ring = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  Draw d(640);
+  int ties = 0;
+  const int trials = 400;
+  for (int i = 0; i < trials; ++i) {
+    auto star = [&] {
+      const auto k = static_cast<std::size_t>(d.integer(0, 3));
+      return Star{{0, 0, 0}, ring, true, ring[k], {0, 0, 1}};
+    };
+    const EdgeStars edge{star(), star(), 1, 2, d.coin()};
+    std::vector<double> pv(4), pw(4), c(4);
+    const StarAngles a = star_angles(edge.v, pv, c), b = star_angles(edge.w, pw, c);
+    const double raw = b.phi - a.phi - pw[2] - kPi + pv[1] + (edge.reversed ? kPi : 0);
+    const bool tie = !interval_rotation(edge);
+    REQUIRE(tie == !triage_rotation(raw, a.error + b.error));
+    ties += tie;
+  }
+  CHECK(ties > trials / 8);
+  CHECK(ties < trials / 2);
+}
+
 TEST_CASE("star angles: hard stars go to MPFR") {
   // The reference edge is parallel to n: the first neighbour cannot anchor d1.
   Fan fan;
