@@ -2,6 +2,7 @@
 #include "algorithms/ridges/patch_joins.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace crest::ridges {
 namespace {
@@ -15,6 +16,7 @@ class Joiner {
       : mesh_(mesh), states_(states), owner_(owner), number_(number), weight_(weight) {}
 
   PatchJoins run(const Umbilic& umbilic) {
+    centre_ = umbilic.point;
     build_tree(umbilic.face);
     PatchJoins joins;
     for (int k = 0; k < 3; ++k)
@@ -69,16 +71,44 @@ class Joiner {
     return keys;
   }
 
+  // Each line passes the side where the straight way from its crossing to the umbilic comes
+  // closest; if that does not keep their order, all pass at equal distances.
   void place_on_side(Index f, int k, const std::vector<Key>& lines) {
     const auto i = static_cast<std::size_t>(k);
     const Vec3& a = mesh_.points()[mesh_.faces()[f][i]];
     const Vec3& b = mesh_.points()[mesh_.faces()[f][(i + 1) % 3]];
-    for (std::size_t j = 0; j < lines.size(); ++j) {
-      const double t = static_cast<double>(j + 1) / static_cast<double>(lines.size() + 1);
-      Vec3 p;
-      for (std::size_t x = 0; x < 3; ++x) p[x] = (1 - t) * a[x] + t * b[x];
-      inner_points_[lines[j]].push_back(p);
+    std::vector<double> at;
+    for (const Key& line : lines) at.push_back(nearest_to_straight_way(line, a, b));
+    if (std::adjacent_find(at.begin(), at.end(), std::greater_equal<>()) != at.end())
+      for (std::size_t j = 0; j < at.size(); ++j)
+        at[j] = static_cast<double>(j + 1) / static_cast<double>(at.size() + 1);
+    for (std::size_t j = 0; j < lines.size(); ++j)
+      inner_points_[lines[j]].push_back(between(a, b, at[j]));
+  }
+
+  // Position in [0.1, 0.9] on ab closest to the line through the crossing and the umbilic.
+  double nearest_to_straight_way(const Key& line, const Vec3& a, const Vec3& b) const {
+    const kernel::Edge& edge = mesh_.edges()[line.first];
+    const Vec3 crossing =
+        between(mesh_.points()[edge.v0], mesh_.points()[edge.v1], weight_(line.first, line.second));
+    double uu = 0, uv = 0, vv = 0, uw = 0, vw = 0;
+    for (std::size_t x = 0; x < 3; ++x) {
+      const double u = b[x] - a[x], v = centre_[x] - crossing[x], w = a[x] - crossing[x];
+      uu += u * u;
+      uv += u * v;
+      vv += v * v;
+      uw += u * w;
+      vw += v * w;
     }
+    const double determinant = uu * vv - uv * uv;
+    const double t = determinant > 0 ? (uv * vw - vv * uw) / determinant : 0.5;
+    return std::clamp(t, 0.1, 0.9);
+  }
+
+  static Vec3 between(const Vec3& a, const Vec3& b, double t) {
+    Vec3 p;
+    for (std::size_t x = 0; x < 3; ++x) p[x] = (1 - t) * a[x] + t * b[x];
+    return p;
   }
 
   const kernel::TriangleMesh& mesh_;
@@ -86,6 +116,7 @@ class Joiner {
   const std::vector<Index>& owner_;
   Index number_;
   const CrossingWeight& weight_;
+  Vec3 centre_{};
   std::map<Index, Index> parent_;
   std::map<Key, std::vector<Vec3>> inner_points_;
 };

@@ -18,8 +18,8 @@ using PatchJoins = std::map<std::pair<Index, Colour>, std::vector<Vec3>>;
 using CrossingWeight = std::function<double(Index edge, Colour colour)>;
 
 /// The lines follow the tree of triangles of least steps from the central triangle. The lines that
-/// share a side of a triangle pass it at equal distances in the order in which their contour
-/// crossings follow each other around the patch, so chords in a triangle do not cross.
+/// share a side of a triangle pass it in the order in which their contour crossings follow each
+/// other around the patch, so chords in a triangle do not cross.
 PatchJoins join_patch(const kernel::TriangleMesh& mesh, const EdgeStates& states,
                       const std::vector<Index>& owner, const Umbilic& umbilic, Index number,
                       const CrossingWeight& weight);
