@@ -124,6 +124,10 @@ void check_array(std::string_view text, const Storage& storage, bool base64, std
   const std::uint64_t limit = kExpansion * room + kSlack;
   check(*size, limit);
   check(*last, *size);
+  if (*first == 0 ? *last != 0 : *size == 0) {
+    fail(fmt::format("array {}", array), "its blocks contradict each other",
+         "export the mesh again");
+  }
   if (*first > 0) check(*size, limit / *first + kSlack);
   for (std::uint64_t i = 0; i < *first; ++i) {
     const auto block = words.next();
