@@ -42,6 +42,20 @@ struct Tally {
   int meshes = 0, equal = 0, verified = 0, cgal_meshes = 0, cgal_equal = 0;
 };
 
+// Indices, their sum and unjoined ends, or why there are none.
+std::string cgal_columns(const kernel::TriangleMesh& mesh, const Options& o, Tally& tally) {
+  if (mesh.vertex_count() > o.cgal_limit) return "| | | ";
+  ++tally.cgal_meshes;
+  try {
+    const peers::CgalResult r = peers::run_cgal(mesh, {});
+    tally.cgal_equal += r.index_sum() == mesh.euler_characteristic();
+    return fmt::format("| {}, {}, {} | {} | {} ", r.plus, r.minus, r.other, r.index_sum(),
+                       r.blue_lines.open_ends + r.red_lines.open_ends);
+  } catch (const std::exception& error) {
+    return fmt::format("| {} | | ", error.what());
+  }
+}
+
 void row(const fs::path& path, const kernel::TriangleMesh& mesh, const Options& o, Tally& tally) {
   const ridges::FitResult fit = ridges::fit_monge_forms(mesh, {});
   const ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
@@ -52,14 +66,7 @@ void row(const fs::path& path, const kernel::TriangleMesh& mesh, const Options& 
   ++tally.meshes;
   tally.equal += graph.twice_index_sum == 2 * chi;
   tally.verified += accepted;
-  std::string peer = "| | | ";
-  if (mesh.vertex_count() <= o.cgal_limit) {
-    const peers::CgalResult r = peers::run_cgal(mesh, {});
-    ++tally.cgal_meshes;
-    tally.cgal_equal += r.index_sum() == chi;
-    peer = fmt::format("| {}, {}, {} | {} | {} ", r.plus, r.minus, r.other, r.index_sum(),
-                       r.blue_lines.open_ends + r.red_lines.open_ends);
-  }
+  const std::string peer = cgal_columns(mesh, o, tally);
   fmt::print("| {} | {} | {} | {}, {}, {} | {} | {} | {} {}|\n", path.filename().string(),
              mesh.vertex_count(), chi, c.plus, c.minus, c.other, c.index_sum, c.open_ends,
              accepted ? "accepted" : "REJECTED", peer);
