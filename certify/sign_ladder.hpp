@@ -37,6 +37,15 @@ class SignLadder {
     return kernel::sign_of(formula([](double x) { return kernel::Rational(x); }));
   }
 
+  /// The first stage alone, for a number that several decisions share. Empty with mpfr.
+  template <int N>
+  kernel::MaybeSign triage(const Filtered<N>& x) {
+    if (arithmetic_ != Arithmetic::doubles) return std::nullopt;
+    const auto sign = certify::certain_sign(x);
+    counts_.calls += sign.has_value();
+    return sign;
+  }
+
   const SignCounts& counts() const { return counts_; }
 
  private:

@@ -157,12 +157,19 @@ unsigned segment_type(const MeshData& data, const MeshSigns& signs, std::uint32_
         (lift(weights.x) + lift(weights.y)) * e13 - (lift(weights.z) + lift(weights.w)) * e12,
         cross(e12, e13));
   };
+  const auto plain = [](double x) { return filtered(x); };
+  const auto plain_across = across(plain);
   int sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Monge& m = data.monge[v[i]];
-    const Sign s = colour == blue
-                       ? sign([&](auto lift) { return dot(blue_direction(lift, m), across(lift)); })
-                       : sign([&](auto lift) { return dot(red_direction(lift, m), across(lift)); });
+    const auto by_triage = colour == blue ? sign.triage(dot(blue_direction(plain, m), plain_across))
+                                          : sign.triage(dot(red_direction(plain, m), plain_across));
+    const auto by_ladder = [&] {
+      return colour == blue
+                 ? sign([&](auto lift) { return dot(blue_direction(lift, m), across(lift)); })
+                 : sign([&](auto lift) { return dot(red_direction(lift, m), across(lift)); });
+    };
+    const Sign s = by_triage ? *by_triage : by_ladder();
     sum += (i == 0 ? 1 : -1) * signs.extremality[colour][v[i]] * number(s);
   }
   if (sum == 0) return 0;
