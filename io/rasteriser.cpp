@@ -48,7 +48,7 @@ Canvas::Canvas(int width, int height)
       depth_(colour_.size(), std::numeric_limits<float>::infinity()) {}
 
 void Canvas::draw_surface(const Camera& camera, const kernel::TriangleMesh& mesh,
-                          const std::vector<Vec3>& normals) {
+                          const std::vector<Vec3>& normals, const std::vector<Vec3>* tints) {
   std::vector<Vec3> pixels(mesh.vertex_count()), turned(mesh.vertex_count());
   for (kernel::Index v = 0; v < mesh.vertex_count(); ++v) {
     pixels[v] = camera.project(mesh.points()[v]);
@@ -56,12 +56,15 @@ void Canvas::draw_surface(const Camera& camera, const kernel::TriangleMesh& mesh
     turned[v] = {dot(n, camera.right), dot(n, camera.up), -dot(n, camera.forward)};
   }
   for (const auto& f : mesh.faces()) {
+    Vec3 tint[3];
+    for (std::size_t k = 0; tints != nullptr && k < 3; ++k) tint[k] = (*tints)[f[k]];
     draw_triangle({pixels[f[0]], pixels[f[1]], pixels[f[2]]},
-                  {turned[f[0]], turned[f[1]], turned[f[2]]});
+                  {turned[f[0]], turned[f[1]], turned[f[2]]}, tints != nullptr ? &tint : nullptr);
   }
 }
 
-void Canvas::draw_triangle(const Vec3 (&corner)[3], const Vec3 (&normal)[3]) {
+void Canvas::draw_triangle(const Vec3 (&corner)[3], const Vec3 (&normal)[3],
+                           const Vec3 (*tint)[3]) {
   // In samples, whose centres are at half integers.
   double x[3], y[3];
   for (int k = 0; k < 3; ++k) {
@@ -92,6 +95,13 @@ void Canvas::draw_triangle(const Vec3 (&corner)[3], const Vec3 (&normal)[3]) {
       const Vec3 n = combine(1, combine(w0, normal[0], w1, normal[1]), w2, normal[2]);
       const double squared = dot(n, n);  // of a mean of unit vectors
       colour_[at] = shade(squared > 0 ? combine(1 / std::sqrt(squared), n, 0, n) : Vec3{0, 0, 1});
+      if (tint == nullptr) continue;
+      const Vec3 t = combine(1, combine(w0, (*tint)[0], w1, (*tint)[1]), w2, (*tint)[2]);
+      const auto scaled = [](std::uint8_t x, double s) {
+        return static_cast<std::uint8_t>(std::clamp(x * s, 0.0, 255.0));
+      };
+      colour_[at] = {scaled(colour_[at].red, t[0]), scaled(colour_[at].green, t[1]),
+                     scaled(colour_[at].blue, t[2])};
     }
   }
 }

@@ -24,9 +24,11 @@ class Canvas {
   int sample_width() const { return width_; }
   int sample_height() const { return height_; }
 
-  /// Smoothly shaded, two-sided. Requires: one unit normal a vertex.
+  /// Smoothly shaded, two-sided; tints: factors on red, green and blue at each vertex.
+  /// Requires: one unit normal a vertex, and one tint if there are any.
   void draw_surface(const Camera& camera, const kernel::TriangleMesh& mesh,
-                    const std::vector<kernel::Vec3>& normals);
+                    const std::vector<kernel::Vec3>& normals,
+                    const std::vector<kernel::Vec3>* tints = nullptr);
   /// True where a point of the surface is nearest to the eye, up to `bias` (all in pixels).
   bool visible(const kernel::Vec3& pixel, double bias) const;
 
@@ -43,7 +45,8 @@ class Canvas {
   std::string png() const;
 
  private:
-  void draw_triangle(const kernel::Vec3 (&corner)[3], const kernel::Vec3 (&normal)[3]);
+  void draw_triangle(const kernel::Vec3 (&corner)[3], const kernel::Vec3 (&normal)[3],
+                     const kernel::Vec3 (*tint)[3]);
   /// Sets every sample whose centre satisfies the predicate, within a box of samples.
   template <class Inside>
   void paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside);

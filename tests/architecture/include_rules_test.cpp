@@ -39,7 +39,11 @@ std::string layer_of(const std::string& path) {
 
 /// The result headers of the systems: what io writes and draws.
 bool is_result_header(const std::string& target) {
-  return target == "algorithms/ridges/ridge_graph.hpp" || target == "algorithms/ridges/ridges.hpp";
+  return target == "algorithms/ridges/ridge_graph.hpp" ||
+         target == "algorithms/ridges/ridges.hpp" ||
+         target == "algorithms/curvature/curvature.hpp" ||
+         target == "algorithms/curvature/focal.hpp" ||
+         target == "algorithms/feature_lines/feature_graph.hpp";
 }
 
 /// Prefixes of what each layer may include besides itself.

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest curvature: the curvature tensor of a mesh by the methods of paper 001, section 3.3.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "algorithms/curvature/curvature.hpp"
+#include "algorithms/curvature/focal.hpp"
+#include "algorithms/sampling/surfaces.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/references.hpp"
+#include "cli/report.hpp"
+#include "io/atomic_file.hpp"
+#include "io/curvature_picture.hpp"
+#include "io/curvature_writer.hpp"
+#include "io/mesh_reader.hpp"
+#include "io/normals_reader.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::cli {
+namespace {
+
+using curvature::Method;
+using curvature::PointCurvature;
+using kernel::Index;
+using kernel::TriangleMesh;
+
+struct CurvatureOptions {
+  CommonOptions common;
+  curvature::Options estimate;
+  std::string method = "ne", normals, colour = "H", focal, reference;
+  double focal_share = 0.1;
+  bool focal_averaged = false, rotate = false;
+  std::vector<double> parameters;
+};
+
+void add_options(CLI::App& app, CurvatureOptions& o) {
+  app.add_option("INPUT", o.common.input, "triangle mesh (.off .obj .ply .stl .vtp)")->required();
+  app.add_option("-o,--output", o.common.output, "the mesh with its curvatures (.vtp .vtu .ply)")
+      ->type_name("FILE");
+  std::vector<std::string> names;
+  for (const Method m : curvature::kMethods) names.push_back(curvature::name_of(m));
+  app.add_option("--method", o.method, "default ne: normal-based, normals estimated")
+      ->check(CLI::IsMember(names));
+  app.add_option("--normals", o.normals,
+                 "the file's (.ply .vtp), estimated ones, or the gradient of --reference")
+      ->check(CLI::IsMember({"file", "estimated", "gradient"}));
+  app.add_option("--degree", o.estimate.degree, "of jet's polynomial (default 4)")
+      ->check(CLI::Range(2, 6))
+      ->type_name("N");
+  app.add_option("--rings", o.estimate.rings, "of normal-cycle's region (default 1)")
+      ->check(CLI::Range(0, 20))
+      ->type_name("N");
+  app.add_option("--focal", o.focal, "focal surfaces of K and H (.vtp)")->type_name("FILE");
+  app.add_option("--focal-share", o.focal_share,
+                 "their height as a share of the bounding box's diagonal (default 0.1)")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->type_name("F");
+  app.add_flag("--focal-averaged", o.focal_averaged,
+               "focal surfaces of the vertex means, not of independent triangles (np, ne)");
+  app.add_option("--picture", o.common.picture, "the mesh in colours of a curvature (.svg .png)")
+      ->type_name("FILE");
+  app.add_option("--colour", o.colour, "what the picture shows (default H)")
+      ->check(CLI::IsMember({"K", "H", "k1", "k2"}));
+  app.add_option("--reference", o.reference,
+                 "compare with a surface of `crest sample`: the report has the distances")
+      ->type_name("SURFACE");
+  app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")
+      ->delimiter(',')
+      ->type_name("A,B,..");
+  app.add_flag("--rotate", o.rotate, "the surface was sampled with --rotate");
+  app.add_option("--report", o.common.report, "curvatures and times (.json)")->type_name("FILE");
+  app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
+  add_run_options(app, o.common);
+}
+
+std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
+  if (o.reference.empty()) {
+    if (!o.parameters.empty() || o.rotate) {
+      throw UsageError("--parameters and --rotate belong to --reference");
+    }
+    return std::nullopt;
+  }
+  try {
+    return sampling::make_surface(o.reference, o.parameters, o.rotate);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+/// The normals option, its default by the method, against what is there.
+std::string normals_source(const CurvatureOptions& o) {
+  const bool perfect = o.estimate.method == Method::np;
+  if (!o.normals.empty()) {
+    if (perfect && o.normals == "estimated") {
+      throw UsageError("--normals estimated: with these np is ne; say --method ne");
+    }
+    if (o.estimate.method == Method::ne && o.normals != "estimated") {
+      throw UsageError("--normals " + o.normals + ": ne estimates them; say --method np");
+    }
+    if (o.normals == "gradient" && o.reference.empty()) {
+      throw UsageError("--normals gradient needs --reference");
+    }
+    return o.normals;
+  }
+  if (!perfect) return "estimated";
+  return o.reference.empty() ? "file" : "gradient";
+}
+
+std::vector<kernel::Vec3> given_normals(const CurvatureOptions& o, const std::string& source,
+                                        const TriangleMesh& mesh,
+                                        const std::optional<sampling::Surface>& surface) {
+  if (source == "estimated") return {};
+  if (source == "gradient") {
+    std::vector<kernel::Vec3> normals;
+    for (const kernel::Vec3& p : mesh.points()) {
+      normals.push_back(sampling::to_vec3(surface->gradient(sampling::to_point(p)).gradient));
+    }
+    return normals;
+  }
+  auto normals = io::read_normals(o.common.input);
+  if (normals.size() != mesh.vertex_count()) {
+    throw kernel::InputError(o.common.input +
+                             ": normals: the file has vertices without faces; remove them");
+  }
+  return normals;
+}
+
+std::vector<PointCurvature> exact_curvatures(const TriangleMesh& mesh,
+                                             const sampling::Surface& surface) {
+  std::vector<PointCurvature> exact;
+  try {
+    for (const kernel::Vec3& p : mesh.points()) {
+      const auto foot = sampling::to_vec3(surface.project(sampling::to_point(p)));
+      const kernel::MongeForm form = surface.monge_form(foot);
+      PointCurvature c;
+      c.k1 = form.k1;
+      c.k2 = form.k2;
+      c.K = form.k1 * form.k2;
+      c.H = 0.5 * (form.k1 + form.k2);
+      c.d1 = form.d1;
+      c.d2 = kernel::minimal_direction(form);
+      exact.push_back(c);
+    }
+  } catch (const std::invalid_argument&) {
+    throw UsageError("--reference: the mesh does not lie on this surface");
+  }
+  return exact;
+}
+
+Json summary_of(const std::vector<PointCurvature>& vertices, double PointCurvature::*member) {
+  std::vector<double> values;
+  for (const PointCurvature& c : vertices) values.push_back(c.*member);
+  std::sort(values.begin(), values.end());
+  return {
+      {"min", values.front()}, {"median", values[(values.size() - 1) / 2]}, {"max", values.back()}};
+}
+
+void fill_report(Report& report, const CurvatureOptions& o, const TriangleMesh& mesh,
+                 const curvature::Result& result, const std::string& source) {
+  Json& json = report.json();
+  json["vertices"] = mesh.vertex_count();
+  json["faces"] = mesh.face_count();
+  json["method"] = o.method;
+  json["normals"] = source;
+  json["k1"] = summary_of(result.vertices, &PointCurvature::k1);
+  json["k2"] = summary_of(result.vertices, &PointCurvature::k2);
+  json["K"] = summary_of(result.vertices, &PointCurvature::K);
+  json["H"] = summary_of(result.vertices, &PointCurvature::H);
+  json["asymmetry"] = summary_of(result.vertices, &PointCurvature::asymmetry);
+  json["lowered"] = result.lowered;
+  json["complex"] = result.complex;
+  json["undetermined"] = result.undetermined;
+  if (result.undetermined > 0) {
+    report.warn(
+        fmt::format("{} vertices have no finite estimate and are zero", result.undetermined));
+  }
+}
+
+std::vector<curvature::FocalSurface> focal_surfaces(const CurvatureOptions& o,
+                                                    const TriangleMesh& mesh,
+                                                    const curvature::Result& result) {
+  const bool triangles =
+      !o.focal_averaged && (o.estimate.method == Method::np || o.estimate.method == Method::ne);
+  std::vector<curvature::FocalSurface> surfaces;
+  for (const auto q : {curvature::Quantity::gaussian, curvature::Quantity::mean}) {
+    surfaces.push_back(triangles
+                           ? curvature::focal_of_triangles(mesh, result.normals, q, o.focal_share)
+                           : curvature::focal_of_vertices(mesh, result, q, o.focal_share));
+  }
+  return surfaces;
+}
+
+void write_picture(const std::string& path, const CurvatureOptions& o, const TriangleMesh& mesh,
+                   const curvature::Result& result) {
+  const std::pair<const char*, double PointCurvature::*> shown =
+      o.colour == "K"    ? std::pair{"gaussian curvature", &PointCurvature::K}
+      : o.colour == "k1" ? std::pair{"larger principal curvature", &PointCurvature::k1}
+      : o.colour == "k2" ? std::pair{"smaller principal curvature", &PointCurvature::k2}
+                         : std::pair{"mean curvature", &PointCurvature::H};
+  std::vector<double> values;
+  for (const PointCurvature& c : result.vertices) values.push_back(c.*shown.second);
+  io::ColourPicture picture;
+  picture.label = shown.first;
+  io::write_colour_picture(path, mesh, values, picture);
+}
+
+std::vector<std::string> used_references(const CurvatureOptions& o) {
+  std::vector<std::string> keys = {"roessl2005surfaces"};
+  switch (o.estimate.method) {
+    case Method::cf:
+    case Method::qf:
+      keys.push_back("goldfeather2004novel");
+      break;
+    case Method::qt:
+      keys.push_back("welch1994free");
+      break;
+    case Method::jet:
+      keys.push_back("cazals2003jets");
+      break;
+    case Method::normal_cycle:
+      keys.push_back("cohensteiner2003restricted");
+      break;
+    default:
+      break;
+  }
+  return keys;
+}
+
+void talk(const CurvatureOptions& o, Report& report) {
+  const Json& json = report.json();
+  if (!o.common.quiet) {
+    for (const auto& warning : json["warnings"]) {
+      std::fprintf(stderr, "crest curvature: warning: %s\n", warning.get<std::string>().c_str());
+    }
+    std::string text = fmt::format("{}: {} vertices, {} faces\n", o.method,
+                                   json["vertices"].get<Index>(), json["faces"].get<Index>());
+    for (const char* name : {"k1", "k2", "K", "H"}) {
+      text += fmt::format("{}: {:.6g} to {:.6g}, median {:.6g}\n", name,
+                          json[name]["min"].get<double>(), json[name]["max"].get<double>(),
+                          json[name]["median"].get<double>());
+    }
+    if (json.contains("dist_K")) {
+      text += fmt::format("distance from {}: K {:.4g}, H {:.4g}, directions {:.4g}\n", o.reference,
+                          json["dist_K"].get<double>(), json["dist_H"].get<double>(),
+                          json["dist_P"].get<double>());
+    }
+    text += fmt::format("time: {:.3g} s\n", report.elapsed());
+    std::fputs(text.c_str(), stdout);
+  }
+  if (o.common.cite) std::fputs(bibtex(used_references(o)).c_str(), stdout);
+}
+
+/// estimate() knows no file names.
+curvature::Result estimate(const CurvatureOptions& o, const TriangleMesh& mesh) {
+  try {
+    return curvature::estimate(mesh, o.estimate);
+  } catch (const kernel::InputError& error) {
+    throw error.with_file(o.common.input);
+  }
+}
+
+int run(CurvatureOptions& o) {
+  o.estimate.method = *curvature::method_of(o.method);
+  const std::string source = normals_source(o);
+  const std::optional<sampling::Surface> surface = reference_of(o);
+  Outputs outputs;
+  outputs.add("-o", o.common.output, {".vtp", ".vtu", ".ply"});
+  outputs.add("--focal", o.focal, {".vtp"});
+  outputs.add("--picture", o.common.picture, {".svg", ".png"});
+  outputs.add("--report", o.common.report);
+  const ThreadLimit limit(o.common.threads);
+  Progress progress(o.common.quiet);
+  Report report("curvature", o.common.input, limit.threads());
+
+  progress.show("reading " + o.common.input);
+  const io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
+  for (const std::string& warning : file.warnings) report.warn(warning);
+  const TriangleMesh& mesh = file.mesh;
+  o.estimate.normals =
+      report.timed("normals", [&] { return given_normals(o, source, mesh, surface); });
+
+  progress.show("estimating curvatures");
+  const curvature::Result result = report.timed("estimate", [&] { return estimate(o, mesh); });
+  fill_report(report, o, mesh, result, source);
+  if (surface) {
+    const auto distances = report.timed("reference", [&] {
+      return curvature::distances(result.vertices, exact_curvatures(mesh, *surface));
+    });
+    report.json()["dist_K"] = distances.K;
+    report.json()["dist_H"] = distances.H;
+    report.json()["dist_P"] = distances.P;
+  }
+  progress.show("writing");
+  report.timed("write", [&] {
+    outputs.write("-o", [&](const std::string& path) {
+      const bool corners = o.estimate.method == Method::np || o.estimate.method == Method::ne;
+      io::write_curvature(path, mesh, result,
+                          corners ? curvature::corner_curvatures(mesh, result.normals)
+                                  : std::vector<curvature::CornerCurvatures>{});
+    });
+    outputs.write("--focal", [&](const std::string& path) {
+      io::write_focal(path, focal_surfaces(o, mesh, result));
+    });
+    outputs.write("--picture",
+                  [&](const std::string& path) { write_picture(path, o, mesh, result); });
+  });
+  outputs.write("--report",
+                [&](const std::string& path) { io::write_atomically(path, report.text()); });
+  outputs.commit();
+  progress.clear();
+  talk(o, report);
+  return kDone;
+}
+
+std::function<int()> add(CLI::App& app) {
+  auto options = std::make_shared<CurvatureOptions>();
+  add_options(app, *options);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+extern const Command curvature_command;
+const Command curvature_command = {
+    "curvature",
+    "the curvature tensor of a triangle mesh, by seven methods",
+    add,
+    {"crest curvature ellipsoid.off -o ellipsoid-curvature.vtp --picture ellipsoid-curvature.png",
+     "crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 "
+     "--report ellipsoid-curvature.json"}};
+
+}  // namespace crest::cli
