@@ -48,7 +48,7 @@ class Sight {
  public:
   Sight(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
         const std::vector<Vec3>& normals)
-      : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals) {}
+      : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals), outward_(side(mesh)) {}
 
   /// Lines lie on the surface; the bias only covers rounding and the patches' polylines.
   bool free(const Vec3& pixel) const { return surface_.visible(pixel, 0.003 * camera_.width); }
@@ -57,7 +57,7 @@ class Sight {
   bool faces_eye(kernel::Index v, kernel::Index w) const {
     if (!mesh_.closed()) return true;
     const Vec3 n = combine(1, normals_[v], 1, normals_[w]);
-    return dot(normalised(n, combine(-1, camera_.forward, 0, n)), camera_.forward) < 0.1;
+    return outward_ * dot(normalised(n, combine(-1, camera_.forward, 0, n)), camera_.forward) < 0.1;
   }
   bool faces_eye(const ridges::Crossing& crossing) const {
     const kernel::Edge& e = mesh_.edges()[crossing.edge];
@@ -70,10 +70,25 @@ class Sight {
   const Camera& camera() const { return camera_; }
 
  private:
+  /// 1 if the normals point out of a closed mesh, -1 if into it: the sign of its volume.
+  static double side(const kernel::TriangleMesh& mesh) {
+    double volume = 0;
+    const Vec3& o = mesh.points()[0];
+    for (const kernel::Triangle& f : mesh.faces()) {
+      Vec3 e[3];
+      for (std::size_t k = 0; k < 3; ++k) e[k] = combine(1, mesh.points()[f[k]], -1, o);
+      volume += e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+                e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+                e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+    }
+    return volume < 0 ? -1 : 1;
+  }
+
   const Camera& camera_;
   const Canvas& surface_;
   const kernel::TriangleMesh& mesh_;
   const std::vector<Vec3>& normals_;
+  double outward_;
 };
 
 /// Collects the visible parts of one ridge, a stroke for each run of one type.
