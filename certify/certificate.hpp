@@ -58,8 +58,28 @@ struct RidgesMeshCertificate {
   std::vector<RidgeRecord> ridges;
 };
 
+/// Of a subcomplex: euler = components - loops + closed surfaces.
+struct BettiRecord {
+  std::int32_t euler;
+  std::uint32_t components, loops, closed;
+};
+
+/// Claim features-mesh: thinning a marked set of vertices.
+struct FeaturesMeshCertificate {
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< F
+  std::vector<std::array<double, 3>> positions;     ///< V
+  std::vector<std::uint8_t> marked_before;          ///< V: 0 or 1
+  std::int32_t euler_characteristic = 0;
+  std::uint32_t boundary_loops = 0;
+  std::vector<std::uint32_t> removed;       ///< in the order of removal
+  std::vector<std::uint32_t> marked_after;  ///< ascending
+  std::vector<std::uint32_t> dropped;       ///< ascending
+  std::array<BettiRecord, 4> betti{};       ///< before: marked, complement; after: the same
+};
+
 /// The file's bytes, sealed, in canonical form. Cost: linear.
 Bytes encode(RidgesMeshCertificate certificate);
+Bytes encode(const FeaturesMeshCertificate& certificate);
 
 /// Digest of the data section as encode() writes it.
 Digest data_digest(const Bytes& certificate);

@@ -11,7 +11,7 @@ namespace crest::certify {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {'C', 'R', 'E', 'S', 'T', 'C', 'R', 'T'};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::uint32_t kRidgesMesh = 1;
+inline constexpr std::uint32_t kRidgesMesh = 1, kFeaturesMesh = 2;
 inline constexpr std::size_t kDigestOffset = 16, kLengthsOffset = 48, kHeaderSize = 64,
                              kSealSize = 32;
 /// Bytes of a face, and of a vertex (position and Monge data).
@@ -42,5 +42,9 @@ Container open_container(const Bytes& bytes);
 /// Throws Malformed: counts that do not fit, numbers not finite or -0, bytes left over.
 MeshData decode_data(std::span<const std::uint8_t> data);
 void decode_claims(std::span<const std::uint8_t> claims, RidgesMeshCertificate& certificate);
+
+/// Both sections of claim 2. Throws Malformed, also for marks other than 0 and 1.
+FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
+                                             std::span<const std::uint8_t> claims);
 
 }  // namespace crest::certify

@@ -105,6 +105,53 @@ void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
   for (const auto& ridge : c.ridges) write_ridge(out, ridge);
 }
 
+void write_features_data(ByteWriter& out, const FeaturesMeshCertificate& c) {
+  out.count(c.positions.size());
+  out.count(c.faces.size());
+  out.rows(c.faces);
+  out.rows(c.positions);
+  out.bytes(c.marked_before);
+}
+
+void write_features_claims(ByteWriter& out, const FeaturesMeshCertificate& c) {
+  out.integer(c.euler_characteristic);
+  out.integer(c.boundary_loops);
+  for (const auto* list : {&c.removed, &c.marked_after, &c.dropped}) {
+    out.count(list->size());
+    for (const auto v : *list) out.integer(v);
+  }
+  for (const BettiRecord& b : c.betti) {
+    out.integer(b.euler);
+    out.integer(b.components);
+    out.integer(b.loops);
+    out.integer(b.closed);
+  }
+}
+
+/// Header, the two sections, digest and seal.
+template <class WriteData, class WriteClaims>
+Bytes compose(std::uint32_t claim, std::size_t data_size, WriteData&& write_data_section,
+              WriteClaims&& write_claim_section) {
+  ByteWriter out;
+  out.reserve(kHeaderSize + data_size + data_size / 8);
+  out.bytes(kMagic);
+  out.integer(kVersion);
+  out.integer(claim);
+  out.bytes(Digest{});
+  out.integer(std::uint64_t{data_size});
+  out.integer(std::uint64_t{0});
+  write_data_section(out);
+  const std::size_t claims_start = out.size();
+  write_claim_section(out);
+  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
+  out.bytes(Digest{});
+  Bytes bytes = std::move(out.result());
+  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
+    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
+  rebind(bytes);
+  return bytes;
+}
+
 /// Open for writing: reseal and rebind report lengths that do not fit as a wrong argument.
 Container open_for_sealing(const Bytes& bytes) {
   try {
@@ -121,26 +168,21 @@ void store_seal(Bytes& bytes, const Digest& seal) {
 }  // namespace
 
 Bytes encode_as_is(const RidgesMeshCertificate& certificate) {
-  ByteWriter out;
   const std::size_t data_size = 8 + certificate.data.faces.size() * kFaceSize +
                                 certificate.data.positions.size() * kVertexSize;
-  out.reserve(kHeaderSize + data_size + data_size / 8);
-  out.bytes(kMagic);
-  out.integer(kVersion);
-  out.integer(kRidgesMesh);
-  out.bytes(Digest{});
-  out.integer(std::uint64_t{data_size});
-  out.integer(std::uint64_t{0});
-  write_data(out, certificate.data);
-  const std::size_t claims_start = out.size();
-  write_claims(out, certificate);
-  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
-  out.bytes(Digest{});
-  Bytes bytes = std::move(out.result());
-  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
-    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
-  rebind(bytes);
-  return bytes;
+  return compose(
+      kRidgesMesh, data_size, [&](ByteWriter& out) { write_data(out, certificate.data); },
+      [&](ByteWriter& out) { write_claims(out, certificate); });
+}
+
+Bytes encode(const FeaturesMeshCertificate& certificate) {
+  if (certificate.marked_before.size() != certificate.positions.size())
+    throw std::invalid_argument("certificate: as many marks as vertices are needed");
+  const std::size_t data_size = 8 + certificate.faces.size() * kFaceSize +
+                                certificate.positions.size() * (3 * sizeof(double) + 1);
+  return compose(
+      kFeaturesMesh, data_size, [&](ByteWriter& out) { write_features_data(out, certificate); },
+      [&](ByteWriter& out) { write_features_claims(out, certificate); });
 }
 
 Bytes encode(RidgesMeshCertificate certificate) {

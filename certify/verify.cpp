@@ -4,6 +4,7 @@
 #include <array>
 
 #include "certify/container.hpp"
+#include "certify/features_mesh.hpp"
 #include "certify/reject.hpp"
 #include "certify/ridges_mesh.hpp"
 
@@ -16,7 +17,8 @@ struct ClaimChecker {
   void (*check)(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                 const VerifyOptions& options, Verdict& verdict);
 };
-constexpr std::array kCheckers = {ClaimChecker{kRidgesMesh, verify_ridges_mesh}};
+constexpr std::array kCheckers = {ClaimChecker{kRidgesMesh, verify_ridges_mesh},
+                                  ClaimChecker{kFeaturesMesh, verify_features_mesh}};
 
 void check_all(const Bytes& certificate, const VerifyOptions& options, Verdict& verdict) {
   const Container container = open_container(certificate);

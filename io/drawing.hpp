@@ -46,6 +46,11 @@ Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::
                      const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
                      int order);
 
+/// Writes the shaded surface on `canvas` with the drawing over it, .svg or .png by the extension.
+/// Throws: kernel::InputError (write_picture).
+void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
+                   const Drawing& drawing, bool show_legend);
+
 /// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.
 void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text);
 

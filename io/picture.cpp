@@ -180,6 +180,18 @@ void check(const std::string& path, const PictureOptions& options) {
 
 }  // namespace
 
+void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
+                   const Drawing& drawing, bool show_legend) {
+  const LegendLayout legend(drawing, camera, show_legend);
+  if (lower_extension(path) == ".svg") {
+    return write_atomically(path, svg_of(canvas, drawing, camera, legend));
+  }
+  paint(canvas, drawing);
+  canvas.extend(legend.height);
+  paint_legend(canvas, drawing, legend);
+  write_atomically(path, canvas.png());
+}
+
 void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                    const ridges::RidgeGraph& graph, const PictureOptions& options) {
   check(path, options);
@@ -188,15 +200,9 @@ void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
   const Camera camera = fit_camera(mesh, view, options.width);
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
-  const Drawing drawing = make_drawing(camera, canvas, mesh, normals, graph, options.order);
-  const LegendLayout legend(drawing, camera, options.show_legend);
-  if (lower_extension(path) == ".svg") {
-    return write_atomically(path, svg_of(canvas, drawing, camera, legend));
-  }
-  paint(canvas, drawing);
-  canvas.extend(legend.height);
-  paint_legend(canvas, drawing, legend);
-  write_atomically(path, canvas.png());
+  write_drawing(path, camera, canvas,
+                make_drawing(camera, canvas, mesh, normals, graph, options.order),
+                options.show_legend);
 }
 
 }  // namespace crest::io

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest features: feature lines of a triangle mesh, with a certificate that thinning kept the
+// topology.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "algorithms/feature_lines/certificate.hpp"
+#include "algorithms/feature_lines/feature_lines.hpp"
+#include "algorithms/ridges/ridges.hpp"
+#include "certify/certificate.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/references.hpp"
+#include "cli/report.hpp"
+#include "io/atomic_file.hpp"
+#include "io/feature_writer.hpp"
+#include "io/mesh_reader.hpp"
+
+namespace crest::cli {
+namespace {
+
+using feature_lines::FeatureLines;
+using feature_lines::LineKind;
+using feature_lines::Neighbourhood;
+
+struct FeaturesOptions {
+  CommonOptions common;
+  feature_lines::Options lines;
+  double value = 0;
+  CLI::Option* value_given = nullptr;
+};
+
+void add_structure(CLI::App& app, const char* name, double& size, const char* help) {
+  app.add_option(name, size, help)->check(CLI::Range(0.0, 1e300))->type_name("N");
+}
+
+void add_features_options(CLI::App& app, FeaturesOptions& o) {
+  static const std::map<std::string, Neighbourhood> kinds = {
+      {"ring", Neighbourhood::rings},
+      {"euclidean", Neighbourhood::euclidean},
+      {"path", Neighbourhood::path}};
+  const CLI::Range whole(0u, 1000000000u);
+  auto* quantile =
+      app.add_option("--threshold", o.lines.quantile,
+                     "mark the vertices from this quantile of max(|k1|, |k2|) on (default 0.85)");
+  quantile->check(CLI::Range(0.0, 1.0))->type_name("Q");
+  o.value_given = app.add_option("--value", o.value, "mark where max(|k1|, |k2|) is at least V");
+  o.value_given->check(CLI::Range(-1e300, 1e300))->type_name("V")->excludes(quantile);
+  add_structure(app, "--dilate", o.lines.dilate, "then dilate the marked region");
+  add_structure(app, "--erode", o.lines.erode, "then erode it");
+  add_structure(app, "--open", o.lines.open, "then open it (erode, dilate)");
+  add_structure(app, "--close", o.lines.close, "then close it (dilate, erode)");
+  app.add_option("--neighbourhood", o.lines.neighbourhood,
+                 "what N of these four is: rings of neighbours (default), or a length in units of "
+                 "the input, Euclidean or along edge paths")
+      ->transform(CLI::CheckedTransformer(kinds))
+      ->type_name("ring|euclidean|path");
+  app.add_option("--prune", o.lines.prune, "drop branches of at most M vertices (default 0)")
+      ->check(whole)
+      ->type_name("M");
+  app.add_option("--min-patch", o.lines.min_patch,
+                 "fill patches of fewer than N vertices and thin again")
+      ->check(whole)
+      ->type_name("N");
+  app.add_option("--close-branches", o.lines.close_branches,
+                 "join open ends at most N edges apart in one patch")
+      ->check(whole)
+      ->type_name("N");
+}
+
+void check_options(FeaturesOptions& o) {
+  // The parser's ranges let NaN pass.
+  for (const double x :
+       {o.value, o.lines.quantile, o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close}) {
+    if (std::isnan(x)) throw UsageError("nan is not a number to threshold or measure with");
+  }
+  if (o.value_given->count() > 0) o.lines.value = o.value;
+  if (o.lines.neighbourhood != Neighbourhood::rings) return;
+  for (const double size : {o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close}) {
+    if (size != std::floor(size)) {
+      throw UsageError(fmt::format("{} rings are not a whole number; see --neighbourhood", size));
+    }
+  }
+}
+
+/// The larger absolute principal curvature of the fitted Monge forms.
+std::vector<double> curvature_field(const kernel::TriangleMesh& mesh) {
+  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, {});
+  std::vector<double> field;
+  field.reserve(fit.forms.size());
+  for (const kernel::MongeForm& form : fit.forms) {
+    field.push_back(std::max(std::fabs(form.k1), std::fabs(form.k2)));
+  }
+  return field;
+}
+
+Json betti_json(const feature_lines::Topology& t) {
+  const auto one = [](const feature_lines::Betti& b) {
+    return Json{{"euler_characteristic", b.euler},
+                {"components", b.b0},
+                {"loops", b.b1},
+                {"closed_surfaces", b.b2}};
+  };
+  return {{"marked", one(t.marked)}, {"complement", one(t.complement)}};
+}
+
+Json lengths_json(const feature_lines::FeatureGraph& graph) {
+  std::array<double, 4> length{};
+  for (const auto& line : graph.lines) length[static_cast<std::size_t>(line.kind)] += line.length;
+  return {
+      {"arcs", length[0]}, {"branches", length[1]}, {"loops", length[2]}, {"isolated", length[3]}};
+}
+
+void fill_report(Report& report, const kernel::TriangleMesh& mesh, const FeatureLines& f,
+                 const std::string& digest) {
+  Json& json = report.json();
+  json["vertices"] = mesh.vertex_count();
+  json["faces"] = mesh.face_count();
+  json["euler_characteristic"] = mesh.euler_characteristic();
+  json["boundary_loops"] = mesh.boundary_loops();
+  json["threshold"] = f.value;
+  json["marked"] = f.marked;
+  json["line_vertices"] = feature_lines::count(f.marks);
+  json["nodes"] = f.graph.nodes.size();
+  json["arcs"] = f.graph.count(LineKind::arc);
+  json["branches"] = f.graph.count(LineKind::branch);
+  json["loops"] = f.graph.count(LineKind::loop);
+  json["isolated"] = f.graph.count(LineKind::isolated);
+  json["patches"] = f.graph.patch_sizes.size();
+  json["length"] = lengths_json(f.graph);
+  json["filled_patches"] = f.filled_patches;
+  json["joined_ends"] = f.joined;
+  json["dropped_lines"] = f.thinning.dropped.size();
+  json["betti_before"] = betti_json(f.thinning.topology_before);
+  json["betti_after"] = betti_json(f.thinning.topology_after);
+  json["data_digest"] = digest;
+}
+
+void talk(const FeaturesOptions& o, const FeatureLines& f, Report& report) {
+  if (!o.common.quiet) {
+    for (const auto& warning : report.json()["warnings"]) {
+      std::fprintf(stderr, "crest features: warning: %s\n", warning.get<std::string>().c_str());
+    }
+    fmt::print("region: {} of {} vertices from {:.6g} on\n", f.marked, f.marks.size(), f.value);
+    fmt::print("lines: {} arcs, {} branches, {} loops, {} isolated; {} nodes, {} patches\n",
+               f.graph.count(LineKind::arc), f.graph.count(LineKind::branch),
+               f.graph.count(LineKind::loop), f.graph.count(LineKind::isolated),
+               f.graph.nodes.size(), f.graph.patch_sizes.size());
+    const auto& b = f.thinning.topology_after;
+    fmt::print("kept by thinning: {} components, {} loops; complement {}, {}\n", b.marked.b0,
+               b.marked.b1, b.complement.b0, b.complement.b1);
+  }
+  if (o.common.cite) {
+    std::vector<std::string> keys = {"roessl2005surfaces", "cazals2003jets"};
+    if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
+    fmt::print("{}", bibtex(keys));
+  }
+}
+
+int run_features(FeaturesOptions& o) {
+  check_options(o);
+  Outputs outputs;
+  outputs.add("-o", o.common.output, {".vtp", ".obj"});
+  outputs.add("--picture", o.common.picture, {".svg", ".png"});
+  outputs.add("--certificate", o.common.certificate);
+  outputs.add("--report", o.common.report);
+  const ThreadLimit limit(o.common.threads);
+  Progress progress(o.common.quiet);
+  Report report("features", o.common.input, limit.threads());
+
+  progress.show("reading " + o.common.input);
+  io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
+  for (const std::string& warning : file.warnings) report.warn(warning);
+  const kernel::TriangleMesh& mesh = file.mesh;
+  progress.show("fitting curvatures");
+  const std::vector<double> field = report.timed("fit", [&] { return curvature_field(mesh); });
+  progress.show("thinning");
+  const FeatureLines f = report.timed(
+      "extract", [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
+  progress.show("composing the certificate");
+  const certify::Bytes certificate = report.timed("certificate", [&] {
+    return certify::encode(feature_lines::make_certificate(mesh, f.thinning));
+  });
+  const std::string digest = certify::hex(certify::data_digest(certificate));
+
+  progress.show("writing");
+  report.timed("write", [&] {
+    outputs.write("-o", [&](const std::string& path) {
+      io::write_features(path, mesh, f.graph, field, digest);
+    });
+    outputs.write("--picture",
+                  [&](const std::string& path) { io::write_feature_picture(path, mesh, f.graph); });
+    outputs.write("--certificate", [&](const std::string& path) {
+      certify::write_file(path, certificate);
+      report.set_certificate("features-mesh");
+    });
+  });
+  fill_report(report, mesh, f, digest);
+  outputs.write("--report",
+                [&](const std::string& path) { io::write_atomically(path, report.text()); });
+  outputs.commit();
+  progress.clear();
+  talk(o, f, report);
+  return kDone;
+}
+
+std::function<int()> add_features(CLI::App& app) {
+  auto options = std::make_shared<FeaturesOptions>();
+  add_common_options(app, options->common, "triangle mesh (.off .obj .ply .stl .vtp)",
+                     "feature lines as polylines, with labelled mesh (.vtp .obj)");
+  add_features_options(app, *options);
+  return [options] { return run_features(*options); };
+}
+
+}  // namespace
+
+extern const Command features_command;
+const Command features_command = {
+    "features",
+    "feature lines of a triangle mesh",
+    add_features,
+    {"crest features ellipsoid.off --threshold 0.9 --close 1 --prune 4 -o features.vtp",
+     "crest features ellipsoid.off --value 1.5 --certificate features.crest --picture "
+     "features.svg"}};
+
+}  // namespace crest::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Feature lines as polylines with vertex labels, and as a picture.
+#include <string>
+
+#include "algorithms/feature_lines/feature_graph.hpp"
+#include "kernel/geometry/triangle_mesh.hpp"
+
+namespace crest::io {
+
+/// Writes .vtp or .obj, by the extension in any case.
+///
+/// .vtp: the mesh's points in their order; a polyline a feature line (a loop ends with the point it
+/// starts with), a two-point one an edge inside a node, then the mesh's faces.
+///   points: label (0 patch, 1 node, 2 arc, 3 branch, 4 loop, 5 isolated line), patch (-1 on
+///     lines), field (the thresholded number).
+///   cells: kind (1 node, 2 arc, 3 branch, 4 loop, 5 isolated line; 0 for faces), length (0 for
+///     faces and node edges), end_0 and end_1 (0 open, 1 node, 2 mesh boundary, 3 none; -1 for
+///     faces and node edges), node_0 and node_1 (number of the node, else -1), patch (of a face: of
+///     its corners the largest, -1 if all are on lines).
+///   field: data_digest, the digest a certificate of the run carries.
+/// .obj: v for the points of lines, l lines in groups.
+/// Requires: one label, patch and field value a vertex. Guarantees: the same bytes for the same
+///   input; no half-written file.
+/// Throws: kernel::InputError for another extension or a place that cannot be written.
+void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
+                    const feature_lines::FeatureGraph& graph, const std::vector<double>& field,
+                    const std::string& data_digest_hex);
+
+/// Writes .png or .svg: arcs blue, branches red, loops green, isolated lines yellow, nodes black
+/// dots and lines. Hidden parts are not drawn.
+/// Throws: kernel::InputError for another extension or a place that cannot be written.
+void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                           const feature_lines::FeatureGraph& graph);
+
+}  // namespace crest::io
