@@ -34,7 +34,7 @@ using kernel::TriangleMesh;
 struct CurvatureOptions {
   CommonOptions common;
   curvature::Options estimate;
-  std::string method = "ne", normals, colour = "H", focal, reference;
+  std::string method = "ne", normals, colour = "H", focal, focal_picture, reference;
   double focal_share = 0.1;
   bool focal_averaged = false, rotate = false;
   std::vector<double> parameters;
@@ -58,6 +58,10 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
       ->check(CLI::Range(0, 20))
       ->type_name("N");
   app.add_option("--focal", o.focal, "focal surfaces of K and H (.vtp)")->type_name("FILE");
+  app.add_option(
+         "--focal-picture", o.focal_picture,
+         "curves of the focal surface of H (of K with --colour K) over the mesh (.svg .png)")
+      ->type_name("FILE");
   app.add_option("--focal-share", o.focal_share,
                  "their height as a share of the bounding box's diagonal (default 0.1)")
       ->check(CLI::Range(1e-6, 10.0))
@@ -274,6 +278,7 @@ int run(CurvatureOptions& o) {
   outputs.add("-o", o.common.output, {".vtp", ".vtu", ".ply"});
   outputs.add("--focal", o.focal, {".vtp"});
   outputs.add("--picture", o.common.picture, {".svg", ".png"});
+  outputs.add("--focal-picture", o.focal_picture, {".svg", ".png"});
   outputs.add("--report", o.common.report);
   const ThreadLimit limit(o.common.threads);
   Progress progress(o.common.quiet);
@@ -305,9 +310,16 @@ int run(CurvatureOptions& o) {
                           corners ? curvature::corner_curvatures(mesh, result.normals)
                                   : std::vector<curvature::CornerCurvatures>{});
     });
-    outputs.write("--focal", [&](const std::string& path) {
-      io::write_focal(path, focal_surfaces(o, mesh, result));
-    });
+    if (outputs.wanted("--focal") || outputs.wanted("--focal-picture")) {
+      const auto focal = focal_surfaces(o, mesh, result);
+      outputs.write("--focal", [&](const std::string& path) { io::write_focal(path, focal); });
+      outputs.write("--focal-picture", [&](const std::string& path) {
+        io::ColourPicture picture;
+        const bool gaussian = o.colour == "K";
+        picture.label = gaussian ? "gaussian curvature" : "mean curvature";
+        io::write_focal_picture(path, mesh, focal[gaussian ? 0 : 1], picture);
+      });
+    }
     outputs.write("--picture",
                   [&](const std::string& path) { write_picture(path, o, mesh, result); });
   });

@@ -20,7 +20,9 @@ namespace {
 using kernel::Vec3;
 
 constexpr double kQuantile = 0.95;
-constexpr int kBarHeight = 40;  // pixels
+constexpr int kBarHeight = 40;    // pixels
+constexpr int kLabelHeight = 24;  // pixels
+constexpr double kRoom = 0.8;     // of the picture for the mesh, the rest for what stands off it
 
 double largest_shown(const std::vector<double>& values) {
   std::vector<double> sizes;
@@ -71,24 +73,67 @@ std::string svg_of(const std::string& png, int width, int height) {
 
 }  // namespace
 
+namespace {
+
+void require_picture(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png" || extension == ".svg") return;
+  throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+}
+
+void write_canvas(const std::string& path, const Canvas& canvas, int width, int height) {
+  const std::string png = canvas.png();
+  write_atomically(path, lower_extension(path) == ".png" ? png : svg_of(png, width, height));
+}
+
+Camera camera_of(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                 const ColourPicture& options) {
+  return fit_camera(mesh, options.view ? *options.view : automatic_view(mesh, normals, {}),
+                    options.width);
+}
+
+}  // namespace
+
 void write_colour_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                           const std::vector<double>& values, const ColourPicture& options) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg") {
-    throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
-  }
+  require_picture(path);
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  const Camera camera = fit_camera(
-      mesh, options.view ? *options.view : automatic_view(mesh, normals, {}), options.width);
+  const Camera camera = camera_of(mesh, normals, options);
   const double largest = largest_shown(values);
   std::vector<Vec3> tints;
   for (const double x : values) tints.push_back(tint(x / largest));
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals, &tints);
   draw_bar(canvas, camera, largest, options.label);
-  const std::string png = canvas.png();
-  write_atomically(
-      path, extension == ".png" ? png : svg_of(png, camera.width, camera.height + kBarHeight));
+  write_canvas(path, canvas, camera.width, camera.height + kBarHeight);
+}
+
+void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                         const curvature::FocalSurface& focal, const ColourPicture& options) {
+  require_picture(path);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  Camera camera = camera_of(mesh, normals, options);
+  camera.scale *= kRoom;
+  Canvas canvas(camera.width, camera.height);
+  canvas.draw_surface(camera, mesh, normals);
+  const double width = std::max(0.5, camera.width / 2000.0);
+  for (const auto& curve : focal.curves) {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+      const Vec3 a = camera.project(focal.points[curve[i]]);
+      const Vec3 b = camera.project(focal.points[curve[i + 1]]);
+      if (!canvas.visible(a, 1) || !canvas.visible(b, 1)) continue;
+      const double value = focal.values[curve[i]];
+      const Colour colour = value > 0   ? Colour{0, 140, 40}
+                            : value < 0 ? Colour{200, 20, 20}
+                                        : Colour{128, 128, 128};
+      canvas.draw_stroke(a, b, width, colour);
+    }
+  }
+  canvas.extend(kLabelHeight);
+  const double dot = std::max(1.0, std::round(camera.width / 800.0));
+  draw_text(canvas, 0.5 * (camera.width - dot * text_width(options.label)), camera.height + 4, dot,
+            options.label);
+  write_canvas(path, canvas, camera.width, camera.height + kLabelHeight);
 }
 
 }  // namespace crest::io

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A shaded picture of a mesh, coloured by a number at each vertex.
+// Shaded pictures of a mesh: coloured by a number at each vertex, or with its focal surfaces.
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "algorithms/curvature/focal.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::io {
@@ -23,5 +24,11 @@ struct ColourPicture {
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
 void write_colour_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                           const std::vector<double>& values, const ColourPicture& options);
+
+/// Writes .png or .svg as above: the boundary curves of a focal surface over the shaded mesh, green
+/// where the curvature is positive, red where it is negative (paper 001, figures 3.7, 3.8, 3.11,
+/// 3.12). Curves behind the mesh are hidden; they do not hide one another.
+void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                         const curvature::FocalSurface& focal, const ColourPicture& options);
 
 }  // namespace crest::io

@@ -92,6 +92,27 @@ TEST_CASE("normals of binary PLY files in both byte orders") {
   CHECK_THROWS_AS(crest::io::read_normals((folder / "missing.vtp").string()), InputError);
 }
 
+TEST_CASE("pictures of focal surfaces: green for positive, red for negative") {
+  const TemporaryFolder folder;
+  const auto shape = torus(16, 0);
+  crest::io::ColourPicture options;
+  options.width = 160;
+  options.label = "mean curvature";
+  std::vector<std::string> pictures;
+  for (const double sign : {1.0, -1.0}) {
+    FocalSurface s = focal_of_triangles(shape.mesh, shape.normals, Quantity::mean, 0.1, 2);
+    for (double& x : s.values) x *= sign;
+    const std::string path = (folder / "f.png").string();
+    crest::io::write_focal_picture(path, shape.mesh, s, options);
+    pictures.push_back(read_text(path));
+    crest::io::write_focal((folder / "f.vtp").string(), {s, s});
+    CHECK(read_text(folder / "f.vtp").find("\"quantity\"") != std::string::npos);
+  }
+  CHECK(pictures[0].substr(1, 3) == "PNG");
+  CHECK(pictures[0] != pictures[1]);
+  CHECK_THROWS_AS(crest::io::write_focal((folder / "f.ply").string(), {}), InputError);
+}
+
 TEST_CASE("pictures show the sign of a curvature") {
   const TemporaryFolder folder;
   const auto shape = torus(24, 0);
