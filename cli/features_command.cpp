@@ -33,6 +33,7 @@ using feature_lines::Neighbourhood;
 struct FeaturesOptions {
   CommonOptions common;
   feature_lines::Options lines;
+  ridges::FitOptions fit;
   double value = 0;
   CLI::Option* value_given = nullptr;
 };
@@ -53,6 +54,10 @@ void add_features_options(CLI::App& app, FeaturesOptions& o) {
   quantile->check(CLI::Range(0.0, 1.0))->type_name("Q");
   o.value_given = app.add_option("--value", o.value, "mark where max(|k1|, |k2|) is at least V");
   o.value_given->check(CLI::Range(-1e300, 1e300))->type_name("V")->excludes(quantile);
+  app.add_option("--rings", o.fit.rings,
+                 "rings of neighbours the curvatures are fitted to (default: until 30 points)")
+      ->check(CLI::Range(1, 100))
+      ->type_name("N");
   add_structure(app, "--dilate", o.lines.dilate, "then dilate the marked region");
   add_structure(app, "--erode", o.lines.erode, "then erode it");
   add_structure(app, "--open", o.lines.open, "then open it (erode, dilate)");
@@ -91,8 +96,9 @@ void check_options(FeaturesOptions& o) {
 }
 
 /// The larger absolute principal curvature of the fitted Monge forms.
-std::vector<double> curvature_field(const kernel::TriangleMesh& mesh) {
-  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, {});
+std::vector<double> curvature_field(const kernel::TriangleMesh& mesh,
+                                    const ridges::FitOptions& options) {
+  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
   std::vector<double> field;
   field.reserve(fit.forms.size());
   for (const kernel::MongeForm& form : fit.forms) {
@@ -180,7 +186,8 @@ int run_features(FeaturesOptions& o) {
   for (const std::string& warning : file.warnings) report.warn(warning);
   const kernel::TriangleMesh& mesh = file.mesh;
   progress.show("fitting curvatures");
-  const std::vector<double> field = report.timed("fit", [&] { return curvature_field(mesh); });
+  const std::vector<double> field =
+      report.timed("fit", [&] { return curvature_field(mesh, o.fit); });
   progress.show("thinning");
   const FeatureLines f = report.timed(
       "extract", [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });

@@ -16,10 +16,12 @@
 
 namespace crest::experiments {
 
-/// max(|k1|, |k2|) of the fitted Monge forms, as `crest features` takes it.
-inline std::vector<double> curvature_field(const kernel::TriangleMesh& mesh) {
+/// max(|k1|, |k2|) of the fitted Monge forms, as `crest features --rings N` takes it.
+inline std::vector<double> curvature_field(const kernel::TriangleMesh& mesh, int rings = 0) {
+  ridges::FitOptions options;
+  options.rings = rings;
   std::vector<double> field;
-  for (const auto& form : ridges::fit_monge_forms(mesh, {}).forms)
+  for (const auto& form : ridges::fit_monge_forms(mesh, options).forms)
     field.push_back(std::max(std::fabs(form.k1), std::fabs(form.k2)));
   return field;
 }
