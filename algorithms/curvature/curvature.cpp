@@ -74,6 +74,11 @@ std::optional<Method> method_of(std::string_view name) {
 
 std::vector<Vec3> area_weighted_normals(const kernel::TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.vertex_count());
+  area_weighted_normals(mesh, normals);
+  return normals;
+}
+
+void area_weighted_normals(const kernel::TriangleMesh& mesh, std::vector<Vec3>& normals) {
   const auto& points = mesh.points();
   for_each_index(mesh.vertex_count(), [&](Index v) {
     const auto ring = mesh.ring(v);
@@ -95,7 +100,6 @@ std::vector<Vec3> area_weighted_normals(const kernel::TriangleMesh& mesh) {
     // Slivers whose area underflows leave no direction at all.
     normals[v] = squared > 0 ? combine(1 / std::sqrt(squared), sum, 0, sum) : Vec3{0, 0, 1};
   });
-  return normals;
 }
 
 void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::size_t points,
@@ -126,14 +130,21 @@ void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::si
 }
 
 Result estimate(const kernel::TriangleMesh& mesh, const Options& options) {
+  Result result;
+  estimate(mesh, options, result);
+  return result;
+}
+
+void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& result) {
   if (mesh.vertex_count() == 0) throw kernel::InputError("mesh: it is empty; give a mesh");
   require_range(mesh);
-  Result result;
+  result.lowered = result.complex = result.undetermined = 0;
   if (options.normals.empty()) {
     if (options.method == Method::np) {
       throw kernel::InputError("normals: np needs them; give a file with normals or use ne");
     }
-    result.normals = area_weighted_normals(mesh);
+    result.normals.resize(mesh.vertex_count());
+    area_weighted_normals(mesh, result.normals);
   } else {
     require_normals(mesh, options.normals);
     result.normals = options.normals;
@@ -157,7 +168,6 @@ Result estimate(const kernel::TriangleMesh& mesh, const Options& options) {
     flags[v] = {false, false, true};
   });
   count(flags, result);
-  return result;
 }
 
 Distances distances(const std::vector<PointCurvature>& estimates,

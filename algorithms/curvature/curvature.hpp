@@ -69,6 +69,9 @@ struct Result {
 /// Cost: O(V) for bounded valences.
 Result estimate(const kernel::TriangleMesh& mesh, const Options& options);
 
+/// The same into a result whose storage is used again: fresh pages cost more than np and ne do.
+void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& result);
+
 /// Means of the adjacent faces' normals, weighted by area, of length 1 (section 3.3). Where they
 /// cancel, the normal of the first face.
 std::vector<Vec3> area_weighted_normals(const kernel::TriangleMesh& mesh);

@@ -16,6 +16,9 @@ struct VertexFlags {
   bool lowered = false, complex = false, undetermined = false;
 };
 
+/// area_weighted_normals() into storage of the right size.
+void area_weighted_normals(const kernel::TriangleMesh& mesh, std::vector<Vec3>& normals);
+
 /// np, ne: mean of the corner tensors over the fan.
 void normal_based(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
                   std::vector<PointCurvature>& out, std::vector<VertexFlags>& flags);

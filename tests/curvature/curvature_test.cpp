@@ -229,8 +229,13 @@ TEST_CASE("the same bytes for any number of threads") {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       runs.push_back(estimate(shape.mesh, o).vertices);
     }
+    // Storage that held something else.
+    Result again = estimate(torus(50, 3).mesh, by(Method::ne));
+    estimate(shape.mesh, o, again);
+    runs.push_back(again.vertices);
     INFO(name_of(m));
     for (const auto& run : runs) {
+      REQUIRE(run.size() == runs[0].size());
       CHECK(std::memcmp(run.data(), runs[0].data(), run.size() * sizeof(PointCurvature)) == 0);
     }
   }
