@@ -136,6 +136,19 @@ void check_array(std::string_view text, const Storage& storage, bool base64, std
   }
 }
 
+/// VTK refuses points of another dimension, but loses memory over it.
+void check_points(std::string_view text) {
+  for (std::size_t at = text.find("<Points"); at != text.npos; at = text.find("<Points", at + 1)) {
+    const std::size_t array = std::min(text.find("<DataArray", at), text.size());
+    const std::string_view tag = text.substr(array, text.find('>', array) - array);
+    const std::string_view name = "NumberOfComponents=";
+    const std::size_t found = tag.find(name);
+    if (found == tag.npos || leading_number(tag.substr(found + name.size())) != 3) {
+      fail("points", "do not have 3 components", "export the mesh again");
+    }
+  }
+}
+
 }  // namespace
 
 void check_vtp(const std::string& bytes) {
@@ -150,6 +163,7 @@ void check_vtp(const std::string& bytes) {
     }
   }
   const std::string_view text = bytes;
+  check_points(text);
   const std::string_view tag_name = "<DataArray";
   std::size_t array = 0;
   for (std::size_t at = text.find(tag_name); at < storage.appended && at != text.npos;
@@ -158,7 +172,8 @@ void check_vtp(const std::string& bytes) {
     if (close == text.npos) return;
     const std::string_view tag = text.substr(at, close - at);
     if (tag.find("appended") != tag.npos) {
-      const std::size_t offset = tag.find("offset");
+      // Not the "offsets" of Name="offsets".
+      const std::size_t offset = tag.find("offset=");
       if (offset == tag.npos) continue;
       const std::uint64_t begin = leading_number(tag.substr(offset + 6));
       if (begin > text.size() - storage.appended) continue;
