@@ -37,6 +37,7 @@ summary=$(grep -E '^[0-9]+% tests passed' "$steps_log" || echo "no test was run"
 [ "$summary" != "no test was run" ] || result=1
 verdict=PASSED
 [ $result -eq 0 ] || verdict=FAILED
-printf '%s: %s; tests %s s, all steps %s s\n' "$verdict" "$summary" \
+echo "$summary"
+printf '%s; tests %s s, all steps %s s\n' "$verdict" \
   "$(seconds_since "$tests_start")" "$(seconds_since "$start")"
 exit $result
