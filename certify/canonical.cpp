@@ -9,7 +9,7 @@
 namespace crest::certify {
 namespace {
 
-constexpr std::uint8_t kCrossing = 0x3, kSegment = 0xc;
+constexpr std::uint8_t kSegment = 0xc;
 
 void sort_patches(RidgesMeshCertificate& certificate) {
   auto& patches = certificate.patches;
