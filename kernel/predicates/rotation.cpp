@@ -180,10 +180,12 @@ std::optional<double> interval_rotation(const EdgeStars& edge) {
   // phi(w) - phi(v) - r(v, w) with r = a(w, v) + pi - a(v, w)
   MpInterval raw = w.phi - v.phi - w.position[edge.at_w] - pi + v.position[edge.at_v];
   if (edge.reversed) raw = raw + pi;
+  const MpInterval margin(0x1p-200, kBits);  // closer is a tie by definition (certify/SPEC.md)
   const double turns = -std::floor((middle(raw) + kPi) / (2 * kPi));
   for (const double m : {turns, turns + 1, turns - 1}) {
     const MpInterval omega = raw + MpInterval(2 * m, kBits) * pi;
-    if (certain_sign(omega + pi) == Sign::positive && certain_sign(pi - omega) == Sign::positive)
+    if (certain_sign(omega + pi - margin) == Sign::positive &&
+        certain_sign(pi - omega - margin) == Sign::positive)
       return middle(omega);
   }
   return std::nullopt;

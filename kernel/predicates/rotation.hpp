@@ -13,7 +13,8 @@
 // decision; it is certain when the unwrapped number is further from the odd multiples of pi than
 // its error.
 //
-// Laws. (1) omega(w, v) = -omega(v, w). (2) independent of the frames' signs. (3) around a triangle
+// Laws. (1) omega(w, v) = -omega(v, w). (2) independent of the frames' signs
+// (unless d1 is parallel to n: then phi is 0 for both). (3) around a triangle
 // omega and the scaled corner angles sum to pi (1 + twice the index): exactly, so a sum known to
 // less than pi gives the index. (4) twice the index is odd iff the product of the three acute-rule
 // signs is negative. (5) the indices of a closed mesh sum to its Euler characteristic.
@@ -65,8 +66,7 @@ struct EdgeStars {
   std::size_t at_v, at_w;
   bool reversed;
 };
-/// MPFR intervals of 256 bits. Nothing when an enclosure below 2^-200 still holds an odd multiple
-/// of pi.
+/// MPFR intervals of 256 bits. Nothing within 2^-200 of an odd multiple of pi: a tie.
 std::optional<double> interval_rotation(const EdgeStars& edge);
 /// The tie: +pi for the edge from its lower to its higher vertex.
 inline double symbolic_rotation() {
