@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace crest::ridges {
 namespace {
 
 constexpr int kMonomials = 15;
 constexpr int kMoments = 45;  // x^a y^b, a + b <= 8
-
-// Four points at once. The order of the sums is fixed by the four lanes, not by the instruction
-// set, so that every machine gets the same bits.
-using Lanes = double __attribute__((vector_size(32)));
+constexpr int kCubic = 6;     // the first of the four cubic monomials
 
 constexpr int offset(int degree) {
   return degree * (degree + 1) / 2;
@@ -40,70 +38,38 @@ struct Sums {
   Lanes square;             // sum of z^2
 };
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define CREST_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define CREST_CLONES
-#endif
-
-CREST_CLONES void accumulate(const Lanes* x, const Lanes* y, const Lanes* z, const Lanes* live,
-                             int groups, Sums& s) {
-  s = Sums{};
-  for (int g = 0; g < groups; ++g) {
-    Lanes m[kMoments];
-    m[0] = live[g];
+inline __attribute__((always_inline)) void monomials(const PointLanes& p, Lanes* m) {
+  m[0] = p.live;
 #pragma GCC unroll 8
-    for (int d = 1; d <= 8; ++d) {
+  for (int d = 1; d <= 8; ++d) {
 #pragma GCC unroll 9
-      for (int j = 0; j < d; ++j) m[offset(d) + j] = m[offset(d - 1) + j] * x[g];
-      m[offset(d) + d] = m[offset(d - 1) + d - 1] * y[g];
-    }
+    for (int j = 0; j < d; ++j) m[offset(d) + j] = m[offset(d - 1) + j] * p.x;
+    m[offset(d) + d] = m[offset(d - 1) + d - 1] * p.y;
+  }
+}
+
+// Two points a step: the sums live in memory, and a step is bound by storing them.
+CREST_CLONES void accumulate(const std::vector<PointLanes>& rows, Sums& s) {
+  s = Sums{};
+  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+    const PointLanes &p = rows[i], &q = rows[i + 1];
+    Lanes m[kMoments], n[kMoments];
+    monomials(p, m);
+    monomials(q, n);
 #pragma GCC unroll 45
-    for (int i = 0; i < kMoments; ++i) s.moment[i] += m[i];
+    for (int k = 0; k < kMoments; ++k) s.moment[k] += m[k] + n[k];
 #pragma GCC unroll 15
-    for (int i = 0; i < kMonomials; ++i) s.value[i] += m[i] * z[g];
-    s.square += z[g] * z[g];
+    for (int k = 0; k < kMonomials; ++k) s.value[k] += m[k] * p.z + n[k] * q.z;
+    s.square += p.z * p.z + q.z * q.z;
   }
 }
 
-double total(const Lanes& v) {
-  return (v[0] + v[2]) + (v[1] + v[3]);
-}
-
-Sums sum_moments(std::span<const kernel::Vec3> local) {
-  constexpr std::size_t kBlock = 64;  // groups of four points held at a time
-  Lanes x[kBlock], y[kBlock], z[kBlock], live[kBlock];
-  Sums sums{}, part;
-  for (std::size_t begin = 0; begin < local.size(); begin += 4 * kBlock) {
-    const std::size_t n = std::min(local.size() - begin, 4 * kBlock);
-    const std::size_t groups = (n + 3) / 4;
-    for (std::size_t i = 0; i < 4 * groups; ++i) {
-      const bool used = i < n;
-      const kernel::Vec3 p = used ? local[begin + i] : kernel::Vec3{};
-      x[i / 4][i % 4] = p[0];
-      y[i / 4][i % 4] = p[1];
-      z[i / 4][i % 4] = p[2];
-      live[i / 4][i % 4] = used ? 1.0 : 0.0;
-    }
-    accumulate(x, y, z, live, static_cast<int>(groups), part);
-    if (begin == 0) {
-      sums = part;
-      continue;
-    }
-    for (int i = 0; i < kMoments; ++i) sums.moment[i] += part.moment[i];
-    for (int i = 0; i < kMonomials; ++i) sums.value[i] += part.value[i];
-    sums.square += part.square;
-  }
-  return sums;
-}
-
-// The normal equations, row by row: 15 columns of the Gram matrix and the right-hand side. After
-// elimination row j holds the factor's row and y_j: G = U^T U, U^T y = right-hand side.
-constexpr int kWidth = kMonomials + 1;  // four groups of lanes
-struct System {
-  Lanes row[kMonomials][kWidth / 4];
-  double at(int i, int j) const { return row[i][j / 4][j % 4]; }
+// The normal equations of the four vertices: 15 columns of the Gram matrix (upper triangle) and
+// the right-hand side. After elimination row j holds the factor's row and y_j: G = U^T U,
+// U^T y = right-hand side.
+struct Systems {
+  Lanes row[kMonomials][kMonomials + 1];
+  Lanes inverse[kMonomials];  // 1 / u_jj, or 0 for a column that is not used
 };
 
 struct GramTable {
@@ -117,77 +83,114 @@ struct GramTable {
 };
 constexpr GramTable kGram;
 
-// Eliminates up to `wanted` columns; returns how many were independent. `inverse[j]` is 1 / u_jj.
-CREST_CLONES int eliminate(System& s, int wanted, double* inverse) {
+void set_up(const Sums& sums, Systems& s) {
+  for (std::size_t i = 0; i < kMonomials; ++i) {
+    for (std::size_t j = i; j < kMonomials; ++j) s.row[i][j] = sums.moment[kGram.moment[i][j]];
+    s.row[i][kMonomials] = sums.value[i];
+  }
+}
+
+// Eliminates up to wanted[lane] columns; columns[lane] says how many were independent.
+CREST_CLONES void eliminate(Systems& s, const int* wanted, int* columns) {
   constexpr double kLoss = 1e-8;  // square of the sine below which a column is called dependent
-  double diagonal[kMonomials];
-  for (int j = 0; j < kMonomials; ++j) diagonal[j] = s.row[j][j / 4][j % 4];
-  for (int j = 0; j < wanted; ++j) {
-    const double pivot = s.row[j][j / 4][j % 4];
-    if (!(pivot > kLoss * diagonal[j])) return j;
-    inverse[j] = 1 / std::sqrt(pivot);
-    for (int g = j / 4; g < kWidth / 4; ++g) s.row[j][g] *= inverse[j];
-    for (int i = j + 1; i < wanted; ++i) {
-      const double factor = s.row[j][i / 4][i % 4];
-      for (int g = i / 4; g < kWidth / 4; ++g) s.row[i][g] -= factor * s.row[j][g];
+  Lanes diagonal[kMonomials];
+  for (int j = 0; j < kMonomials; ++j) diagonal[j] = s.row[j][j];
+  bool alive[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    alive[l] = true;
+    columns[l] = 0;
+  }
+  for (int j = 0; j < kMonomials; ++j) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const double pivot = s.row[j][j][l];
+      alive[l] = alive[l] && j < wanted[l] && pivot > kLoss * diagonal[j][l];
+      s.inverse[j][l] = alive[l] ? 1 / std::sqrt(pivot) : 0.0;
+      columns[l] += alive[l];
+    }
+    for (int k = j; k <= kMonomials; ++k) s.row[j][k] *= s.inverse[j];
+    for (int i = j + 1; i < kMonomials; ++i) {
+      const Lanes factor = s.row[j][i];
+      for (int k = i; k <= kMonomials; ++k) s.row[i][k] -= factor * s.row[j][k];
     }
   }
-  return wanted;
 }
 
 int degree_of(int columns) {
   return columns >= 15 ? 4 : columns >= 10 ? 3 : columns >= 6 ? 2 : columns >= 3 ? 1 : 0;
 }
 
-// (G^-1)_ii is the squared length of U^-T e_i; the four cubic columns are solved together.
-double largest_cubic_variance(const System& s, const double* inverse, int n) {
-  constexpr int kFirst = 6;
-  Lanes y[kMonomials] = {}, square = {};
-  for (int r = kFirst; r < n; ++r) {
-    Lanes rest = {};
-    if (r < kFirst + 4) rest[r - kFirst] = 1;
-    for (int k = kFirst; k < r; ++k) rest -= s.at(k, r) * y[k];
-    y[r] = rest * inverse[r];
-    square += y[r] * y[r];
+struct Solution {
+  Lanes c[kMonomials];
+  Lanes cubic_variance;  // largest (G^-1)_ii of the cubic columns
+};
+
+// Unused columns have inverse 0 and so coefficient 0.
+CREST_CLONES void solve(const Systems& s, Solution& solution) {
+  solution = Solution{};
+  for (int i = kMonomials - 1; i >= 0; --i) {
+    Lanes rest = s.row[i][kMonomials];
+    for (int k = i + 1; k < kMonomials; ++k) rest -= s.row[i][k] * solution.c[k];
+    solution.c[i] = rest * s.inverse[i];
   }
-  return std::max(std::max(square[0], square[1]), std::max(square[2], square[3]));
+  // (G^-1)_ii is the squared length of U^-T e_i.
+  for (int column = kCubic; column < kCubic + 4; ++column) {
+    Lanes y[kMonomials], square = {};
+    for (int r = column; r < kMonomials; ++r) {
+      Lanes rest = {};
+      if (r == column) rest += 1;
+      for (int k = column; k < r; ++k) rest -= s.row[k][r] * y[k];
+      y[r] = rest * s.inverse[r];
+      square += y[r] * y[r];
+    }
+    const auto larger = square > solution.cubic_variance;
+    solution.cubic_variance = larger ? square : solution.cubic_variance;
+  }
+}
+
+// Columns that make no full degree are not used; those before them stay as they are.
+int trim(Systems& s, std::size_t lane, int columns) {
+  const int degree = degree_of(columns);
+  for (int j = degree > 0 ? offset(degree + 1) : 0; j < kMonomials; ++j) s.inverse[j][lane] = 0;
+  return degree;
 }
 
 }  // namespace
 
-Jet fit_jet(std::span<const kernel::Vec3> local, int max_degree) {
-  const Sums sums = sum_moments(local);
-  double moment[kMoments];
-  for (int i = 0; i < kMoments; ++i) moment[i] = total(sums.moment[i]);
-  System system;
-  for (std::size_t i = 0; i < kMonomials; ++i) {
-    for (std::size_t j = 0; j < kMonomials; ++j)
-      system.row[i][j / 4][j % 4] = moment[kGram.moment[i][j]];
-    system.row[i][kMonomials / 4][kMonomials % 4] = total(sums.value[i]);
+std::array<Jet, kLanes> fit_jets(const NeighbourhoodLanes& local, int max_degree) {
+  Sums sums;
+  accumulate(local.rows, sums);
+  Systems systems;
+  set_up(sums, systems);
+  int wanted[kLanes], columns[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const int points = static_cast<int>(std::min<std::size_t>(local.size[l], 1000));
+    wanted[l] = std::min(offset(max_degree + 1), offset(degree_of(points) + 1));
   }
-  const int points = static_cast<int>(std::min<std::size_t>(local.size(), 1000));
-  const int wanted = std::min(offset(max_degree + 1), offset(degree_of(points) + 1));
-  double inverse[kMonomials];
-  Jet jet;
-  jet.degree = degree_of(eliminate(system, wanted, inverse));
-  const int n = jet.degree > 0 ? offset(jet.degree + 1) : 0;
-  if (n == 0) return jet;
+  eliminate(systems, wanted, columns);
+  std::array<Jet, kLanes> jets;
+  for (std::size_t l = 0; l < kLanes; ++l) jets[l].degree = trim(systems, l, columns[l]);
+  Solution solution;
+  solve(systems, solution);
 
-  double explained = 0;
-  for (int i = 0; i < n; ++i) explained += system.at(i, kMonomials) * system.at(i, kMonomials);
-  for (int i = n - 1; i >= 0; --i) {
-    double s = system.at(i, kMonomials);
-    for (int k = i + 1; k < n; ++k) s -= system.at(i, k) * jet.c[static_cast<std::size_t>(k)];
-    jet.c[static_cast<std::size_t>(i)] = s * inverse[i];
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    Jet& jet = jets[l];
+    if (jet.degree == 0) continue;
+    const int n = offset(jet.degree + 1);
+    double smallest = systems.inverse[0][l], largest = smallest, explained = 0;
+    for (int i = 0; i < n; ++i) {
+      jet.c[static_cast<std::size_t>(i)] = solution.c[i][l];
+      smallest = std::min(smallest, systems.inverse[i][l]);
+      largest = std::max(largest, systems.inverse[i][l]);
+      const double y = systems.row[i][kMonomials][l];
+      explained += y * y;
+    }
+    jet.condition = largest / smallest;
+    if (jet.degree < 3) continue;
+    const double freedom = std::max(1.0, static_cast<double>(local.size[l]) - n);
+    const double variance = std::max(0.0, sums.square[l] - explained) / freedom;
+    jet.cubic_error = std::sqrt(variance * solution.cubic_variance[l]);
   }
-  const auto [smallest, largest] = std::minmax_element(inverse, inverse + n);
-  jet.condition = *largest / *smallest;
-  if (n >= 10) {
-    const double freedom = std::max(1.0, static_cast<double>(local.size()) - n);
-    const double variance = std::max(0.0, total(sums.square) - explained) / freedom;
-    jet.cubic_error = std::sqrt(variance * largest_cubic_variance(system, inverse, n));
-  }
-  return jet;
+  return jets;
 }
 
 }  // namespace crest::ridges

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Least-squares fit of a bivariate polynomial to points of a surface (jet fitting, Cazals and
+// Least-squares fit of bivariate polynomials to points of a surface (jet fitting, Cazals and
 // Pouget 2003), by normal equations whose Gram matrix is built from moments.
 #include <array>
-#include <span>
 
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "algorithms/ridges/lanes.hpp"
 
 namespace crest::ridges {
 
@@ -23,6 +22,6 @@ struct Jet {
 /// and the pivots' loss of digits (a column within 1e-4 of the span of the earlier ones) lower the
 /// degree: then only the leading coefficients are set.
 /// Cost: 60 sums over the points, a 15 x 15 Cholesky factorisation.
-Jet fit_jet(std::span<const kernel::Vec3> local, int max_degree);
+std::array<Jet, kLanes> fit_jets(const NeighbourhoodLanes& local, int max_degree);
 
 }  // namespace crest::ridges

@@ -53,34 +53,73 @@ bool normalise(Vec3& v) {
   return true;
 }
 
-}  // namespace
+// Rows of the four neighbourhoods relative to their first points.
+void gather(const std::vector<Vec3>& points,
+            const std::array<std::vector<kernel::Index>, kLanes>& around,
+            NeighbourhoodLanes& local) {
+  std::size_t rows = 0;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    local.size[l] = around[l].size();
+    rows = std::max(rows, local.size[l]);
+  }
+  local.rows.assign(rows + rows % 2, PointLanes{});
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    if (around[l].empty()) continue;
+    const Vec3 origin = points[around[l][0]];
+    for (std::size_t i = 0; i < around[l].size(); ++i) {
+      const Vec3& p = points[around[l][i]];
+      PointLanes& row = local.rows[i];
+      row.x[l] = p[0] - origin[0];
+      row.y[l] = p[1] - origin[1];
+      row.z[l] = p[2] - origin[2];
+      row.live[l] = 1;
+    }
+  }
+}
 
-LocalFrame local_frame(const std::vector<Vec3>& points, std::span<const kernel::Index> around,
-                       const Vec3& vertex_normal, std::vector<Vec3>& local) {
-  LocalFrame frame;
-  frame.origin = points[around[0]];
-  local.resize(around.size());
-  Vec3 mean{};
-  double square = 0;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    local[i] = sub(points[around[i]], frame.origin);
-    for (std::size_t k = 0; k < 3; ++k) mean[k] += local[i][k];
-    square += dot(local[i], local[i]);
+struct Spread {
+  Lanes square, xx, xy, xz, yy, yz, zz;  // sums over the points, about the mean but for square
+};
+
+CREST_CLONES void measure(const std::vector<PointLanes>& rows, Spread& s) {
+  s = Spread{};
+  Lanes x = {}, y = {}, z = {}, n = {};
+  for (const PointLanes& p : rows) {
+    x += p.x;
+    y += p.y;
+    z += p.z;
+    n += p.live;
+    s.square += p.x * p.x + p.y * p.y + p.z * p.z;
   }
-  const double n = static_cast<double>(around.size());
-  for (double& m : mean) m /= n;
-  frame.scale = std::sqrt(square / n);
-  if (!(frame.scale > 0)) frame.scale = 1;
-  Covariance c;
-  for (const Vec3& p : local) {
-    const Vec3 d = sub(p, mean);
-    c.xx += d[0] * d[0];
-    c.xy += d[0] * d[1];
-    c.xz += d[0] * d[2];
-    c.yy += d[1] * d[1];
-    c.yz += d[1] * d[2];
-    c.zz += d[2] * d[2];
+  x /= n;
+  y /= n;
+  z /= n;
+  for (const PointLanes& p : rows) {
+    const Lanes dx = (p.x - x) * p.live, dy = (p.y - y) * p.live, dz = (p.z - z) * p.live;
+    s.xx += dx * dx;
+    s.xy += dx * dy;
+    s.xz += dx * dz;
+    s.yy += dy * dy;
+    s.yz += dy * dz;
+    s.zz += dz * dz;
   }
+  s.square /= n;
+}
+
+struct Rotation {
+  Lanes row[3][3];
+};
+
+CREST_CLONES void rotate(const Rotation& r, std::vector<PointLanes>& rows) {
+  for (PointLanes& p : rows) {
+    const Lanes x = p.x, y = p.y, z = p.z;
+    p.x = r.row[0][0] * x + r.row[0][1] * y + r.row[0][2] * z;
+    p.y = r.row[1][0] * x + r.row[1][1] * y + r.row[1][2] * z;
+    p.z = r.row[2][0] * x + r.row[2][1] * y + r.row[2][2] * z;
+  }
+}
+
+void orient(LocalFrame& frame, Covariance c, const Vec3& vertex_normal) {
   const double trace = c.xx + c.yy + c.zz;
   if (trace > 0)
     for (double* x : {&c.xx, &c.xy, &c.xz, &c.yy, &c.yz, &c.zz}) *x /= trace;
@@ -99,10 +138,30 @@ LocalFrame local_frame(const std::vector<Vec3>& points, std::span<const kernel::
   frame.y = cross(frame.z, e);
   normalise(frame.y);
   frame.x = cross(frame.y, frame.z);
-  for (Vec3& p : local)
-    p = {dot(frame.x, p) / frame.scale, dot(frame.y, p) / frame.scale,
-         dot(frame.z, p) / frame.scale};
-  return frame;
+}
+
+}  // namespace
+
+std::array<LocalFrame, kLanes> local_frames(
+    const std::vector<Vec3>& points, const std::array<std::vector<kernel::Index>, kLanes>& around,
+    const std::array<Vec3, kLanes>& normals, NeighbourhoodLanes& local) {
+  gather(points, around, local);
+  Spread s;
+  measure(local.rows, s);
+  std::array<LocalFrame, kLanes> frames{};
+  Rotation rotation{};
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    if (around[l].empty()) continue;
+    LocalFrame& f = frames[l];
+    f.scale = std::sqrt(s.square[l]);
+    if (!(f.scale > 0)) f.scale = 1;
+    orient(f, {s.xx[l], s.xy[l], s.xz[l], s.yy[l], s.yz[l], s.zz[l]}, normals[l]);
+    const Vec3* const axes[] = {&f.x, &f.y, &f.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) rotation.row[i][k][l] = (*axes[i])[k] / f.scale;
+  }
+  rotate(rotation, local.rows);
+  return frames;
 }
 
 std::vector<Vec3> vertex_normals(const kernel::TriangleMesh& mesh) {

@@ -20,7 +20,8 @@ using kernel::MongeForm;
 struct Workspace {
   explicit Workspace(const kernel::TriangleMesh& mesh) : collector(mesh) {}
   NeighbourhoodCollector collector;
-  std::vector<Vec3> local;
+  std::array<std::vector<Index>, kLanes> around;
+  NeighbourhoodLanes local;
 };
 
 // From the jet's coordinates to space, and from its unit of length to the input's. Adding zero
@@ -49,20 +50,33 @@ bool finite(const MongeForm& m) {
   return sum == 0;
 }
 
-void fit_vertex(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, Index v,
-                const FitOptions& options, Workspace& work, MongeForm& form, FitQuality& quality) {
-  const auto& around = work.collector.collect(v, options);
-  const LocalFrame frame = local_frame(mesh.points(), around, normals[v], work.local);
-  Jet jet = fit_jet(work.local, options.degree);
-  form = to_space(monge_form_of(jet), frame);
-  if (!finite(form)) {  // overflow on absurd scales: a flat form is the honest answer
-    jet = Jet{};
-    form = to_space(monge_form_of(jet), LocalFrame{frame.x, frame.y, frame.z, frame.origin, 1});
+/// The Monge form and the quality of vertices[0], vertices[1], ... (at most four).
+void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                  std::span<const Index> vertices, const FitOptions& options, Workspace& work,
+                  MongeForm* forms, FitQuality* quality) {
+  std::array<Vec3, kLanes> normal{};
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    work.around[l].clear();
+    if (l >= vertices.size()) continue;
+    work.collector.collect(vertices[l], options, work.around[l]);
+    normal[l] = normals[vertices[l]];
   }
-  quality.condition = jet.condition;
-  quality.degree = static_cast<std::uint8_t>(jet.degree);
-  quality.points = static_cast<std::uint16_t>(std::min<std::size_t>(around.size(), 65535));
-  quality.b_error = 6 * jet.cubic_error / (frame.scale * frame.scale);
+  const auto frames = local_frames(mesh.points(), work.around, normal, work.local);
+  auto jets = fit_jets(work.local, options.degree);
+  for (std::size_t l = 0; l < vertices.size(); ++l) {
+    const LocalFrame& frame = frames[l];
+    Jet& jet = jets[l];
+    forms[l] = to_space(monge_form_of(jet), frame);
+    if (!finite(forms[l])) {  // overflow on absurd scales: a flat form is the honest answer
+      jet = Jet{};
+      forms[l] = to_space(monge_form_of(jet), LocalFrame{frame.x, frame.y, frame.z, 1});
+    }
+    quality[l].condition = jet.condition;
+    quality[l].degree = static_cast<std::uint8_t>(jet.degree);
+    quality[l].points =
+        static_cast<std::uint16_t>(std::min<std::size_t>(work.around[l].size(), 65535));
+    quality[l].b_error = 6 * jet.cubic_error / (frame.scale * frame.scale);
+  }
 }
 
 double mean_edge_length(const kernel::TriangleMesh& mesh) {
@@ -101,12 +115,17 @@ double noise_to_signal(const kernel::TriangleMesh& mesh, const std::vector<Vec3>
   Workspace work(mesh);
   const Index step = std::max<Index>(1, mesh.vertex_count() / kSamples);
   std::vector<double> error, signal;
-  for (Index v = 0; v < mesh.vertex_count(); v += step) {
-    MongeForm form;
-    FitQuality quality;
-    fit_vertex(mesh, normals, v, options, work, form, quality);
-    error.push_back(quality.degree >= 3 ? quality.b_error : HUGE_VAL);
-    signal.push_back(std::max(std::fabs(form.b0), std::fabs(form.b3)));
+  for (Index v = 0; v < mesh.vertex_count();) {
+    Index sample[kLanes];
+    std::size_t n = 0;
+    for (; n < kLanes && v < mesh.vertex_count(); ++n, v += step) sample[n] = v;
+    MongeForm form[kLanes];
+    FitQuality quality[kLanes];
+    fit_vertices(mesh, normals, {sample, n}, options, work, form, quality);
+    for (std::size_t l = 0; l < n; ++l) {
+      error.push_back(quality[l].degree >= 3 ? quality[l].b_error : HUGE_VAL);
+      signal.push_back(std::max(std::fabs(form[l].b0), std::fabs(form[l].b3)));
+    }
   }
   const double s = median(signal);
   return s > 0 ? median(error) / s : HUGE_VAL;
@@ -147,9 +166,14 @@ FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& gi
   tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
                     [&](const tbb::blocked_range<Index>& range) {
                       Workspace& work = workspaces.local();
-                      for (Index v = range.begin(); v != range.end(); ++v)
-                        fit_vertex(mesh, normals, v, options, work, result.forms[v],
-                                   result.quality[v]);
+                      for (Index v = range.begin(); v != range.end();) {
+                        Index batch[kLanes];
+                        std::size_t n = 0;
+                        const Index first = v;
+                        for (; n < kLanes && v != range.end(); ++n) batch[n] = v++;
+                        fit_vertices(mesh, normals, {batch, n}, options, work,
+                                     &result.forms[first], &result.quality[first]);
+                      }
                     });
   smooth_extremalities(mesh, result.forms, options.smooth);
   return result;

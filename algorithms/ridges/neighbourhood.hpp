@@ -16,15 +16,15 @@ class NeighbourhoodCollector {
   /// The vertex itself, then its neighbours ring by ring, each ring in the order of its parents'
   /// rings. options.scale > 0: all vertices within that Euclidean distance that are connected
   /// inside it (and at least two rings); rings > 0: that many rings; else rings until min_points.
-  const std::vector<Index>& collect(Index v, const FitOptions& options);
+  void collect(Index v, const FitOptions& options, std::vector<Index>& found);
 
  private:
-  bool add_ring(Index first, Index last, const Vec3& centre, double squared_radius);
+  bool add_ring(std::vector<Index>& found, Index first, Index last, const Vec3& centre,
+                double squared_radius);
 
   const kernel::TriangleMesh& mesh_;
   std::vector<std::uint32_t> mark_;
   std::uint32_t stamp_ = 0;
-  std::vector<Index> found_;
 };
 
 }  // namespace crest::ridges
