@@ -32,6 +32,21 @@ class ByteReader {
     return static_cast<Integer>(value);
   }
 
+  /// Fills a list of integers or doubles.
+  template <class Word>
+  void words(std::vector<Word>& out, std::size_t count) {
+    if (count > left_.size() / sizeof(Word)) throw Malformed("section ends early");
+    out.resize(count);
+    const auto piece = take(count * sizeof(Word));
+    if constexpr (std::endian::native == std::endian::little) {
+      if (count > 0) std::memcpy(out.data(), piece.data(), piece.size());
+    } else {
+      ByteReader reader(piece);
+      using Bits = std::conditional_t<sizeof(Word) == 8, std::uint64_t, std::uint32_t>;
+      for (Word& word : out) word = std::bit_cast<Word>(reader.integer<Bits>());
+    }
+  }
+
   /// Fills trivially copyable rows of little-endian words.
   template <class Row>
   void rows(std::vector<Row>& out, std::size_t count) {

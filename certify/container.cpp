@@ -14,15 +14,21 @@ std::span<const std::uint8_t> all(const Bytes& bytes) {
 }
 
 /// Neither infinite, NaN nor -0, by bits: independent of flags and of the rounding mode.
+bool is_plain(double x) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63, kExponent = std::uint64_t{0x7ff} << 52;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  return (bits & kExponent) != kExponent && bits != kSign;
+}
+
 template <class Row>
 void require_plain_numbers(const std::vector<Row>& rows, const char* what) {
-  constexpr std::uint64_t kSign = std::uint64_t{1} << 63, kExponent = std::uint64_t{0x7ff} << 52;
   bool good = true;
-  for (const Row& row : rows)
-    for (const double x : row) {
-      const auto bits = std::bit_cast<std::uint64_t>(x);
-      good = good && (bits & kExponent) != kExponent && bits != kSign;
-    }
+  for (const Row& row : rows) {
+    if constexpr (std::is_same_v<Row, double>)
+      good = is_plain(row) && good;
+    else
+      for (const double x : row) good = is_plain(x) && good;
+  }
   if (!good) throw Malformed(std::string(what) + ": a number is infinite, NaN or -0");
 }
 
@@ -169,6 +175,57 @@ FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
     b.components = reader.integer<std::uint32_t>();
     b.loops = reader.integer<std::uint32_t>();
     b.closed = reader.integer<std::uint32_t>();
+  }
+  if (reader.left() != 0) throw Malformed("claim section: bytes left over");
+  return c;
+}
+
+ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
+                            std::span<const std::uint8_t> claims) {
+  ReebCertificate c;
+  ByteReader reader(data);
+  const std::uint64_t vertices = reader.integer<std::uint32_t>();
+  const std::uint64_t faces = reader.integer<std::uint32_t>();
+  const unsigned degree = reader.integer<std::uint8_t>();
+  if (degree != 1 && degree != 2) throw Malformed("data section: the degree is neither 1 nor 2");
+  const std::uint64_t fixed = vertices * 4 * sizeof(double) + faces * kFaceSize;
+  if (fixed > reader.left()) throw Malformed("data section: shorter than its mesh");
+  const std::uint64_t rest = reader.left() - fixed;
+  if (degree == 1 ? rest != 0 : rest == 0 || rest % sizeof(double) != 0)
+    throw Malformed("data section: vertex and face counts do not fit its length");
+  if (vertices < 3 || faces < 1) throw Malformed("data section: no mesh");
+  if (3 * faces > 0xfffffffeU) throw Malformed("data section: more faces than the format numbers");
+  reader.rows(c.faces, faces);
+  reader.rows(c.positions, vertices);
+  reader.words(c.values, vertices);
+  reader.words(c.edge_values, rest / sizeof(double));
+  require_plain_numbers(c.positions, "positions");
+  require_plain_numbers(c.values, "values");
+  require_plain_numbers(c.edge_values, "midpoint values");
+
+  reader = ByteReader(claims);
+  c.euler_characteristic = reader.integer<std::int32_t>();
+  std::uint64_t nodes = vertices;
+  for (auto* number : {&c.boundary_loops, &c.components, &c.line_critical, &c.face_critical,
+                       &c.tiles, &c.minima, &c.saddles, &c.maxima})
+    *number = reader.integer<std::uint32_t>();
+  nodes += std::uint64_t{c.line_critical} + c.face_critical;
+  if (nodes > reader.left() / 4) throw Malformed("order: longer than its bytes");
+  reader.words(c.order, nodes);
+  reader.words(c.critical_nodes, reader.integer<std::uint32_t>());
+  const std::size_t arcs = reader.integer<std::uint32_t>();
+  if (arcs > reader.left() / 8) throw Malformed("arcs: longer than their bytes");
+  c.arcs.resize(arcs);
+  for (ArcRecord& arc : c.arcs) {
+    arc.lower = reader.integer<std::uint32_t>();
+    arc.upper = reader.integer<std::uint32_t>();
+  }
+  const std::size_t cuts = reader.integer<std::uint32_t>();
+  if (cuts > reader.left() / 8) throw Malformed("cuts: longer than their bytes");
+  c.cuts.resize(cuts);
+  for (CutRecord& cut : c.cuts) {
+    cut.arc = reader.integer<std::uint32_t>();
+    cut.node = reader.integer<std::uint32_t>();
   }
   if (reader.left() != 0) throw Malformed("claim section: bytes left over");
   return c;

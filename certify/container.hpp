@@ -11,7 +11,7 @@ namespace crest::certify {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {'C', 'R', 'E', 'S', 'T', 'C', 'R', 'T'};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::uint32_t kRidgesMesh = 1, kFeaturesMesh = 2;
+inline constexpr std::uint32_t kRidgesMesh = 1, kFeaturesMesh = 2, kReeb = 3;
 inline constexpr std::size_t kDigestOffset = 16, kLengthsOffset = 48, kHeaderSize = 64,
                              kSealSize = 32;
 /// Bytes of a face, and of a vertex (position and Monge data).
@@ -46,5 +46,10 @@ void decode_claims(std::span<const std::uint8_t> claims, RidgesMeshCertificate& 
 /// Both sections of claim 2. Throws Malformed, also for marks other than 0 and 1.
 FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
                                              std::span<const std::uint8_t> claims);
+
+/// Both sections of claim 3. Throws Malformed. The number of midpoint values is what the data
+/// section's length leaves: whether it is the number of edges is a check of step 1.
+ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
+                            std::span<const std::uint8_t> claims);
 
 }  // namespace crest::certify

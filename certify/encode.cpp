@@ -32,6 +32,15 @@ class ByteWriter {
       for (const double x : row)
         to = store(to, x == 0 ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x));
   }
+  void numbers(const std::vector<double>& list) {
+    std::uint8_t* to = grow(list.size() * sizeof(double));
+    for (const double x : list)
+      to = store(to, x == 0 ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x));
+  }
+  void numbers(const std::vector<std::uint32_t>& list) {
+    std::uint8_t* to = grow(list.size() * sizeof(std::uint32_t));
+    for (const auto word : list) to = store(to, word);
+  }
   void count(std::size_t n) {
     if (n > 0xffffffffU) throw std::invalid_argument("certificate: a list is too long");
     integer(static_cast<std::uint32_t>(n));
@@ -128,6 +137,36 @@ void write_features_claims(ByteWriter& out, const FeaturesMeshCertificate& c) {
   }
 }
 
+void write_reeb_data(ByteWriter& out, const ReebCertificate& c) {
+  out.count(c.positions.size());
+  out.count(c.faces.size());
+  out.integer(static_cast<std::uint8_t>(c.edge_values.empty() ? 1 : 2));
+  out.rows(c.faces);
+  out.rows(c.positions);
+  out.numbers(c.values);
+  out.numbers(c.edge_values);
+}
+
+void write_reeb_claims(ByteWriter& out, const ReebCertificate& c) {
+  out.integer(c.euler_characteristic);
+  for (const auto number : {c.boundary_loops, c.components, c.line_critical, c.face_critical,
+                            c.tiles, c.minima, c.saddles, c.maxima})
+    out.integer(number);
+  out.numbers(c.order);
+  out.count(c.critical_nodes.size());
+  out.numbers(c.critical_nodes);
+  out.count(c.arcs.size());
+  for (const ArcRecord& arc : c.arcs) {
+    out.integer(arc.lower);
+    out.integer(arc.upper);
+  }
+  out.count(c.cuts.size());
+  for (const CutRecord& cut : c.cuts) {
+    out.integer(cut.arc);
+    out.integer(cut.node);
+  }
+}
+
 /// Header, the two sections, digest and seal.
 template <class WriteData, class WriteClaims>
 Bytes compose(std::uint32_t claim, std::size_t data_size, WriteData&& write_data_section,
@@ -183,6 +222,21 @@ Bytes encode(const FeaturesMeshCertificate& certificate) {
   return compose(
       kFeaturesMesh, data_size, [&](ByteWriter& out) { write_features_data(out, certificate); },
       [&](ByteWriter& out) { write_features_claims(out, certificate); });
+}
+
+Bytes encode(const ReebCertificate& certificate) {
+  const std::size_t vertices = certificate.positions.size();
+  if (certificate.values.size() != vertices)
+    throw std::invalid_argument("certificate: as many values as vertices are needed");
+  if (certificate.order.size() !=
+      vertices + std::size_t{certificate.line_critical} + certificate.face_critical)
+    throw std::invalid_argument("certificate: the order must hold every node");
+  const std::size_t data_size = 9 + certificate.faces.size() * kFaceSize +
+                                vertices * 4 * sizeof(double) +
+                                certificate.edge_values.size() * sizeof(double);
+  return compose(
+      kReeb, data_size, [&](ByteWriter& out) { write_reeb_data(out, certificate); },
+      [&](ByteWriter& out) { write_reeb_claims(out, certificate); });
 }
 
 Bytes encode(RidgesMeshCertificate certificate) {
