@@ -100,8 +100,18 @@ struct ReebCertificate {
   std::vector<CutRecord> cuts;                        ///< by arc
 };
 
+/// The first bytes of a certificate, up to the end of its data section. They depend on the data
+/// alone, so they can be made beside the extraction.
+struct EncodedData {
+  Bytes bytes;
+  Digest digest;  ///< of the data section
+};
+EncodedData encode_data(const MeshData& data);
+
 /// The file's bytes, sealed, in canonical form. Cost: linear.
 Bytes encode(RidgesMeshCertificate certificate);
+/// The same with `data` made before; certificate.data is not read.
+Bytes encode(RidgesMeshCertificate certificate, EncodedData data);
 Bytes encode(const FeaturesMeshCertificate& certificate);
 Bytes encode(const ReebCertificate& certificate);
 

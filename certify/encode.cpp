@@ -13,6 +13,7 @@ namespace {
 
 class ByteWriter {
  public:
+  explicit ByteWriter(Bytes start = {}) : bytes_(std::move(start)) {}
   template <class Integer>
   void integer(Integer value) {
     auto bits = static_cast<std::uint64_t>(value);
@@ -137,6 +138,52 @@ void write_features_claims(ByteWriter& out, const FeaturesMeshCertificate& c) {
   }
 }
 
+/// Open for writing: reseal and rebind report lengths that do not fit as a wrong argument.
+Container open_for_sealing(const Bytes& bytes) {
+  try {
+    return open_container(bytes);
+  } catch (const Malformed& problem) {
+    throw std::invalid_argument(problem.what());
+  }
+}
+
+void store_seal(Bytes& bytes, const Digest& seal) {
+  std::copy(seal.begin(), seal.end(), bytes.end() - static_cast<std::ptrdiff_t>(kSealSize));
+}
+
+/// Header and data section; the claim section's length is still open.
+template <class WriteData>
+EncodedData begin(std::uint32_t claim, std::size_t data_size, WriteData&& write_data_section) {
+  ByteWriter out;
+  out.reserve(kHeaderSize + data_size + data_size / 8);
+  out.bytes(kMagic);
+  out.integer(kVersion);
+  out.integer(claim);
+  out.bytes(Digest{});
+  out.integer(std::uint64_t{data_size});
+  out.integer(std::uint64_t{0});
+  write_data_section(out);
+  EncodedData data{std::move(out.result()), {}};
+  data.digest = sha256({std::span(data.bytes).subspan(kHeaderSize)});
+  std::copy(data.digest.begin(), data.digest.end(), data.bytes.begin() + kDigestOffset);
+  return data;
+}
+
+/// Claim section and seal.
+template <class WriteClaims>
+Bytes finish(EncodedData data, WriteClaims&& write_claim_section) {
+  ByteWriter out(std::move(data.bytes));
+  const std::size_t claims_start = out.size();
+  write_claim_section(out);
+  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
+  out.bytes(Digest{});
+  Bytes bytes = std::move(out.result());
+  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
+    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
+  reseal(bytes);
+  return bytes;
+}
+
 void write_reeb_data(ByteWriter& out, const ReebCertificate& c) {
   out.count(c.positions.size());
   out.count(c.faces.size());
@@ -171,47 +218,19 @@ void write_reeb_claims(ByteWriter& out, const ReebCertificate& c) {
 template <class WriteData, class WriteClaims>
 Bytes compose(std::uint32_t claim, std::size_t data_size, WriteData&& write_data_section,
               WriteClaims&& write_claim_section) {
-  ByteWriter out;
-  out.reserve(kHeaderSize + data_size + data_size / 8);
-  out.bytes(kMagic);
-  out.integer(kVersion);
-  out.integer(claim);
-  out.bytes(Digest{});
-  out.integer(std::uint64_t{data_size});
-  out.integer(std::uint64_t{0});
-  write_data_section(out);
-  const std::size_t claims_start = out.size();
-  write_claim_section(out);
-  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
-  out.bytes(Digest{});
-  Bytes bytes = std::move(out.result());
-  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
-    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
-  rebind(bytes);
-  return bytes;
-}
-
-/// Open for writing: reseal and rebind report lengths that do not fit as a wrong argument.
-Container open_for_sealing(const Bytes& bytes) {
-  try {
-    return open_container(bytes);
-  } catch (const Malformed& problem) {
-    throw std::invalid_argument(problem.what());
-  }
-}
-
-void store_seal(Bytes& bytes, const Digest& seal) {
-  std::copy(seal.begin(), seal.end(), bytes.end() - static_cast<std::ptrdiff_t>(kSealSize));
+  return finish(begin(claim, data_size, write_data_section), write_claim_section);
 }
 
 }  // namespace
 
+EncodedData encode_data(const MeshData& data) {
+  const std::size_t size = 8 + data.faces.size() * kFaceSize + data.positions.size() * kVertexSize;
+  return begin(kRidgesMesh, size, [&](ByteWriter& out) { write_data(out, data); });
+}
+
 Bytes encode_as_is(const RidgesMeshCertificate& certificate) {
-  const std::size_t data_size = 8 + certificate.data.faces.size() * kFaceSize +
-                                certificate.data.positions.size() * kVertexSize;
-  return compose(
-      kRidgesMesh, data_size, [&](ByteWriter& out) { write_data(out, certificate.data); },
-      [&](ByteWriter& out) { write_claims(out, certificate); });
+  return finish(encode_data(certificate.data),
+                [&](ByteWriter& out) { write_claims(out, certificate); });
 }
 
 Bytes encode(const FeaturesMeshCertificate& certificate) {
@@ -242,6 +261,11 @@ Bytes encode(const ReebCertificate& certificate) {
 Bytes encode(RidgesMeshCertificate certificate) {
   make_canonical(certificate);
   return encode_as_is(certificate);
+}
+
+Bytes encode(RidgesMeshCertificate certificate, EncodedData data) {
+  make_canonical(certificate);
+  return finish(std::move(data), [&](ByteWriter& out) { write_claims(out, certificate); });
 }
 
 Digest data_digest(const Bytes& certificate) {

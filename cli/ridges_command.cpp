@@ -153,15 +153,10 @@ int run_ridges(RidgesOptions& o) {
 
   progress.show("extracting ridges and umbilics");
   ridges::PredicateReport predicates;
-  ridges::RidgeGraph graph = report.timed("extract", [&] {
-    return ridges::extract_ridge_graph(mesh, fit.forms, o.graph, &predicates);
-  });
-
-  progress.show("composing the certificate");
-  const certify::Bytes certificate = report.timed("certificate", [&] {
-    return certify::encode(ridges::make_certificate(mesh, fit.forms, graph));
-  });
-  const std::string digest = certify::hex(certify::data_digest(certificate));
+  ridges::CertifiedRidges certified = report.timed(
+      "extract", [&] { return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates); });
+  ridges::RidgeGraph& graph = certified.graph;
+  const std::string digest = certify::hex(certified.data_digest);
   if (outputs.wanted("--report")) {
     add_paper_umbilics(report, report.timed("paper_umbilics", [&] {
       return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
@@ -181,7 +176,7 @@ int run_ridges(RidgesOptions& o) {
       io::write_picture(path, mesh, graph, picture);
     });
     outputs.write("--certificate", [&](const std::string& path) {
-      certify::write_file(path, certificate);
+      certify::write_file(path, certified.certificate);
       report.set_certificate("ridges-mesh");
     });
   });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/certificate.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 namespace crest::ridges {
 namespace {
 
@@ -39,13 +41,9 @@ certify::RidgeRecord record_of(const Ridge& ridge) {
   return r;
 }
 
-}  // namespace
-
-certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh,
-                                                const std::vector<kernel::MongeForm>& forms,
-                                                const RidgeGraph& graph) {
+certify::RidgesMeshCertificate claims_of(const kernel::TriangleMesh& mesh,
+                                         const RidgeGraph& graph) {
   certify::RidgesMeshCertificate c;
-  c.data = data_of(mesh, forms);
   c.euler_characteristic = mesh.euler_characteristic();
   c.boundary_loops = mesh.boundary_loops();
   c.twice_index_sum = graph.twice_index_sum;
@@ -63,6 +61,28 @@ certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh
     c.ridges.push_back(record_of(r));
   }
   return c;
+}
+
+}  // namespace
+
+certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh,
+                                                const std::vector<kernel::MongeForm>& forms,
+                                                const RidgeGraph& graph) {
+  certify::RidgesMeshCertificate c = claims_of(mesh, graph);
+  c.data = data_of(mesh, forms);
+  return c;
+}
+
+CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
+                                  const std::vector<kernel::MongeForm>& forms,
+                                  const GraphOptions& options, PredicateReport* report) {
+  CertifiedRidges result;
+  certify::EncodedData data;
+  tbb::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
+                       [&] { data = certify::encode_data(data_of(mesh, forms)); });
+  result.data_digest = data.digest;
+  result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));
+  return result;
 }
 
 }  // namespace crest::ridges

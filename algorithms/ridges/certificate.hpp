@@ -12,4 +12,17 @@ certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh
                                                 const std::vector<kernel::MongeForm>& forms,
                                                 const RidgeGraph& graph);
 
+struct CertifiedRidges {
+  RidgeGraph graph;
+  certify::Bytes certificate;   ///< encoded and sealed
+  certify::Digest data_digest;  ///< names the data the certificate speaks of
+};
+
+/// extract_ridge_graph with its certificate. The certificate's data section does not wait for the
+/// graph: a second thread encodes and hashes it meanwhile.
+CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
+                                  const std::vector<kernel::MongeForm>& forms,
+                                  const GraphOptions& options = {},
+                                  PredicateReport* report = nullptr);
+
 }  // namespace crest::ridges

@@ -171,8 +171,8 @@ FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& gi
                         std::size_t n = 0;
                         const Index first = v;
                         for (; n < kLanes && v != range.end(); ++n) batch[n] = v++;
-                        fit_vertices(mesh, normals, {batch, n}, options, work,
-                                     &result.forms[first], &result.quality[first]);
+                        fit_vertices(mesh, normals, {batch, n}, options, work, &result.forms[first],
+                                     &result.quality[first]);
                       }
                     });
   smooth_extremalities(mesh, result.forms, options.smooth);

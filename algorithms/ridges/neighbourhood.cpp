@@ -38,7 +38,8 @@ void NeighbourhoodCollector::collect(Index v, const FitOptions& options,
       if (options.rings > 0 ? ring > options.rings : found.size() >= wanted) break;
     }
     const Index last = static_cast<Index>(found.size());
-    if (!add_ring(found, first, last, centre, by_radius ? options.scale * options.scale : kEverywhere))
+    if (!add_ring(found, first, last, centre,
+                  by_radius ? options.scale * options.scale : kEverywhere))
       break;
     first = last;
   }

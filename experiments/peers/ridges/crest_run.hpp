@@ -11,7 +11,7 @@
 namespace crest::peers {
 
 struct CrestResult {
-  double mesh = 0, fit = 0, graph = 0, certificate = 0, write = 0;  // s
+  double mesh = 0, fit = 0, extract = 0, write = 0;  // s; extract: graph and certificate
   std::size_t certificate_bytes = 0;
   int plus = 0, minus = 0, other = 0;  ///< umbilics by index
   struct Ridges {
@@ -20,7 +20,7 @@ struct CrestResult {
   } blue, red;
   int open_ends = 0, conflict_triangles = 0;
   double index_sum = 0;
-  double total() const { return fit + graph + certificate + write; }
+  double total() const { return fit + extract + write; }
 };
 
 /// Counts only.
