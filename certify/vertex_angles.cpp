@@ -88,8 +88,12 @@ std::optional<VertexAngles> enclose(const MeshData& data, const Topology& t, u32
     if (*origin) continue;
     // Beyond pi or not: phi matters modulo 2 pi only.
     out.phi = out.sums[k] + atan2(as_interval(y), as_interval(x));
-    break;
+    return out;
   }
+  // d1 is parallel to n.
+  const double* d1 = &data.monge[v][field::d1];
+  while (*d1 == 0) ++d1;
+  if (*d1 < 0) out.phi = MpInterval::pi(bits);
   return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/predicates/rotation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -116,7 +117,10 @@ MpStar mp_star(const Star& star) {
   }
   const std::size_t k = exact_reference(star);
   if (k == n) {
-    result.phi = MpInterval(0.0, kBits);
+    const auto first =
+        std::find_if(star.d1.begin(), star.d1.end(), [](double x) { return x != 0; });
+    const bool backward = first != star.d1.end() && *first < 0;
+    result.phi = backward ? MpInterval::pi(kBits) : MpInterval(0.0, kBits);
     return result;
   }
   const auto [x, y] =

@@ -182,6 +182,8 @@ bool ReferenceRidges::find_indices(Real clear) {
       before[v][ring.neighbours.back()] = sum;
     }
     const V3 n = vec(&data_.monge[v][3]), d = vec(&data_.monge[v][0]);
+    // Kept if d is parallel to n: 0 or pi by the sign of d's first coordinate that is not zero.
+    if (d[0] < 0 || (d[0] == 0 && (d[1] < 0 || (d[1] == 0 && d[2] < 0)))) phi[v] = pi;
     for (const u32 w : ring.neighbours) {
       const Q x = dot(cross(n, edge(w)), cross(n, d)), y = det(n, edge(w), d);
       if (x == 0 && y == 0) continue;

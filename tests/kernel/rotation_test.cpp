@@ -87,6 +87,20 @@ TEST_CASE("star angles: an interior fan turns once, whatever its shape") {
   }
 }
 
+TEST_CASE("star angles: a frame parallel to the normal turns by half a turn when reversed") {
+  Draw d(620);
+  for (std::uint64_t i = 0; i < scaled(200); ++i) {
+    Fan fan = draw_fan(d, 1.0);
+    std::vector<double> position(fan.ring.size()), corner(fan.ring.size());
+    fan.d1 = fan.n;
+    const StarAngles s = star_angles(fan.star(), position, corner);
+    for (double& x : fan.d1) x = -x;
+    const StarAngles reversed = star_angles(fan.star(), position, corner);
+    REQUIRE(s.stage == Stage::interval);
+    REQUIRE(std::fabs(std::fabs(s.phi - reversed.phi) - kPi) < 1e-12);
+  }
+}
+
 TEST_CASE("star angles: double and MPFR stages agree within the error") {
   Draw d(610);
   for (std::uint64_t i = 0; i < scaled(300); ++i) {
