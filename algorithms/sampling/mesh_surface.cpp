@@ -9,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "algorithms/sampling/handles.hpp"
+
 namespace crest::sampling {
 namespace {
 
@@ -251,6 +253,13 @@ SurfaceSample sample(const Surface& surface, int vertices, bool rotate) {
 
 SurfaceSample sample(const std::string& name, const std::vector<double>& parameters, int vertices,
                      bool rotate) {
+  if (name == "handles") {
+    if (parameters.size() > 1 ||
+        (!parameters.empty() && parameters[0] != std::floor(parameters[0])))
+      throw std::invalid_argument("handles: one parameter, the genus, a whole number");
+    return sample_handles(parameters.empty() ? 2 : static_cast<int>(parameters[0]), vertices,
+                          rotate);
+  }
   return sample(make_surface(name, parameters, rotate), vertices, rotate);
 }
 

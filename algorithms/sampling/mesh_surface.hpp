@@ -10,7 +10,7 @@
 namespace crest::sampling {
 
 /// V points on the surface (to rounding), F outward faces ready for kernel::TriangleMesh, and the
-/// exact Monge form at each point.
+/// exact Monge form at each point (none for "handles").
 struct SurfaceSample {
   std::vector<Vec3> points;
   std::vector<kernel::Triangle> faces;

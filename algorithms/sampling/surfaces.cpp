@@ -278,6 +278,7 @@ std::vector<std::string> list_surfaces() {
     const std::string gap = *e.parameters ? " " : "";
     lines.push_back(std::string(e.name) + gap + e.parameters + ": " + e.summary);
   }
+  lines.push_back("handles genus=2: a rounded bar with that many holes (a double torus)");
   return lines;
 }
 
