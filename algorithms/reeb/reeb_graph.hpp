@@ -48,15 +48,17 @@ struct ReebGraph {
   std::vector<ReebArc> arcs;    ///< by (lower, upper, rank of strand)
   Index components = 0;
   /// arcs - nodes + components.
-  Index loops() const {
-    return static_cast<Index>(arcs.size() - nodes.size()) + components;
-  }
+  Index loops() const { return static_cast<Index>(arcs.size() - nodes.size()) + components; }
 };
 
-/// Cost: O(n + c log c) time for n vertices and c critical ones, O(n) memory.
+/// A sweep over the critical vertices alone, contours kept as sequences of descending paths
+/// (strands.hpp, contour_sweep.hpp).
+/// Cost: O(n + c log c) time for n vertices and c critical ones (counted with multiplicity), O(n)
+///   memory.
 ReebGraph reeb_graph(const OrderedComplex& complex);
 
-/// For every vertex the arc it lies on, or kNone at nodes. Cost: as reeb_graph.
+/// For every vertex the arc it lies on, or kNone at nodes. Cost: O(n log n) time, O(n) memory.
+/// Throws: std::invalid_argument if the graph has other numbers of nodes or arcs.
 std::vector<Index> arc_of_vertices(const OrderedComplex& complex, const ReebGraph& graph);
 
 }  // namespace crest::reeb

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Reeb graph against brute force, on surfaces of every topology.
+#include <catch2/catch.hpp>
+
+#include "tests/reeb/graph_cases.hpp"
+#include "tests/reeb/slab_oracle.hpp"
+#include "tests/support/environment.hpp"
+
+namespace crest::tests {
+namespace {
+
+constexpr int kSeeds = 40;
+
+void check(const Surface& s, const std::vector<double>& values) {
+  const OrderedCase c(s, values);
+  const OracleGraph truth = slab_oracle(c.complex());
+  const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
+  const OracleGraph ours = named(c.complex(), graph, reeb::arc_of_vertices(c.complex(), graph));
+  CHECK(ours.nodes == truth.nodes);
+  std::vector<OracleArc> arcs = ours.arcs;
+  CHECK(std::is_sorted(arcs.begin(), arcs.end()));
+  CHECK(arcs == truth.arcs);
+  CHECK(ours.arc_of_vertex == truth.arc_of_vertex);
+  CHECK(ours.components == truth.components);
+  for (const auto& arc : graph.arcs) CHECK(arc.open_below == arc.open_above);
+}
+
+TEST_CASE("Reeb graphs equal the brute-force ones, noise") {
+  const auto row = GENERATE(range(0, static_cast<int>(surface_rows().size())));
+  const SurfaceRow& r = surface_rows()[static_cast<std::size_t>(row)];
+  const Surface s = r.make();
+  for (std::uint64_t seed = 0; seed < scaled(kSeeds); ++seed) {
+    INFO(r.name << ", seed " << seed);
+    check(s, noise_values(s, kSeed + seed));
+  }
+}
+
+TEST_CASE("Reeb graphs equal the brute-force ones, smooth and quantised") {
+  const auto row = GENERATE(range(0, static_cast<int>(surface_rows().size())));
+  const SurfaceRow& r = surface_rows()[static_cast<std::size_t>(row)];
+  const Surface s = r.make();
+  for (std::uint64_t seed = 0; seed < scaled(kSeeds / 4); ++seed) {
+    INFO(r.name << ", seed " << seed);
+    check(s, smooth_values(s, kSeed + seed, 6));
+    check(s, quantised(smooth_values(s, kSeed + seed, 6), 1));
+    check(s, quantised(noise_values(s, kSeed + seed), 0.25));
+  }
+}
+
+TEST_CASE("Reeb graphs equal the brute-force ones, constant functions under any numbering") {
+  const auto row = GENERATE(range(0, static_cast<int>(surface_rows().size())));
+  const SurfaceRow& r = surface_rows()[static_cast<std::size_t>(row)];
+  const Surface s = r.make();
+  INFO(r.name);
+  check(s, std::vector<double>(s.points.size(), 0.0));
+  std::vector<double> descending;
+  for (std::size_t v = 0; v < s.points.size(); ++v) descending.push_back(-double(v));
+  check(s, descending);
+}
+
+TEST_CASE("Reeb graphs of tiny complexes, all orders") {
+  for (const Surface& s : tiny_surfaces()) {
+    std::vector<double> values(s.points.size());
+    std::iota(values.begin(), values.end(), 0.0);
+    do check(s, values);
+    while (std::next_permutation(values.begin(), values.end()));
+  }
+}
+
+TEST_CASE("Reeb graphs of wheels: multiple saddles of any order, large stars") {
+  std::mt19937_64 random(kSeed);
+  for (std::uint64_t trial = 0; trial < scaled(200); ++trial) {
+    const unsigned n = 3 + static_cast<unsigned>(random() % 40);
+    for (const bool closed : {true, false}) {
+      Surface s = wheel(n, closed);
+      if (trial % 2 == 1) s = turned_at_random(std::move(s), random);
+      std::vector<double> values = noise_values(s, random());
+      values[0] = 0.5;
+      INFO(n << " spokes, trial " << trial);
+      check(s, values);
+    }
+  }
+}
+
+TEST_CASE("Reeb graphs do not depend on the triangles' order or direction") {
+  std::mt19937_64 random(kSeed);
+  for (const SurfaceRow& r : surface_rows()) {
+    const Surface s = r.make();
+    for (std::uint64_t trial = 0; trial < scaled(5); ++trial) {
+      INFO(r.name << ", trial " << trial);
+      const std::vector<double> values = noise_values(s, random());
+      const OrderedCase c(s, values), d(turned_at_random(s, random), values);
+      const reeb::ReebGraph g = reeb::reeb_graph(c.complex()), h = reeb::reeb_graph(d.complex());
+      CHECK(same_graph(g, h));
+      CHECK(reeb::arc_of_vertices(c.complex(), g) == reeb::arc_of_vertices(d.complex(), h));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crest::tests
