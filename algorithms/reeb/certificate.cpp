@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/reeb/certificate.hpp"
+
+#include <numeric>
+
+#include "algorithms/reeb/cuts.hpp"
+
+namespace crest::reeb {
+namespace {
+
+/// Boundary edges form cycles: one for each class of vertices they join.
+std::uint32_t count_boundary_loops(const kernel::QuadraticMesh& mesh) {
+  std::vector<Index> parent(mesh.vertex_count());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto find = [&](Index x) {
+    while (parent[x] != x) x = parent[x] = parent[parent[x]];
+    return x;
+  };
+  std::uint32_t edges = 0, joins = 0;
+  for (const kernel::Edge& e : mesh.edges()) {
+    if (e.f0 != kNone && e.f1 != kNone) continue;
+    ++edges;
+    const Index a = find(e.v0), b = find(e.v1);
+    if (a == b) continue;
+    parent[a] = b;
+    ++joins;
+  }
+  return edges - joins;
+}
+
+/// Zero has one form in a certificate.
+std::vector<double> without_minus_zero(const std::vector<double>& values) {
+  std::vector<double> out = values;
+  for (double& v : out) v += 0.0;
+  return out;
+}
+
+}  // namespace
+
+certify::ReebCertificate make_certificate(const kernel::QuadraticMesh& mesh,
+                                          const TileComplex& tiles, const ReebGraph& graph) {
+  certify::ReebCertificate c;
+  c.faces = mesh.faces();
+  c.positions = mesh.points();
+  for (auto& point : c.positions) {
+    for (double& x : point) x += 0.0;
+  }
+  c.values = without_minus_zero(mesh.values());
+  c.edge_values = without_minus_zero(mesh.edge_values());
+  c.euler_characteristic = static_cast<std::int32_t>(mesh.vertex_count()) -
+                           static_cast<std::int32_t>(mesh.edge_count()) +
+                           static_cast<std::int32_t>(mesh.face_count());
+  c.boundary_loops = count_boundary_loops(mesh);
+  c.components = graph.components;
+  c.line_critical = static_cast<std::uint32_t>(tiles.critical_edges.size());
+  c.face_critical = static_cast<std::uint32_t>(tiles.critical_faces.size());
+  c.tiles = static_cast<std::uint32_t>(tiles.tiles.size());
+  c.order = tiles.order;
+  c.critical_nodes.reserve(graph.nodes.size());
+  for (const ReebNode& node : graph.nodes) {
+    c.critical_nodes.push_back(node.vertex);
+    c.minima += node.kind == NodeKind::minimum;
+    c.maxima += node.kind == NodeKind::maximum;
+    if (node.kind == NodeKind::saddle) c.saddles += node.multiplicity;
+  }
+  c.arcs.reserve(graph.arcs.size());
+  for (const ReebArc& arc : graph.arcs) c.arcs.push_back({arc.lower, arc.upper});
+  for (const Index arc : choose_cuts(graph)) c.cuts.push_back({arc, graph.arcs[arc].strand});
+  return c;
+}
+
+}  // namespace crest::reeb
