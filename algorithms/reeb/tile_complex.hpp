@@ -43,7 +43,8 @@ using PredicateReport = std::vector<std::pair<std::string, kernel::StageCounts>>
 TileComplex tessellate(const kernel::QuadraticMesh& mesh, PredicateReport* report = nullptr,
                        bool guarded = true);
 
-/// Where a node lies (the nearest doubles) and its value rounded to double.
+/// Where a node lies and its value, to a few units in the last place (exact at mesh vertices); the
+/// values never descend along the order. Independent of the order of faces and corners.
 struct NodePlace {
   kernel::Vec3 point;
   double value;
