@@ -5,6 +5,7 @@
 
 #include "certify/container.hpp"
 #include "certify/features_mesh.hpp"
+#include "certify/reeb.hpp"
 #include "certify/reject.hpp"
 #include "certify/ridges_mesh.hpp"
 
@@ -18,7 +19,8 @@ struct ClaimChecker {
                 const VerifyOptions& options, Verdict& verdict);
 };
 constexpr std::array kCheckers = {ClaimChecker{kRidgesMesh, verify_ridges_mesh},
-                                  ClaimChecker{kFeaturesMesh, verify_features_mesh}};
+                                  ClaimChecker{kFeaturesMesh, verify_features_mesh},
+                                  ClaimChecker{kReeb, verify_reeb}};
 
 void check_all(const Bytes& certificate, const VerifyOptions& options, Verdict& verdict) {
   const Container container = open_container(certificate);
