@@ -22,6 +22,8 @@ class ContourSequences {
   /// The sequence first, first + 1, ..., last - 1 of elements in no sequence. Returns its root.
   Index build(Index first, Index last);
 
+  void prefetch(Index x) const { __builtin_prefetch(&nodes_[x], 1); }
+
   /// Makes x the root of its sequence.
   void splay(Index x);
 

@@ -25,6 +25,21 @@ ContourSweep::ContourSweep(const StrandLists& strands)
   }
 }
 
+void ContourSweep::announce(const std::vector<Index>& stops, std::size_t i) const {
+  if (i + 24 < stops.size()) __builtin_prefetch(&strands_.stops[stops[i + 24]]);
+  if (i + 16 < stops.size()) {
+    const Stop& s = strands_.stops[stops[i + 16]];
+    __builtin_prefetch(strands_.strand_above.data() + s.lower_begin);
+    __builtin_prefetch(strands_.upper.data() + s.upper_begin);
+  }
+  if (i + 8 < stops.size()) {
+    const Index stop = stops[i + 8], begin = strands_.stops[stop].lower_begin;
+    for (Index k = 0; k < std::min(strands_.lower_count(stop), Index{3}); ++k) {
+      sequences_.prefetch(strands_.strand_above[begin + k]);
+    }
+  }
+}
+
 Index ContourSweep::new_piece() {
   Index piece;
   if (free_pieces_.empty()) {

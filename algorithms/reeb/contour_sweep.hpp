@@ -19,6 +19,8 @@ class ContourSweep {
  public:
   explicit ContourSweep(const StrandLists& strands);
 
+  /// Fetches what the stops soon after place i will need: they lie anywhere in memory.
+  void announce(const std::vector<Index>& stops, std::size_t i) const;
   /// Goes past a critical vertex, node number `node`: ends arcs and starts arcs.
   void pass_node(Index stop, Index node);
   /// Goes past a stop that is not critical. Returns the arc it lies on.

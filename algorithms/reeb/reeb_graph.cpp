@@ -45,23 +45,32 @@ Index count_components(const ReebGraph& graph) {
   return components;
 }
 
+std::vector<Index> stops_in_order(const OrderedComplex& complex, const StrandLists& strands) {
+  std::vector<Index> stop_at(complex.rank.size(), kNone), stops;
+  const auto count = static_cast<Index>(strands.stops.size() - 1);
+  for (Index stop = 0; stop < count; ++stop)
+    stop_at[complex.rank[strands.stops[stop].vertex]] = stop;
+  stops.reserve(count);
+  for (const Index stop : stop_at) {
+    if (stop != kNone) stops.push_back(stop);
+  }
+  return stops;
+}
+
 /// The graph; if `arc_of_vertex` is given also the arcs of the vertices.
 ReebGraph sweep(const OrderedComplex& complex, std::vector<Index>* arc_of_vertex) {
   const StrandLists strands = find_strands(complex, arc_of_vertex != nullptr);
-  const auto n = static_cast<Index>(complex.rank.size());
-  const auto stop_count = static_cast<Index>(strands.stops.size() - 1);
   ContourSweep contours(strands);
   ReebGraph graph;
-  std::vector<Index> stop_at(n, kNone);
-  for (Index stop = 0; stop < stop_count; ++stop) stop_at[strands.stops[stop].vertex] = stop;
-  for (const Index v : complex.order) {
-    const Index stop = stop_at[v];
-    if (stop == kNone) continue;
-    if (strands.stops[stop].critical) {
-      contours.pass_node(stop, static_cast<Index>(graph.nodes.size()));
-      graph.nodes.push_back(node_at(strands, stop));
+  const std::vector<Index> stops = stops_in_order(complex, strands);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    contours.announce(stops, i);
+    const Stop& s = strands.stops[stops[i]];
+    if (s.critical) {
+      contours.pass_node(stops[i], static_cast<Index>(graph.nodes.size()));
+      graph.nodes.push_back(node_at(strands, stops[i]));
     } else {
-      (*arc_of_vertex)[v] = contours.pass_regular(stop);
+      (*arc_of_vertex)[s.vertex] = contours.pass_regular(stops[i]);
     }
   }
   // Sorted by lower node already.
