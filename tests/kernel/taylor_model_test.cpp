@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Taylor models hold the exact result: random functions, points of the triangle, all operations.
+#include "kernel/arithmetic/taylor_model.hpp"
+
+#include <mpfr.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "kernel/arithmetic/rational.hpp"
+#include "tests/support/degenerate_families.hpp"
+#include "tests/support/environment.hpp"
+
+namespace {
+
+using namespace crest::kernel;
+using crest::tests::Draw;
+using crest::tests::scaled;
+
+struct Point {
+  Rational u, v;
+};
+
+double between(Draw& d, double low, double high) {
+  return low + (high - low) * (d.uniform() + 1) / 2;
+}
+
+// Corners, edges and the inside of the triangle.
+Point draw_point(Draw& d) {
+  int l[3] = {d.integer(0, 40), d.integer(0, 40), d.integer(0, 40)};
+  if (d.integer(0, 3) == 0) l[d.integer(0, 2)] = 0;
+  if (l[0] + l[1] + l[2] == 0) l[0] = 1;
+  const Rational sum = l[0] + l[1] + l[2];
+  return {Rational(2 * l[1] - l[0] - l[2]) / (2 * sum),
+          Rational(2 * l[2] - l[0] - l[1]) / (2 * sum)};
+}
+
+template <int N>
+Rational polynomial(const TaylorModel<N>& m, const Point& at) {
+  Rational sum = 0;
+  for (std::size_t k = 0; k < TaylorModel<N>::kCount; ++k) {
+    Rational term = m.c[k];
+    for (int i = 0; i < m.kTable.exponents[k][0]; ++i) term *= at.u;
+    for (int i = 0; i < m.kTable.exponents[k][1]; ++i) term *= at.v;
+    sum += term;
+  }
+  return sum;
+}
+
+/// A model and the value at a point of one of the functions it encloses.
+template <int N>
+struct Sample {
+  TaylorModel<N> model;
+  Rational value;
+};
+
+template <int N>
+Sample<N> draw_sample(Draw& d, const Point& at, double constant, double size) {
+  Sample<N> s;
+  for (double& x : s.model.c)
+    x = d.integer(0, 5) == 0 ? 0 : size * between(d, -1, 1) * std::exp2(d.integer(-20, 0));
+  s.model.c[0] += constant;
+  s.model.radius = d.integer(0, 2) == 0 ? 0 : size * std::exp2(d.integer(-50, -3));
+  s.value = polynomial(s.model, at) + Rational(s.model.radius) * Rational(d.integer(-16, 16)) / 16;
+  return s;
+}
+
+template <int N>
+bool encloses(const TaylorModel<N>& m, const Point& at, const Rational& value) {
+  if (!std::isfinite(m.radius)) return true;
+  const Rational off = value - polynomial(m, at);
+  return (off < 0 ? Rational(-off) : off) <= m.radius;
+}
+
+bool encloses(const Range& r, const Rational& value) {
+  return (std::isinf(r.low) || value >= r.low) && (std::isinf(r.high) || value <= r.high);
+}
+
+template <int N>
+void check_ring_operations(Draw& d) {
+  const Point at = draw_point(d);
+  const double size = std::exp2(d.integer(-60, 60));
+  const auto a = draw_sample<N>(d, at, size * between(d, -2, 2), size);
+  const auto b = draw_sample<N>(d, at, 0, std::exp2(d.integer(-60, 60)));
+  REQUIRE(encloses(a.model + b.model, at, a.value + b.value));
+  REQUIRE(encloses(a.model - b.model, at, a.value - b.value));
+  REQUIRE(encloses(a.model * b.model, at, a.value * b.value));
+  REQUIRE(encloses(-a.model, at, -a.value));
+  const double s = between(d, -3, 3);
+  REQUIRE(encloses(s * a.model, at, Rational(s) * a.value));
+  // Aliases.
+  REQUIRE(encloses(a.model * a.model, at, a.value * a.value));
+  REQUIRE(encloses(a.model - a.model, at, Rational(0)));
+  TaylorModel<N> self = a.model;
+  self = self * self + self;
+  REQUIRE(encloses(self, at, a.value * a.value + a.value));
+  const Range range = a.model.range();
+  REQUIRE(encloses(range, a.value));
+  REQUIRE(std::fmax(-range.low, range.high) <= 4 * a.model.magnitude());
+  REQUIRE((a.value < 0 ? Rational(-a.value) : a.value) <= a.model.magnitude());
+}
+
+/// Nothing but rounding to absorb: linear functions, constants, no radius.
+template <int N>
+void check_rounding(Draw& d) {
+  const Point at = draw_point(d);
+  const auto linear = [&] {
+    TaylorModel<N> m;
+    for (std::size_t k = 0; k < 3; ++k) m.c[k] = d.uniform();
+    return m;
+  };
+  const auto a = linear(), b = linear();
+  const Rational x = polynomial(a, at), y = polynomial(b, at);
+  REQUIRE(encloses(a * b, at, x * y));
+  REQUIRE(encloses(a + b, at, x + y));
+  const double corners[3] = {d.uniform(), d.uniform(), d.uniform()};
+  const Rational l1 = (2 * at.u + 1) / 3, l2 = (2 * at.v + 1) / 3;
+  REQUIRE(encloses(TaylorModel<N>::linear(corners[0], corners[1], corners[2]), at,
+                   (1 - l1 - l2) * Rational(corners[0]) + l1 * Rational(corners[1]) +
+                       l2 * Rational(corners[2])));
+}
+
+using MpfrFunction = int (*)(mpfr_t, mpfr_srcptr, mpfr_rnd_t);
+
+/// f(x) to 300 bits, as a rational.
+Rational precise(MpfrFunction f, const Rational& x) {
+  mpfr_t y;
+  mpfr_init2(y, 300);
+  mpfr_set_q(y, x.backend().data(), MPFR_RNDN);
+  f(y, y, MPFR_RNDN);
+  Rational result;
+  mpfr_get_q(result.backend().data(), y);
+  mpfr_clear(y);
+  return result;
+}
+
+template <int N>
+void check_functions(Draw& d) {
+  const Point at = draw_point(d);
+  const double share = std::exp2(d.integer(-12, -3));
+  const double c = between(d, 0.2, 4) * (d.integer(0, 3) == 0 ? 100 : 1);
+  // Without a size only the coefficients' own errors are left.
+  const auto a = draw_sample<N>(d, at, c, d.integer(0, 3) == 0 ? 0 : c * share);
+  REQUIRE(encloses(inverse(a.model), at, 1 / a.value));
+  REQUIRE(encloses(inverse(-a.model), at, -1 / a.value));
+  struct Case {
+    TaylorModel<N> model;
+    MpfrFunction function;
+  };
+  for (const Case& f :
+       {Case{sqrt(a.model), mpfr_sqrt}, Case{exp(a.model), mpfr_exp}, Case{log(a.model), mpfr_log},
+        Case{sin(a.model), mpfr_sin}, Case{cos(a.model), mpfr_cos}}) {
+    REQUIRE(f.model.radius > 0x1p-200);  // what 300 bits leave out is far below
+    REQUIRE(encloses(f.model, at, precise(f.function, a.value)));
+  }
+}
+
+template <int N>
+void check_all() {
+  Draw d(900 + N);
+  for (std::uint64_t i = 0; i < scaled(4000); ++i) check_ring_operations<N>(d);
+  for (std::uint64_t i = 0; i < scaled(4000); ++i) check_rounding<N>(d);
+  for (std::uint64_t i = 0; i < scaled(1000); ++i) check_functions<N>(d);
+}
+
+}  // namespace
+
+TEST_CASE("Taylor models of order 3 hold the exact results") {
+  check_all<3>();
+}
+TEST_CASE("Taylor models of order 4 hold the exact results") {
+  check_all<4>();
+}
+TEST_CASE("Taylor models of order 5 hold the exact results") {
+  check_all<5>();
+}
+
+TEST_CASE("Taylor models: remainders are as small as the order promises") {
+  // exp(x) with x linear, shrinking triangles: the remainder falls by 2^(n + 1) a halving.
+  using Model = TaylorModel<4>;
+  double last = 0;
+  for (const double h : {0.25, 0.125, 0.0625}) {
+    const double radius = exp(Model::linear(1, 1 + h, 1 - h)).radius;
+    if (last > 0) CHECK(last / radius == Approx(32).epsilon(0.25));
+    last = radius;
+  }
+  // The polynomial part is exact where the function is a polynomial of the order.
+  const Model x = Model::linear(0, 1, 0), y = Model::linear(0, 0, 1);
+  CHECK((x * x * y * y).radius < 1e-13);
+}
+
+TEST_CASE("Taylor models: Bernstein ranges are sharp at the corners") {
+  using Model = TaylorModel<3>;
+  const Model x = Model::linear(2, 5, 3);
+  const Range r = x.range();
+  CHECK(r.low == Approx(2).epsilon(1e-13));
+  CHECK(r.high == Approx(5).epsilon(1e-13));
+  // x (1 - x) on [0, 1] has range [0, 1/4]; the third-order Bernstein bound is 1/3.
+  const Model t = Model::linear(0, 1, 0), p = t * (Model(1) - t);
+  CHECK(p.range().high < 0.34);
+  CHECK(p.range().low > -1e-13);
+}
+
+TEST_CASE("Taylor models: what overflows or is not analytic is not certain") {
+  using Model = TaylorModel<3>;
+  const Model x = Model::linear(-1, 1, 0.5), huge = 1e300 * x;
+  for (const Model& m : {huge * huge, inverse(x), sqrt(x), log(x), exp(huge), sin(huge * huge),
+                         Model(std::numeric_limits<double>::quiet_NaN())}) {
+    CHECK_FALSE(certain_sign(m.range()));
+    CHECK_FALSE(certain_sign((m - m).range()));
+    CHECK_FALSE(certain_sign((m * Model(0)).range()));
+  }
+  CHECK(certain_sign((x * x + Model(1.5)).range()) == Sign::positive);
+  CHECK_FALSE(certain_sign((x - x).range()));
+  CHECK(certain_sign(Model(0).range()) != Sign::negative);
+}
