@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <utility>
 
+#include "kernel/arithmetic/rational.hpp"
 #include "kernel/predicates/critical_value_order.hpp"
 
 namespace crest::reeb {
@@ -14,6 +16,7 @@ using kernel::CriticalValue;
 using kernel::Decision;
 using kernel::FaceValues;
 using kernel::QuadraticMesh;
+using kernel::Rational;
 using kernel::Sign;
 using kernel::Stage;
 using kernel::ValueKind;
@@ -63,6 +66,7 @@ class Values {
   }
 
   Index size() const { return tiles_.vertex_count + static_cast<Index>(ranges_.size()); }
+  bool all_vertices() const { return ranges_.empty(); }
   bool is_vertex(Index node) const { return node < tiles_.vertex_count; }
   ValueRange range(Index node) const {
     if (!is_vertex(node)) return ranges_[node - tiles_.vertex_count];
@@ -97,14 +101,55 @@ class Values {
   std::vector<ValueRange> ranges_;
 };
 
-std::vector<Index> sorted_nodes(const Values& values) {
-  std::vector<Index> order(values.size());
+Rational exact_value(const CriticalValue& v) {
+  const Rational base = v.f.corner[0];
+  if (v.kind == ValueKind::vertex) return base;
+  const auto at = [&](const auto& q) { return Rational(base + q.numerator / q.denominator); };
+  return v.kind == ValueKind::edge ? at(kernel::ValueFraction<Rational, ValueKind::edge>(v.f))
+                                   : at(kernel::ValueFraction<Rational, ValueKind::face>(v.f));
+}
+
+// A long run: the exact values once a node rather than once a comparison.
+void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
+  struct Item {
+    Rational value;
+    Index node;
+  };
+  std::vector<Item> items;
+  items.reserve(nodes.size());
+  for (Index node : nodes) items.push_back({exact_value(values.value(node)), node});
+  const auto before = [&](const Item& x, const Item& y) {
+    const ValueRange a = values.range(x.node), b = values.range(y.node);
+    if (a.high < b.low || b.high < a.low) return a.high < b.low;
+    const int c = x.value.compare(y.value);
+    return c != 0 ? c < 0 : x.node < y.node;
+  };
+  std::sort(items.begin(), items.end(), before);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    nodes[i] = items[i].node;
+    tied[i] = i > 0 && items[i].value == items[i - 1].value;
+  }
+}
+
+void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
+  constexpr std::size_t kShort = 8;
+  if (nodes.size() > kShort) return sort_exactly(values, nodes, tied);
+  std::sort(nodes.begin(), nodes.end(),
+            [&](Index x, Index y) { return x != y && values.order(x, y).sign == Sign::negative; });
+}
+
+// Sets `order`, and `tied` where it is found on the way.
+void sort_nodes(const Values& values, std::vector<Index>& order, std::vector<std::uint8_t>& tied) {
   {
     std::vector<Key> keys(values.size());
     for (Index i = 0; i < values.size(); ++i) keys[i] = {ascending_bits(values.range(i).low), i};
     radix_sort(keys);
+    order.resize(values.size());
     for (Index r = 0; r < values.size(); ++r) order[r] = keys[r].node;
   }
+  tied.assign(values.size(), 0);
+  // Points in ascending order, equal ones by number: nothing is left to do.
+  if (values.all_vertices()) return;
   // Runs of enclosures that overlap one another: only there the lower bounds may mislead.
   for (Index begin = 0; begin < order.size();) {
     double reach = values.range(order[begin]).high;
@@ -114,13 +159,11 @@ std::vector<Index> sorted_nodes(const Values& values) {
       reach = std::max(reach, values.range(order[end]).high);
       all_vertices = all_vertices && values.is_vertex(order[end]);
     }
-    if (!all_vertices && end - begin > 1)
-      std::sort(order.begin() + begin, order.begin() + end, [&](Index x, Index y) {
-        return x != y && values.order(x, y).sign == Sign::negative;
-      });
+    const std::size_t n = end - begin;
+    if (!all_vertices && n > 1)
+      sort_run(values, std::span(order).subspan(begin, n), std::span(tied).subspan(begin, n));
     begin = end;
   }
-  return order;
 }
 
 }  // namespace
@@ -157,14 +200,13 @@ CriticalValue node_value(const QuadraticMesh& mesh, const TileComplex& tiles,
 void order_nodes(const QuadraticMesh& mesh, const std::vector<Sign>& signs, bool guarded,
                  TileComplex& tiles, kernel::StageCounts& counts) {
   const Values values(mesh, tiles, signs, guarded);
-  tiles.order = sorted_nodes(values);
+  sort_nodes(values, tiles.order, tiles.tied);
   const Index n = values.size();
   tiles.rank.resize(n);
-  tiles.tied.assign(n, 0);
-  for (Index r = 0; r < n; ++r) {
-    tiles.rank[tiles.order[r]] = r;
-    if (r == 0) continue;
-    const Stage stage = values.order(tiles.order[r - 1], tiles.order[r]).stage;
+  for (Index r = 0; r < n; ++r) tiles.rank[tiles.order[r]] = r;
+  for (Index r = 1; r < n; ++r) {
+    const Stage stage =
+        tiles.tied[r] ? Stage::symbolic : values.order(tiles.order[r - 1], tiles.order[r]).stage;
     counts.add(stage);
     tiles.tied[r] = stage == Stage::symbolic;
   }

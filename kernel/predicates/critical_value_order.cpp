@@ -52,6 +52,13 @@ bool both_vertices(const CriticalValue& x, const CriticalValue& y) {
   return x.kind == vertex && y.kind == vertex;
 }
 
+// The same data, on an edge from either end: equal without a computation.
+bool same_data(const CriticalValue& x, const CriticalValue& y) {
+  const FaceValues &f = x.f, &g = y.f;
+  if (x.kind != y.kind || f.side != g.side) return false;
+  return f.corner == g.corner || (x.kind == edge && f.corner == g.mirrored().corner);
+}
+
 Sign compare_vertices(const CriticalValue& x, const CriticalValue& y) {
   const double a = x.f.corner[0], b = y.f.corner[0];
   return a < b ? Sign::negative : a > b ? Sign::positive : Sign::zero;
@@ -61,6 +68,7 @@ Sign compare_vertices(const CriticalValue& x, const CriticalValue& y) {
 
 MaybeSign triage_critical_value_order(const CriticalValue& x, const CriticalValue& y) {
   if (both_vertices(x, y)) return compare_vertices(x, y);
+  if (same_data(x, y)) return Sign::zero;
   return with_formula(x, y, [](const auto& f) { return triage(f); });
 }
 MaybeSign interval_critical_value_order(const CriticalValue& x, const CriticalValue& y) {
@@ -74,6 +82,7 @@ Sign exact_critical_value_order(const CriticalValue& x, const CriticalValue& y) 
 
 Decision compare_critical_values(const CriticalValue& x, const CriticalValue& y) {
   if (both_vertices(x, y)) return {compare_vertices(x, y), Stage::triage};
+  if (same_data(x, y)) return {Sign::zero, Stage::triage};
   return with_formula(x, y, [](const auto& f) { return climb(f); });
 }
 

@@ -41,7 +41,7 @@ struct ValueDifference {
   }
 };
 
-/// The sign of value(x) - value(y). Zero: not decided by triage (interval), or equal (exact).
+/// The sign of value(x) - value(y). Triage finds zero for two vertices and for equal data.
 MaybeSign triage_critical_value_order(const CriticalValue& x, const CriticalValue& y);
 MaybeSign interval_critical_value_order(const CriticalValue& x, const CriticalValue& y);
 Sign exact_critical_value_order(const CriticalValue& x, const CriticalValue& y);
