@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which texts are expressions, and where the others go wrong.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "kernel/expressions/evaluate.hpp"
+#include "tests/support/degenerate_families.hpp"
+
+namespace {
+
+using namespace crest::kernel;
+
+const std::vector<std::string> kXyz = {"x", "y", "z"};
+
+ExpressionError error_of(const std::string& text) {
+  try {
+    Expression::parse(text, kXyz);
+  } catch (const ExpressionError& error) {
+    return error;
+  }
+  return {0, "no error"};
+}
+
+}  // namespace
+
+TEST_CASE("errors name the column and what was expected, in one line") {
+  struct Case {
+    std::string text;
+    std::size_t column;
+    std::string expected;
+  };
+  const Case cases[] = {
+      {"", 1, "a number, a name or '(' is expected, not the end"},
+      {"   ", 4, "not the end"},
+      {"x +", 4, "a number, a name or '('"},
+      {"x * / y", 5, "a number, a name or '(' is expected, not '/'"},
+      {"2 x", 3, "an operator or the end is expected, not 'x'"},
+      {"(x + y", 7, "an operator or ')' is expected, not the end"},
+      {"x + y)", 6, "an operator or the end is expected, not ')'"},
+      {"sin x", 5, "'(' after sin"},
+      {"sqrt(x", 7, "an operator or ')'"},
+      {"x ^ y", 5, "an integer exponent is expected, not 'y'"},
+      {"x^2.5", 4, "an integer exponent"},
+      {"x^2e3", 4, "an integer exponent"},
+      {"x^1001", 3, "beyond 1000"},
+      {"x^9^9^9^9", 3, "beyond 1000"},
+      {"x^2^-1", 5, "non-negative"},
+      {"w + 1", 1, "'w' is unknown; there are x, y, z, sqrt, exp, log, sin, cos, pi, e"},
+      {"1e", 3, "a digit of the power of ten"},
+      {"1e401", 1, "beyond 1e400"},
+      {"1e99999999999999999999", 1, "beyond 1e400"},
+      {".", 2, "a digit"},
+      {"x\x01", 2, "not a special character"},
+      {"x $ y", 3, "not '$'"},
+      {std::string("x\0y", 3), 2, "an operator or the end"},
+      {std::string(300, '(') + "x", 201, "nested too deeply"},
+      {std::string(300, '-') + "x", 201, "nested too deeply"},
+      {std::string(1001, '1'), 1, "too long"},
+  };
+  for (const Case& c : cases) {
+    const ExpressionError error = error_of(c.text);
+    INFO(c.text << " -> " << error.what());
+    CHECK(error.column() == c.column);
+    const std::string line = error.what();
+    CHECK(line.starts_with("column " + std::to_string(c.column) + ": "));
+    CHECK(line.find(c.expected) != std::string::npos);
+    CHECK(line.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("the program is compact and knows its stack") {
+  const Expression e = Expression::parse("x*x - y*z", kXyz);
+  CHECK(e.program().size() == 7);
+  CHECK(e.stack_depth() == 3);
+  CHECK(e.constants().empty());
+  CHECK(e.rational());
+  CHECK_FALSE(Expression::parse("sin(x)", kXyz).rational());
+  CHECK_FALSE(Expression::parse("2*pi", kXyz).rational());
+  const Expression half = Expression::parse("0.1", kXyz);
+  CHECK(half.constants()[0].exact == Rational(1, 10));
+  CHECK(half.constants()[0].nearest == 0.1);
+}
+
+TEST_CASE("random strings give an expression or an error, never more") {
+  const std::string alphabet = "xyze.0123456789+-*/^() \tsqrtlogincp\n#";
+  crest::tests::Draw d(41);
+  const auto trials = crest::tests::scaled(200000);
+  std::size_t parsed = 0;
+  for (std::uint64_t i = 0; i < trials; ++i) {
+    std::string text;
+    for (int n = d.integer(0, 14); n > 0; --n) {
+      text += d.integer(0, 40) == 0 ? static_cast<char>(d.integer(-128, 127))
+                                    : alphabet[static_cast<std::size_t>(
+                                          d.integer(0, static_cast<int>(alphabet.size()) - 1))];
+    }
+    INFO("seed " << crest::tests::kSeed << ", trial " << i << ": " << text);
+    try {
+      const Expression e = Expression::parse(text, kXyz);
+      const double at[] = {0.5, -2, 3};
+      double_evaluator(e)(at);
+      ++parsed;
+    } catch (const ExpressionError& error) {
+      if (error.column() < 1 || error.column() > text.size() + 1) FAIL(error.what());
+      if (std::string(error.what()).find('\n') != std::string::npos) FAIL(error.what());
+    }
+  }
+  CHECK(parsed > trials / 200);
+}
