@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -19,18 +22,43 @@ using kernel::QuadraticMesh;
 using kernel::Rational;
 using kernel::Sign;
 using kernel::Stage;
+using kernel::StageCounts;
 using kernel::ValueKind;
 using kernel::ValueRange;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
+/// bits: the enclosure's lower end, ascending as doubles are; width: at least its length.
 struct Key {
   std::uint64_t bits;
   Index node;
+  float width;
 };
 
-// Ascending as the doubles are; +0 and -0 are one value.
+constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
+
+// +0 and -0 are one value.
 std::uint64_t ascending_bits(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
-  return bits >> 63 ? ~bits : bits | (std::uint64_t{1} << 63);
+  return bits & kSignBit ? ~bits : bits | kSignBit;
+}
+
+Key key_of(const ValueRange& range, Index node) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const double width = range.high - range.low;
+  return {ascending_bits(range.low), node,
+          width == 0 ? 0.0f : std::nextafter(static_cast<float>(width), kInfinity)};
+}
+
+double low_end(const Key& key) {
+  return std::bit_cast<double>(key.bits & kSignBit ? key.bits ^ kSignBit : ~key.bits);
+}
+// Twice the next double: for the rounding of the width and of this sum.
+double high_end(const Key& key) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double low = low_end(key);
+  if (key.width == 0) return low;
+  return std::nextafter(std::nextafter(low + static_cast<double>(key.width), kInfinity), kInfinity);
 }
 
 // Stable, so equal keys stay in the nodes' order.
@@ -66,7 +94,6 @@ class Values {
   }
 
   Index size() const { return tiles_.vertex_count + static_cast<Index>(ranges_.size()); }
-  bool all_vertices() const { return ranges_.empty(); }
   bool is_vertex(Index node) const { return node < tiles_.vertex_count; }
   ValueRange range(Index node) const {
     if (!is_vertex(node)) return ranges_[node - tiles_.vertex_count];
@@ -101,12 +128,48 @@ class Values {
   std::vector<ValueRange> ranges_;
 };
 
+// The values times 2^shift are integers, as doubles; nothing if their exponents differ too much.
+std::optional<int> integer_shift(const FaceValues& f) {
+  int low = 2000, high = -2000;
+  for (const auto& part : {f.corner, f.side})
+    for (double x : part) {
+      if (x == 0) continue;
+      const int exponent = std::ilogb(x);
+      low = std::min(low, exponent);
+      high = std::max(high, exponent);
+    }
+  if (high - low > 800 || low < -900 || high > 900) return std::nullopt;
+  return 52 - low;
+}
+
+template <class Number, ValueKind kind>
+std::pair<Number, Number> fraction(const FaceValues& f) {
+  const kernel::ValueFraction<Number, kind> q(f);
+  return {Number(f.corner[0]) * q.denominator + q.numerator, q.denominator};
+}
+
+template <ValueKind kind>
+Rational exact_fraction(FaceValues f) {
+  const std::optional<int> shift = integer_shift(f);
+  if (!shift) {
+    const auto [n, d] = fraction<Rational, kind>(f);
+    return n / d;
+  }
+  // Integers need one reduction, rationals one an operation.
+  for (auto* part : {&f.corner, &f.side})
+    for (double& x : *part) x = std::ldexp(x, *shift);
+  auto [n, d] = fraction<Integer, kind>(f);
+  if (*shift > 0)
+    d <<= static_cast<unsigned>(*shift);
+  else
+    n <<= static_cast<unsigned>(-*shift);
+  return {n, d};
+}
+
 Rational exact_value(const CriticalValue& v) {
-  const Rational base = v.f.corner[0];
-  if (v.kind == ValueKind::vertex) return base;
-  const auto at = [&](const auto& q) { return Rational(base + q.numerator / q.denominator); };
-  return v.kind == ValueKind::edge ? at(kernel::ValueFraction<Rational, ValueKind::edge>(v.f))
-                                   : at(kernel::ValueFraction<Rational, ValueKind::face>(v.f));
+  if (v.kind == ValueKind::vertex) return v.f.corner[0];
+  return v.kind == ValueKind::edge ? exact_fraction<ValueKind::edge>(v.f)
+                                   : exact_fraction<ValueKind::face>(v.f);
 }
 
 // A long run: the exact values once a node rather than once a comparison.
@@ -117,7 +180,10 @@ void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::u
   };
   std::vector<Item> items;
   items.reserve(nodes.size());
-  for (Index node : nodes) items.push_back({exact_value(values.value(node)), node});
+  for (Index node : nodes) {
+    const ValueRange r = values.range(node);
+    items.push_back({r.low == r.high ? Rational(r.low) : exact_value(values.value(node)), node});
+  }
   const auto before = [&](const Item& x, const Item& y) {
     const ValueRange a = values.range(x.node), b = values.range(y.node);
     if (a.high < b.low || b.high < a.low) return a.high < b.low;
@@ -138,31 +204,33 @@ void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8
             [&](Index x, Index y) { return x != y && values.order(x, y).sign == Sign::negative; });
 }
 
-// Sets `order`, and `tied` where it is found on the way.
-void sort_nodes(const Values& values, std::vector<Index>& order, std::vector<std::uint8_t>& tied) {
-  {
-    std::vector<Key> keys(values.size());
-    for (Index i = 0; i < values.size(); ++i) keys[i] = {ascending_bits(values.range(i).low), i};
-    radix_sort(keys);
-    order.resize(values.size());
-    for (Index r = 0; r < values.size(); ++r) order[r] = keys[r].node;
-  }
-  tied.assign(values.size(), 0);
-  // Points in ascending order, equal ones by number: nothing is left to do.
-  if (values.all_vertices()) return;
-  // Runs of enclosures that overlap one another: only there the lower bounds may mislead.
-  for (Index begin = 0; begin < order.size();) {
-    double reach = values.range(order[begin]).high;
-    bool all_vertices = values.is_vertex(order[begin]);
-    Index end = begin + 1;
-    for (; end < order.size() && values.range(order[end]).low <= reach; ++end) {
-      reach = std::max(reach, values.range(order[end]).high);
-      all_vertices = all_vertices && values.is_vertex(order[end]);
+// Sets order and tied, and counts who decided between successive nodes.
+void sort_nodes(const Values& values, TileComplex& tiles, StageCounts& counts) {
+  const Index n = values.size();
+  std::vector<Key> keys(n);
+  for (Index i = 0; i < n; ++i) keys[i] = key_of(values.range(i), i);
+  radix_sort(keys);
+  tiles.order.resize(n);
+  for (Index r = 0; r < n; ++r) tiles.order[r] = keys[r].node;
+  tiles.tied.assign(n, 0);
+  // Runs of enclosures that overlap one another: only there the lower ends may mislead.
+  for (Index begin = 0, end = 0; begin < n; begin = end) {
+    if (begin > 0) counts.add(Stage::triage);
+    double reach = high_end(keys[begin]);
+    for (end = begin + 1; end < n && low_end(keys[end]) <= reach; ++end)
+      reach = std::max(reach, high_end(keys[end]));
+    if (end == begin + 1) continue;
+    const std::span<Index> nodes(tiles.order.data() + begin, end - begin);
+    const std::span<std::uint8_t> tied(tiles.tied.data() + begin, end - begin);
+    if (reach == low_end(keys[begin]))  // equal points, already by number
+      std::fill(tied.begin() + 1, tied.end(), std::uint8_t{1});
+    else
+      sort_run(values, nodes, tied);
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      const Stage stage = tied[i] ? Stage::symbolic : values.order(nodes[i - 1], nodes[i]).stage;
+      counts.add(stage);
+      tied[i] = stage == Stage::symbolic;
     }
-    const std::size_t n = end - begin;
-    if (!all_vertices && n > 1)
-      sort_run(values, std::span(order).subspan(begin, n), std::span(tied).subspan(begin, n));
-    begin = end;
   }
 }
 
@@ -198,18 +266,11 @@ CriticalValue node_value(const QuadraticMesh& mesh, const TileComplex& tiles,
 }
 
 void order_nodes(const QuadraticMesh& mesh, const std::vector<Sign>& signs, bool guarded,
-                 TileComplex& tiles, kernel::StageCounts& counts) {
+                 TileComplex& tiles, StageCounts& counts) {
   const Values values(mesh, tiles, signs, guarded);
-  sort_nodes(values, tiles.order, tiles.tied);
-  const Index n = values.size();
-  tiles.rank.resize(n);
-  for (Index r = 0; r < n; ++r) tiles.rank[tiles.order[r]] = r;
-  for (Index r = 1; r < n; ++r) {
-    const Stage stage =
-        tiles.tied[r] ? Stage::symbolic : values.order(tiles.order[r - 1], tiles.order[r]).stage;
-    counts.add(stage);
-    tiles.tied[r] = stage == Stage::symbolic;
-  }
+  sort_nodes(values, tiles, counts);
+  tiles.rank.resize(tiles.order.size());
+  for (Index r = 0; r < tiles.order.size(); ++r) tiles.rank[tiles.order[r]] = r;
 }
 
 }  // namespace crest::reeb

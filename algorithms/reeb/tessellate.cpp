@@ -130,17 +130,14 @@ class Tessellation {
 
   void cut_faces() {
     const Index first = result.vertex_count + static_cast<Index>(result.critical_edges.size());
-    std::vector<std::pair<Index, Index>> centre;  // face, node
-    centre.reserve(result.critical_faces.size());
+    std::vector<Index> centre(mesh_.face_count(), kNone);
     for (Index i = 0; i < result.critical_faces.size(); ++i)
-      centre.emplace_back(result.critical_faces[i], first + i);
-    std::sort(centre.begin(), centre.end());
+      centre[result.critical_faces[i]] = first + i;
     result.tiles.reserve(result.tile_begin.back());
-    auto next = centre.begin();
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       const auto nodes = side_nodes(f);
-      if (next != centre.end() && next->first == f)
-        cut_fan(f, nodes, (next++)->second);
+      if (centre[f] != kNone)
+        cut_fan(f, nodes, centre[f]);
       else
         cut_without_centre(f, nodes);
     }
