@@ -18,8 +18,14 @@ constexpr int kFront = 0, kBack = 1;
 
 }  // namespace
 
-ContourSweep::ContourSweep(const StrandLists& strands)
-    : strands_(strands), sequences_(static_cast<Index>(strands.turned.size())) {
+ContourSweep::ContourSweep(const StrandLists& strands, bool record_runs)
+    : strands_(strands),
+      record_runs_(record_runs),
+      sequences_(static_cast<Index>(strands.turned.size())) {
+  if (record_runs) {
+    arc_of_lower_run.assign(strands.strand_above.size(), kNone);
+    arc_of_upper_run.assign(strands.upper.size() - 1, kNone);
+  }
   for (Index s = 0; s < strands.turned.size(); ++s) {
     if (strands.turned[s]) sequences_.set_sense(s, true);
   }
@@ -123,6 +129,7 @@ void ContourSweep::join_at(Index gap) {
   pieces_[a].least = std::min(pieces_[a].least, pieces_[b].least);
   pieces_[b].root = kNone;
   pieces_[b].least = kNone;
+  pieces_[b].joined_to = a;
 }
 
 void ContourSweep::join_upper_runs(Index stop) {
@@ -138,11 +145,13 @@ void ContourSweep::join_upper_runs(Index stop) {
     if (next < lower) return 2 * next;
     return s.closed && lower > 0 ? 0 : kNone;
   };
+  run_pieces_.clear();
   for (Index j = 0; j < upper; ++j) {
     const UpperRun& run = strands_.upper[s.upper_begin + j];
     const Index piece = new_piece();
     set_root(piece, sequences_.build(run.strand_begin,
                                      strands_.upper[s.upper_begin + j + 1].strand_begin));
+    run_pieces_.push_back(piece);
     pieces_[piece].least = run.least;
     pieces_[piece].closed = s.closed && lower == 0;
     if (gap_after(j) != kNone) set_end(piece, kFront, upper_end(gap_after(j)));
@@ -157,7 +166,11 @@ void ContourSweep::join_upper_runs(Index stop) {
 void ContourSweep::pass_node(Index stop, Index node) {
   touched_.clear();
   const Stop& s = strands_.stops[stop];
-  for (Index i = s.lower_begin; i < strands_.stops[stop + 1].lower_begin; ++i) {
+  const Index lower_end = strands_.stops[stop + 1].lower_begin;
+  for (Index i = s.lower_begin; record_runs_ && i < lower_end; ++i) {
+    arc_of_lower_run[i] = pieces_[find_piece(strands_.strand_above[i])].arc;
+  }
+  for (Index i = s.lower_begin; i < lower_end; ++i) {
     const Index piece = find_piece(strands_.strand_above[i]);
     if (pieces_[piece].arc == kNone) continue;
     touched_.push_back(piece);
@@ -177,12 +190,30 @@ void ContourSweep::pass_node(Index stop, Index node) {
     arcs.push_back({node, kNone, p.least, open, open});
     p.least = kNone;
   }
+  if (record_runs_) record_upper_runs(stop);
+}
+
+void ContourSweep::record_upper_runs(Index stop) {
+  const Index begin = strands_.stops[stop].upper_begin;
+  for (Index j = 0; j < run_pieces_.size(); ++j) {
+    Index piece = run_pieces_[j];
+    while (pieces_[piece].joined_to != kNone) {
+      const Index next = pieces_[piece].joined_to;
+      if (pieces_[next].joined_to != kNone) pieces_[piece].joined_to = pieces_[next].joined_to;
+      piece = next;
+    }
+    arc_of_upper_run[begin + j] = pieces_[piece].arc;
+  }
 }
 
 Index ContourSweep::pass_regular(Index stop) {
   touched_.clear();
   const Index old = find_piece(strands_.strand_above[strands_.stops[stop].lower_begin]);
   const Index arc = pieces_[old].arc;
+  if (record_runs_) {
+    arc_of_lower_run[strands_.stops[stop].lower_begin] = arc;
+    arc_of_upper_run[strands_.stops[stop].upper_begin] = arc;
+  }
   touched_.push_back(old);
   cut_lower_runs(stop);
   join_upper_runs(stop);

@@ -17,7 +17,8 @@ namespace crest::reeb {
 /// contours above v.
 class ContourSweep {
  public:
-  explicit ContourSweep(const StrandLists& strands);
+  /// With `record_runs` it keeps the arcs of all runs (below).
+  explicit ContourSweep(const StrandLists& strands, bool record_runs = false);
 
   /// Fetches what the stops soon after place i will need: they lie anywhere in memory.
   void announce(const std::vector<Index>& stops, std::size_t i) const;
@@ -28,13 +29,16 @@ class ContourSweep {
 
   /// In the order in which they start.
   std::vector<ReebArc> arcs;
+  /// By lower and upper run: the arc of the contours that cross it.
+  std::vector<Index> arc_of_lower_run, arc_of_upper_run;
 
  private:
   struct Piece {
     Index root = kNone;
     std::array<Index, 2> ends = {kNone, kNone};  ///< front and back: 2 gap + side, or kNone
     Index arc = kNone;
-    Index least = kNone;  ///< of the upper runs in it
+    Index least = kNone;      ///< of the upper runs in it
+    Index joined_to = kNone;  ///< the piece it has become part of
     bool closed = false;
   };
   Index new_piece();
@@ -47,12 +51,16 @@ class ContourSweep {
   void join_upper_runs(Index stop);
   void join_at(Index gap);
 
+  void record_upper_runs(Index stop);
+
   const StrandLists& strands_;
+  bool record_runs_;
   ContourSequences sequences_;
   std::vector<Piece> pieces_;
   std::vector<Index> free_pieces_;
-  std::vector<Index> touched_;    ///< pieces of this surgery, some dropped again
-  std::vector<Index> end_owner_;  ///< by end: the piece that has it
+  std::vector<Index> run_pieces_;  ///< of the upper runs of this surgery
+  std::vector<Index> touched_;     ///< pieces of this surgery, some dropped again
+  std::vector<Index> end_owner_;   ///< by end: the piece that has it
 };
 
 }  // namespace crest::reeb

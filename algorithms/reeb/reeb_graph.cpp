@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/reeb/reeb_graph.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
 
 #include "algorithms/reeb/contour_sweep.hpp"
+#include "algorithms/reeb/swept_graph.hpp"
 
 namespace crest::reeb {
 namespace {
@@ -57,62 +56,68 @@ std::vector<Index> stops_in_order(const OrderedComplex& complex, const StrandLis
   return stops;
 }
 
-/// The graph; if `arc_of_vertex` is given also the arcs of the vertices.
-ReebGraph sweep(const OrderedComplex& complex, std::vector<Index>* arc_of_vertex) {
-  const StrandLists strands = find_strands(complex, arc_of_vertex != nullptr);
-  ContourSweep contours(strands);
-  ReebGraph graph;
-  const std::vector<Index> stops = stops_in_order(complex, strands);
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    contours.announce(stops, i);
-    const Stop& s = strands.stops[stops[i]];
-    if (s.critical) {
-      contours.pass_node(stops[i], static_cast<Index>(graph.nodes.size()));
-      graph.nodes.push_back(node_at(strands, stops[i]));
-    } else {
-      (*arc_of_vertex)[s.vertex] = contours.pass_regular(stops[i]);
-    }
-  }
-  // Sorted by lower node already.
-  std::vector<ReebArc>& arcs = contours.arcs;
-  std::vector<Index> by_place(arcs.size());
-  std::iota(by_place.begin(), by_place.end(), Index{0});
-  const auto key = [&](Index a) {
-    return std::tuple(arcs[a].lower, arcs[a].upper, complex.rank[arcs[a].strand]);
-  };
+/// Places of the arcs in the order (lower, upper, rank of strand). They come by lower node.
+std::vector<Index> sorted_arcs(const std::vector<ReebArc>& arcs, std::span<const Index> rank) {
+  std::vector<Index> order(arcs.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto key = [&](Index a) { return std::tuple(arcs[a].upper, rank[arcs[a].strand]); };
   for (std::size_t i = 0, j = 0; i < arcs.size(); i = j) {
     while (j < arcs.size() && arcs[j].lower == arcs[i].lower) ++j;
     if (j - i == 1) continue;
-    std::sort(by_place.begin() + static_cast<std::ptrdiff_t>(i),
-              by_place.begin() + static_cast<std::ptrdiff_t>(j),
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(i),
+              order.begin() + static_cast<std::ptrdiff_t>(j),
               [&](Index a, Index b) { return key(a) < key(b); });
   }
-  graph.arcs.reserve(arcs.size());
-  for (const Index a : by_place) graph.arcs.push_back(arcs[a]);
-  graph.components = count_components(graph);
-  if (arc_of_vertex != nullptr) {
-    std::vector<Index> place(arcs.size());
-    for (Index i = 0; i < by_place.size(); ++i) place[by_place[i]] = i;
-    for (Index& arc : *arc_of_vertex) {
-      if (arc != kNone) arc = place[arc];
-    }
-  }
-  return graph;
+  return order;
 }
 
 }  // namespace
 
+SweptGraph sweep(const OrderedComplex& complex, bool all_vertices) {
+  SweptGraph out;
+  out.strands = find_strands(complex, all_vertices);
+  if (all_vertices) out.arc_of_vertex.assign(complex.rank.size(), kNone);
+  ContourSweep contours(out.strands, all_vertices);
+  ReebGraph& graph = out.graph;
+  const std::vector<Index> stops = stops_in_order(complex, out.strands);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    contours.announce(stops, i);
+    const Stop& s = out.strands.stops[stops[i]];
+    if (s.critical) {
+      contours.pass_node(stops[i], static_cast<Index>(graph.nodes.size()));
+      graph.nodes.push_back(node_at(out.strands, stops[i]));
+    } else {
+      out.arc_of_vertex[s.vertex] = contours.pass_regular(stops[i]);
+    }
+  }
+  const std::vector<Index> order = sorted_arcs(contours.arcs, complex.rank);
+  graph.arcs.reserve(order.size());
+  for (const Index a : order) graph.arcs.push_back(contours.arcs[a]);
+  graph.components = count_components(graph);
+  if (!all_vertices) return out;
+  std::vector<Index> place(order.size());
+  for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
+  out.arc_of_lower_run = std::move(contours.arc_of_lower_run);
+  out.arc_of_upper_run = std::move(contours.arc_of_upper_run);
+  for (auto* list : {&out.arc_of_vertex, &out.arc_of_lower_run, &out.arc_of_upper_run}) {
+    for (Index& arc : *list) {
+      if (arc != kNone) arc = place[arc];
+    }
+  }
+  return out;
+}
+
 ReebGraph reeb_graph(const OrderedComplex& complex) {
-  return sweep(complex, nullptr);
+  return sweep(complex, false).graph;
 }
 
 std::vector<Index> arc_of_vertices(const OrderedComplex& complex, const ReebGraph& graph) {
-  std::vector<Index> arcs(complex.rank.size(), kNone);
-  const ReebGraph same = sweep(complex, &arcs);
-  if (same.arcs.size() != graph.arcs.size() || same.nodes.size() != graph.nodes.size()) {
+  SweptGraph swept = sweep(complex, true);
+  if (swept.graph.arcs.size() != graph.arcs.size() ||
+      swept.graph.nodes.size() != graph.nodes.size()) {
     throw std::invalid_argument("the graph is not that of the complex");
   }
-  return arcs;
+  return std::move(swept.arc_of_vertex);
 }
 
 }  // namespace crest::reeb

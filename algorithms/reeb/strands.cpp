@@ -34,7 +34,6 @@ class Builder {
   Index upper_end(Index edge) const {
     return edge < vertex_count() ? edge : strand_top_[edge - vertex_count()];
   }
-  void rotate_to_lower_run(Index v);
 
   std::span<const Index> rank_, order_of_ranks_;
   VertexStars stars_;
@@ -80,22 +79,9 @@ void Builder::classify() {
                         static_cast<Index>(out_.upper.size()), 0, 0, 0});
 }
 
-/// Starts the cyclic link at the first vertex of a lower run, if it has runs of both kinds.
-void Builder::rotate_to_lower_run(Index v) {
-  if (!link_.closed) return;
-  auto& ring = link_.vertices;
-  const auto is_lower = [&](Index w) { return rank_[w] < rank_[v]; };
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (is_lower(ring[i]) && !is_lower(ring[i == 0 ? ring.size() - 1 : i - 1])) {
-      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i), ring.end());
-      return;
-    }
-  }
-}
-
 void Builder::add_stop(Index v, bool critical) {
   stars_.link(v, link_);
-  rotate_to_lower_run(v);
+  rotate_to_lower_run(link_, rank_, v);
   const auto& ring = link_.vertices;
   const bool starts_lower = rank_[ring[0]] < rank_[v];
   out_.stops.push_back(
@@ -172,7 +158,7 @@ void Builder::follow(Index edge, Index from, bool turned) {
         continue;
       }
       stars_.link(v, link_);
-      rotate_to_lower_run(v);
+      rotate_to_lower_run(link_, rank_, v);
       children_in_order(v, children);
       // The last one pushed comes first: against the link's direction.
       if (p.turned) std::reverse(children.begin(), children.end());
@@ -192,7 +178,7 @@ void Builder::collect_runs(Index stop) {
     return;
   }
   stars_.link(v, link_);
-  rotate_to_lower_run(v);
+  rotate_to_lower_run(link_, rank_, v);
   // A marked edge, or kNone where the next upper run begins.
   edges_.clear();
   for (Index e = first_up_[v]; e != kNone; e = next_up_[e]) edge_from_[upper_end(e)] = e;
@@ -223,6 +209,18 @@ void Builder::collect_up() {
 }
 
 }  // namespace
+
+void rotate_to_lower_run(Link& link, std::span<const Index> rank, Index v) {
+  if (!link.closed) return;
+  auto& ring = link.vertices;
+  const auto is_lower = [&](Index w) { return rank[w] < rank[v]; };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (is_lower(ring[i]) && !is_lower(ring[i == 0 ? ring.size() - 1 : i - 1])) {
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i), ring.end());
+      return;
+    }
+  }
+}
 
 StrandLists find_strands(const OrderedComplex& complex, bool stop_everywhere) {
   return Builder(complex, stop_everywhere).build();

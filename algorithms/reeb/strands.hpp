@@ -52,6 +52,10 @@ struct StrandLists {
   }
 };
 
+/// Starts the cyclic link of v at the first vertex of a lower run, if it has runs of both kinds;
+/// the runs are then met in the order in which its stop has them.
+void rotate_to_lower_run(Link& link, std::span<const Index> rank, Index v);
+
 /// Cost: O(n) time (plus sorting the strands that meet in one vertex), O(n) memory.
 StrandLists find_strands(const OrderedComplex& complex, bool stop_everywhere);
 

@@ -2,6 +2,7 @@
 // The Reeb graph against brute force, on surfaces of every topology.
 #include <catch2/catch.hpp>
 
+#include "algorithms/reeb/segmentation.hpp"
 #include "tests/reeb/graph_cases.hpp"
 #include "tests/reeb/slab_oracle.hpp"
 #include "tests/support/environment.hpp"
@@ -21,6 +22,14 @@ void check(const Surface& s, const std::vector<double>& values) {
   CHECK(std::is_sorted(arcs.begin(), arcs.end()));
   CHECK(arcs == truth.arcs);
   CHECK(ours.arc_of_vertex == truth.arc_of_vertex);
+  const reeb::Segmentation parts = reeb::segmentation(c.complex(), graph);
+  CHECK(parts.arc_of_vertex == reeb::arc_of_vertices(c.complex(), graph));
+  std::vector<std::array<OracleArc, 3>> triangles;
+  for (const auto& t : parts.triangles) {
+    const auto name = [&](kernel::Index a) { return named(c.complex(), graph, a); };
+    triangles.push_back({name(t.lowest), name(t.middle), name(t.highest)});
+  }
+  CHECK(triangles == truth.arcs_of_triangle);
   CHECK(ours.components == truth.components);
   for (const auto& arc : graph.arcs) CHECK(arc.open_below == arc.open_above);
 }

@@ -51,6 +51,9 @@ class Slabs {
     for (std::size_t v = 0; v < arc_of_.size(); ++v) {
       if (arc_of_[v] != kNone) out_.arc_of_vertex[v] = named[arc_of_[v]];
     }
+    for (const auto& t : triangle_arcs_) {
+      out_.arcs_of_triangle.push_back({named[t[0]], named[t[1]], named[t[2]]});
+    }
     std::sort(named.begin(), named.end());
     out_.arcs = named;
     Sets sets(complex_.rank.size());
@@ -66,6 +69,23 @@ class Slabs {
   };
 
   /// Types from the link taken apart into its lower and its upper part.
+  void note_triangles(Index v, bool below) {
+    triangle_arcs_.resize(complex_.triangles.size());
+    for (std::size_t t = 0; t < complex_.triangles.size(); ++t) {
+      auto corners = complex_.triangles[t];
+      std::sort(corners.begin(), corners.end(),
+                [&](Index a, Index b) { return complex_.rank[a] < complex_.rank[b]; });
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (corners[k] != v || below != (k == 2)) continue;
+        // An edge of the triangle that the contour crosses.
+        const std::array<Index, 2> ends = {corners[k == 2 ? 1 : k], corners[k == 0 ? 1 : 2]};
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Index e = sides_[3 * t + i];
+          if (edges_[e] == ends) triangle_arcs_[t][k] = arc_at_edge_[e];
+        }
+      }
+    }
+  }
   bool add_if_node(Index v) {
     std::map<Index, Index> place;
     std::vector<std::array<Index, 2>> sides;
@@ -133,6 +153,7 @@ class Slabs {
   }
 
   void pass(Index v) {
+    note_triangles(v, true);
     const bool node = add_if_node(v);
     Index through = kNone;  // the arc below a regular vertex
     for (Index e = 0; e < edges_.size(); ++e) {
@@ -157,6 +178,7 @@ class Slabs {
       }
       for (const Index e : contour) arc_at_edge_[e] = arc;
     }
+    note_triangles(v, false);
   }
 
   const reeb::OrderedComplex& complex_;
@@ -164,6 +186,7 @@ class Slabs {
   std::vector<int> faces_;                   ///< by edge: how many
   std::vector<Index> sides_, arc_at_edge_, arc_of_;
   std::vector<Arc> arcs_;
+  std::vector<std::array<Index, 3>> triangle_arcs_;
   OracleGraph out_;
 };
 
@@ -173,21 +196,23 @@ OracleGraph slab_oracle(const reeb::OrderedComplex& complex) {
   return Slabs(complex).run();
 }
 
+OracleArc named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph, Index arc) {
+  const reeb::ReebArc& a = graph.arcs[arc];
+  return {complex.rank[graph.nodes[a.lower].vertex], complex.rank[graph.nodes[a.upper].vertex],
+          complex.rank[a.strand], a.open_below != 0};
+}
+
 OracleGraph named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph,
                   const std::vector<Index>& arc_of_vertex) {
   OracleGraph out;
   for (const auto& n : graph.nodes) {
     out.nodes.push_back({n.vertex, n.kind, n.on_boundary != 0, n.multiplicity, n.index});
   }
-  const auto name = [&](const reeb::ReebArc& a) {
-    return OracleArc{complex.rank[graph.nodes[a.lower].vertex],
-                     complex.rank[graph.nodes[a.upper].vertex], complex.rank[a.strand],
-                     a.open_below != 0};
-  };
-  for (const auto& a : graph.arcs) out.arcs.push_back(name(a));
+  const auto name = [&](Index a) { return named(complex, graph, a); };
+  for (Index a = 0; a < graph.arcs.size(); ++a) out.arcs.push_back(name(a));
   out.arc_of_vertex.resize(arc_of_vertex.size());
   for (std::size_t v = 0; v < arc_of_vertex.size(); ++v) {
-    if (arc_of_vertex[v] != kNone) out.arc_of_vertex[v] = name(graph.arcs[arc_of_vertex[v]]);
+    if (arc_of_vertex[v] != kNone) out.arc_of_vertex[v] = name(arc_of_vertex[v]);
   }
   out.components = graph.components;
   return out;

@@ -18,13 +18,19 @@ struct OracleGraph {
   std::vector<OracleNode> nodes;         ///< in the order
   std::vector<OracleArc> arcs;           ///< sorted
   std::vector<OracleArc> arc_of_vertex;  ///< not meant for nodes
+  /// Just above the lowest, just above the middle, just below the highest vertex.
+  std::vector<std::array<OracleArc, 3>> arcs_of_triangle;
   kernel::Index components = 0;
 };
 
 /// Cost: O(n^2).
 OracleGraph slab_oracle(const reeb::OrderedComplex& complex);
 
-/// A graph as the oracle names its parts.
+/// An arc as the oracle names it.
+OracleArc named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph,
+                kernel::Index arc);
+
+/// A graph as the oracle names its parts (without arcs_of_triangle).
 OracleGraph named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph,
                   const std::vector<kernel::Index>& arc_of_vertex);
 
