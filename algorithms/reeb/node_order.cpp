@@ -172,7 +172,7 @@ Rational exact_value(const CriticalValue& v) {
                                    : exact_fraction<ValueKind::face>(v.f);
 }
 
-// A long run: the exact values once a node rather than once a comparison.
+// The exact values once a node rather than once a comparison.
 void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
   struct Item {
     Rational value;
@@ -197,11 +197,18 @@ void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::u
   }
 }
 
+// A pair is the common run and mostly decided by a filter.
 void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
-  constexpr std::size_t kShort = 8;
-  if (nodes.size() > kShort) return sort_exactly(values, nodes, tied);
-  std::sort(nodes.begin(), nodes.end(),
-            [&](Index x, Index y) { return x != y && values.order(x, y).sign == Sign::negative; });
+  if (nodes.size() == 2) {
+    const CriticalValue x = values.value(nodes[0]), y = values.value(nodes[1]);
+    kernel::MaybeSign s = kernel::triage_critical_value_order(x, y);
+    if (!s) s = kernel::interval_critical_value_order(x, y);
+    if (s && *s != Sign::zero) {
+      if (*s == Sign::positive) std::swap(nodes[0], nodes[1]);
+      return;
+    }
+  }
+  sort_exactly(values, nodes, tied);
 }
 
 // Sets order and tied, and counts who decided between successive nodes.
