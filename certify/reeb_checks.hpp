@@ -73,15 +73,38 @@ struct Complex {
   std::uint32_t edge(std::uint32_t side) const { return side < twin[side] ? side : twin[side]; }
 };
 
-/// Step 5: for every node one side to a lower and one to an upper node; for every critical one
-/// sides that meet each of its runs (some twice).
+/// Calls visit(c) for every corner c of the node at `corner` until it returns true: first one way
+/// round, then, if that ends at the boundary, the other.
+template <class Visit>
+void for_corners_around(const Complex& k, std::uint32_t corner, const Visit& visit) {
+  const std::uint32_t v = k.node(corner);
+  for (const bool way : {false, true}) {
+    bool by_previous = way;
+    std::uint32_t c = corner;
+    do {
+      if ((!way || c != corner) && visit(c)) return;
+      const std::uint32_t across = k.twin[by_previous ? previous_corner(c) : c];
+      if (across == kNone) break;
+      by_previous = k.node(across) == v;
+      c = by_previous ? across : next_corner(across);
+    } while (c != corner);
+    if (k.twin[by_previous ? previous_corner(c) : c] != kNone) return;
+  }
+}
+
+/// Step 5: for every node one side to a lower and one to an upper node, kNone if there is none; for
+/// every critical one sides that meet each of its runs (some twice).
 struct NodeTypes {
-  std::vector<std::uint32_t> down, up;      ///< N, kNone if there is none
-  std::vector<std::uint32_t> critical_of;   ///< N: position in critical_nodes, kNone if regular
-  std::vector<std::int32_t> index;          ///< n
-  std::vector<std::uint8_t> saddle;         ///< n
-  std::vector<std::uint32_t> start;         ///< n + 1: into lower and upper
-  std::vector<std::uint32_t> lower, upper;  ///< sides
+  struct Node {
+    std::uint32_t down = kNone, up = kNone;
+    std::uint32_t transitions = 0;   ///< of its link, between lower and upper nodes
+    std::uint32_t critical = kNone;  ///< position in critical_nodes, kNone if regular
+  };
+  std::vector<Node> nodes;                            ///< N
+  std::vector<std::int32_t> index;                    ///< n
+  std::vector<std::uint8_t> saddle;                   ///< n
+  std::vector<std::uint32_t> start;                   ///< n + 1: into lower and upper
+  std::vector<std::uint32_t> lower, upper;            ///< sides
   std::uint64_t minima = 0, saddles = 0, maxima = 0;  ///< saddles with multiplicity
   bool simple = true;                                 ///< no saddle of multiplicity above 1
 };

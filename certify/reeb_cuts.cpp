@@ -31,29 +31,15 @@ void check_records(const ReebCertificate& c) {
   }
 }
 
-/// The next corner of the node at `corner`, across the side that leaves it, or the one before
-/// (by_previous); kNone at the boundary.
-u32 step_around(const Complex& k, u32 corner, bool& by_previous) {
-  const u32 v = k.node(corner), across = k.twin[by_previous ? previous_corner(corner) : corner];
-  if (across == kNone) return kNone;
-  by_previous = k.node(across) == v;
-  return by_previous ? across : next_corner(across);
-}
-
 /// The side from v, on which `side` ends, to w; kNone if there is none.
 u32 find_side(const Complex& k, u32 side, u32 v, u32 w) {
-  const u32 start = k.node(side) == v ? side : next_corner(side);
-  for (const bool way : {false, true}) {
-    bool by_previous = way;
-    u32 corner = start;
-    do {
-      if (k.node(next_corner(corner)) == w) return corner;
-      if (k.node(previous_corner(corner)) == w) return previous_corner(corner);
-      corner = step_around(k, corner, by_previous);
-    } while (corner != kNone && corner != start);
-    if (corner == start) break;  // all of a cycle seen
-  }
-  return kNone;
+  u32 found = kNone;
+  for_corners_around(k, k.node(side) == v ? side : next_corner(side), [&](u32 corner) {
+    if (k.node(next_corner(corner)) == w) found = corner;
+    if (k.node(previous_corner(corner)) == w) found = previous_corner(corner);
+    return found != kNone;
+  });
+  return found;
 }
 
 /// Walks one contour at the level just above a node.
@@ -103,9 +89,9 @@ class Walk {
 void walk_cut(const ReebCertificate& c, const Complex& k, const NodeTypes& types, u32 cut,
               Cuts& out) {
   const u32 v = c.critical_nodes[c.arcs[c.cuts[cut].arc].lower], w = c.cuts[cut].node;
-  require(k.rank[w] > k.rank[v] && types.up[v] != kNone, "cut {}: node {} is not above node {}",
-          cut, w, v);
-  const u32 side = find_side(k, types.up[v], v, w);
+  require(k.rank[w] > k.rank[v] && types.nodes[v].up != kNone,
+          "cut {}: node {} is not above node {}", cut, w, v);
+  const u32 side = find_side(k, types.nodes[v].up, v, w);
   require(side != kNone, "cut {}: no edge from node {} to {}", cut, v, w);
   out.side.push_back(side);
   Walk walk(k, cut, v, out.crossings);

@@ -23,6 +23,19 @@ struct Side {
   u32 high, corner;
 };
 
+/// By the larger node. Buckets are short as a rule: a call of std::sort costs more than the
+/// sorting.
+void sort_bucket(Side* begin, Side* end) {
+  if (end - begin > 24)
+    return std::sort(begin, end, [](const Side& s, const Side& t) { return s.high < t.high; });
+  for (Side* at = begin; at < end; ++at) {
+    const Side side = *at;
+    Side* to = at;
+    for (; to > begin && (to - 1)->high > side.high; --to) *to = *(to - 1);
+    *to = side;
+  }
+}
+
 /// Sides in buckets by their smaller node, each bucket by the larger one.
 std::vector<Side> sorted_sides(const Triangles& triangles, std::vector<u32>& start) {
   for (const auto& t : triangles)
@@ -37,8 +50,7 @@ std::vector<Side> sorted_sides(const Triangles& triangles, std::vector<u32>& sta
       sides[fill[std::min(a, b)]++] = {std::max(a, b), corner};
     }
   for (std::size_t v = 0; v + 1 < start.size(); ++v)
-    std::sort(sides.begin() + start[v], sides.begin() + start[v + 1],
-              [](const Side& s, const Side& t) { return s.high < t.high; });
+    sort_bucket(sides.data() + start[v], sides.data() + start[v + 1]);
   return sides;
 }
 
@@ -54,20 +66,38 @@ bool join(std::vector<u32>& parent, u32 a, u32 b) {
   return a != b;
 }
 
-u32 count_components(const Triangles& faces, std::size_t vertices) {
-  std::vector<u32> parent(vertices);
-  std::iota(parent.begin(), parent.end(), u32{0});
-  std::size_t components = vertices;
-  for (const auto& [a, b, c] : faces)
-    components -= std::size_t{join(parent, a, b)} + std::size_t{join(parent, b, c)};
-  return static_cast<u32>(components);
+/// Components (links are shown to be connected next, so faces joined by sides are those joined by
+/// vertices); gives every face a direction as its neighbours require. Returns whether all have
+/// theirs already.
+bool flood(const Triangles& faces, const std::vector<u32>& twin, SurfaceFacts& facts) {
+  bool aligned = true;
+  std::vector<u8> turned(faces.size(), 2);
+  std::vector<u32> stack;
+  for (u32 seed = 0; seed < faces.size(); ++seed) {
+    if (turned[seed] != 2) continue;
+    ++facts.components;
+    turned[seed] = 0;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const u32 f = stack.back();
+      stack.pop_back();
+      for (u32 i = 0; i < 3; ++i) {
+        const u32 across = twin[3 * f + i];
+        if (across == kNone) continue;
+        const u32 g = across / 3;
+        const bool same = faces[f][i] == faces[g][across - 3 * g];
+        aligned = aligned && !same;
+        const auto wanted = static_cast<u8>(turned[f] ^ static_cast<u8>(same));
+        if (turned[g] == 2) {
+          turned[g] = wanted;
+          stack.push_back(g);
+        }
+        facts.orientable = facts.orientable && turned[g] == wanted;
+      }
+    }
+  }
+  return aligned;
 }
-
-/// Where the walk around a vertex starts: a corner, and the side by which to leave its face.
-struct Start {
-  std::vector<u32> corner;
-  std::vector<u8> by_previous;
-};
 
 /// Walks the faces around v by their common sides; returns how many there are.
 u32 fan_size(const Triangles& faces, const std::vector<u32>& twin, u32 v, u32 corner,
@@ -84,25 +114,40 @@ u32 fan_size(const Triangles& faces, const std::vector<u32>& twin, u32 v, u32 co
   return count;
 }
 
-void check_links(const Triangles& faces, const std::vector<u32>& twin, std::size_t vertices) {
+/// The same if all faces have one direction: the next corner is across the side that ends at v.
+/// `corner` must have the boundary, if there is one, at the side that starts there.
+u32 fan_size(const std::vector<u32>& twin, u32 corner) {
+  u32 count = 0, c = corner;
+  do {
+    ++count;
+    c = twin[previous_corner(c)];
+  } while (c != kNone && c != corner);
+  return count;
+}
+
+void check_links(const Triangles& faces, const std::vector<u32>& twin, std::size_t vertices,
+                 bool aligned) {
+  // Where the walk around a vertex starts, and by which side of that corner it leaves the face.
   std::vector<u32> corner(vertices, kNone), degree(vertices, 0);
   std::vector<u8> by_previous(vertices, 0);
-  for (u32 c = 0; c < twin.size(); ++c) {
-    const u32 v = node_of(faces, c);
-    ++degree[v];
-    if (corner[v] == kNone) corner[v] = c;
-  }
-  for (u32 c = 0; c < twin.size(); ++c) {
+  u32 c = 0;
+  for (const auto& f : faces)
+    for (const u32 v : f) {
+      ++degree[v];
+      corner[v] = c++;
+    }
+  for (c = 0; c < twin.size(); ++c) {
     if (twin[c] != kNone) continue;
     // A boundary side: the walk around either end begins there.
     const u32 v = node_of(faces, c), w = node_of(faces, next_corner(c));
     corner[v] = c, by_previous[v] = 1;
-    corner[w] = next_corner(c), by_previous[w] = 0;
+    if (!aligned) corner[w] = next_corner(c), by_previous[w] = 0;
   }
   for (u32 v = 0; v < vertices; ++v) {
     require(corner[v] != kNone, "vertex {}: in no face", v);
-    require(fan_size(faces, twin, v, corner[v], by_previous[v] != 0) == degree[v],
-            "vertex {}: its link is neither one cycle nor one path", v);
+    const u32 size = aligned ? fan_size(twin, corner[v])
+                             : fan_size(faces, twin, v, corner[v], by_previous[v] != 0);
+    require(size == degree[v], "vertex {}: its link is neither one cycle nor one path", v);
   }
 }
 
@@ -117,38 +162,6 @@ u32 count_boundary_loops(const Triangles& faces, const std::vector<u32>& twin,
     // As many sides as vertices: in each loop exactly one side joins nothing new.
     loops += twin[c] == kNone && !join(parent, node_of(faces, c), node_of(faces, next_corner(c)));
   return loops;
-}
-
-/// Gives every face a direction, as its neighbours require.
-bool is_orientable(const Triangles& faces, const std::vector<u32>& twin) {
-  const auto same_direction = [&](u32 c) { return node_of(faces, c) == node_of(faces, twin[c]); };
-  bool oriented = true;
-  for (u32 c = 0; c < twin.size() && oriented; ++c)
-    oriented = twin[c] == kNone || !same_direction(c);
-  if (oriented) return true;
-  std::vector<u8> turned(faces.size(), 2);
-  std::vector<u32> stack;
-  for (u32 seed = 0; seed < faces.size(); ++seed) {
-    if (turned[seed] != 2) continue;
-    turned[seed] = 0;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const u32 f = stack.back();
-      stack.pop_back();
-      for (u32 c = 3 * f; c < 3 * f + 3; ++c) {
-        if (twin[c] == kNone) continue;
-        const u32 g = twin[c] / 3;
-        const u8 wanted = turned[f] ^ u8 { same_direction(c) };
-        if (turned[g] == 2) {
-          turned[g] = wanted;
-          stack.push_back(g);
-        } else if (turned[g] != wanted) {
-          return false;
-        }
-      }
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -184,14 +197,12 @@ Gluing glue(const Triangles& triangles, std::size_t nodes, bool with_edges) {
 }
 
 SurfaceFacts check_surface(const Triangles& faces, const Gluing& gluing, std::size_t vertices) {
-  check_links(faces, gluing.twin, vertices);
   SurfaceFacts facts;
+  check_links(faces, gluing.twin, vertices, flood(faces, gluing.twin, facts));
   facts.euler_characteristic = static_cast<std::int64_t>(vertices) -
                                static_cast<std::int64_t>(gluing.edge_count) +
                                static_cast<std::int64_t>(faces.size());
   facts.boundary_loops = count_boundary_loops(faces, gluing.twin, vertices);
-  facts.components = count_components(faces, vertices);
-  facts.orientable = is_orientable(faces, gluing.twin);
   return facts;
 }
 

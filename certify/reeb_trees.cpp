@@ -70,7 +70,7 @@ class Sweep {
   }
 
   void run() {
-    reach();
+    reached_.assign(k_.rank.size(), kNone);
     const auto size = static_cast<u32>(q_.critical.size());
     for (u32 i = 0; i < size; ++i) visit(up_ ? i : size - 1 - i);
   }
@@ -81,24 +81,40 @@ class Sweep {
   }
 
  private:
-  /// The node of K'' in which the part of an edge next to its later end ends.
-  u32 before(u32 side) const {
+  /// The node of K'' in which the part of an edge next to its later end ends; kNone if that is the
+  /// edge's other end.
+  u32 at_cut(u32 side) const {
     const u32 cut = up_ ? cuts_.highest(k_, side) : cuts_.lowest(k_, side);
-    if (cut != kNone) return q_.of_cut[cut] + (up_ ? 1 : 0);
+    return cut == kNone ? kNone : q_.of_cut[cut] + (up_ ? 1 : 0);
+  }
+  u32 before(u32 side) {
+    const u32 end = at_cut(side);
+    if (end != kNone) return end;
     const auto [low, high] = k_.ends(side);
-    return reached_[up_ ? low : high];
+    return reach(up_ ? low : high);
   }
 
-  /// reached_: from each node the critical node of K'' at the end of a monotone path. A regular
-  /// node has one run to choose from, all of which is in one component.
-  void reach() {
-    reached_.resize(k_.rank.size());
-    const auto& sides = up_ ? types_.down : types_.up;
-    const std::size_t nodes = c_.order.size();
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const u32 v = c_.order[up_ ? i : nodes - 1 - i], critical = types_.critical_of[v];
-      reached_[v] = critical != kNone ? q_.of_critical[critical] : before(sides[v]);
+  /// The critical node of K'' at the end of a monotone path from v; kept for all of the path. A
+  /// regular node has one run to choose from, all of which is in one component.
+  u32 reach(u32 v) {
+    path_.clear();
+    u32 end = kNone;
+    while (end == kNone) {
+      const auto& node = types_.nodes[v];
+      if (node.critical != kNone) {
+        end = q_.of_critical[node.critical];
+      } else if (reached_[v] != kNone) {
+        end = reached_[v];
+      } else {
+        path_.push_back(v);
+        const u32 side = up_ ? node.down : node.up;
+        end = at_cut(side);
+        const auto [low, high] = k_.ends(side);
+        v = up_ ? low : high;
+      }
     }
+    for (const u32 w : path_) reached_[w] = end;
+    return end;
   }
 
   void visit(u32 s) {
@@ -131,7 +147,7 @@ class Sweep {
     const u32 next = cuts_.next_above(k_, cut);
     const u32 end = up_             ? q_.of_critical[arc.lower]
                     : next != kNone ? q_.of_cut[next]
-                                    : reached_[c_.cuts[cut].node];
+                                    : reach(c_.cuts[cut].node);
     const u32 found = find(end);
     require(found == find(q_.of_critical[up_ ? arc.lower : arc.upper]),
             "cut {}: its arc leads to another component", cut);
@@ -150,7 +166,7 @@ class Sweep {
   const Sequence& q_;
   bool up_;
   ArcsAt arcs_;
-  std::vector<u32> arc_cut_, component_, reached_, surface_, graph_;
+  std::vector<u32> arc_cut_, component_, reached_, path_, surface_, graph_;
 };
 
 /// Theorem 6's hypothesis. `join` has swept upwards: its components are those of K''.
