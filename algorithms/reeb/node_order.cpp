@@ -101,17 +101,6 @@ class Values {
   }
   CriticalValue value(Index node) const { return node_value(mesh_, tiles_, signs_, node); }
 
-  /// The order of two nodes with different numbers.
-  Decision order(Index x, Index y) const {
-    const ValueRange a = range(x), b = range(y);
-    if (a.high < b.low) return {Sign::negative, Stage::triage};
-    if (b.high < a.low) return {Sign::positive, Stage::triage};
-    // Points whose ranges meet are equal.
-    if (a.low == a.high && b.low == b.high)
-      return {kernel::symbolic_critical_value_order(x, y), Stage::symbolic};
-    return kernel::critical_value_order(value(x), x, value(y), y);
-  }
-
  private:
   static ValueRange plain(const CriticalValue& v) {
     const FaceValues& f = v.f;
@@ -173,7 +162,8 @@ Rational exact_value(const CriticalValue& v) {
 }
 
 // The exact values once a node rather than once a comparison.
-void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
+void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied,
+                  StageCounts& counts) {
   struct Item {
     Rational value;
     Index node;
@@ -184,31 +174,34 @@ void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::u
     const ValueRange r = values.range(node);
     items.push_back({r.low == r.high ? Rational(r.low) : exact_value(values.value(node)), node});
   }
-  const auto before = [&](const Item& x, const Item& y) {
+  const auto disjoint = [&](const Item& x, const Item& y) {
     const ValueRange a = values.range(x.node), b = values.range(y.node);
-    if (a.high < b.low || b.high < a.low) return a.high < b.low;
-    const int c = x.value.compare(y.value);
-    return c != 0 ? c < 0 : x.node < y.node;
+    return a.high < b.low ? -1 : b.high < a.low ? 1 : 0;
   };
-  std::sort(items.begin(), items.end(), before);
+  std::sort(items.begin(), items.end(), [&](const Item& x, const Item& y) {
+    int c = disjoint(x, y);
+    if (c == 0) c = x.value.compare(y.value);
+    return c != 0 ? c < 0 : x.node < y.node;
+  });
   for (std::size_t i = 0; i < items.size(); ++i) {
     nodes[i] = items[i].node;
-    tied[i] = i > 0 && items[i].value == items[i - 1].value;
+    if (i == 0) continue;
+    tied[i] = items[i].value == items[i - 1].value;
+    counts.add(tied[i]                                 ? Stage::symbolic
+               : disjoint(items[i - 1], items[i]) != 0 ? Stage::triage
+                                                       : Stage::exact);
   }
 }
 
 // A pair is the common run and mostly decided by a filter.
-void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied) {
-  if (nodes.size() == 2) {
-    const CriticalValue x = values.value(nodes[0]), y = values.value(nodes[1]);
-    kernel::MaybeSign s = kernel::triage_critical_value_order(x, y);
-    if (!s) s = kernel::interval_critical_value_order(x, y);
-    if (s && *s != Sign::zero) {
-      if (*s == Sign::positive) std::swap(nodes[0], nodes[1]);
-      return;
-    }
-  }
-  sort_exactly(values, nodes, tied);
+void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied,
+              StageCounts& counts) {
+  if (nodes.size() > 2) return sort_exactly(values, nodes, tied, counts);
+  const CriticalValue x = values.value(nodes[0]), y = values.value(nodes[1]);
+  const Decision d = kernel::critical_value_order(x, nodes[0], y, nodes[1]);
+  tied[1] = d.stage == Stage::symbolic;
+  if (d.sign == Sign::positive) std::swap(nodes[0], nodes[1]);
+  counts.add(d.stage);
 }
 
 // Sets order and tied, and counts who decided between successive nodes.
@@ -229,14 +222,14 @@ void sort_nodes(const Values& values, TileComplex& tiles, StageCounts& counts) {
     if (end == begin + 1) continue;
     const std::span<Index> nodes(tiles.order.data() + begin, end - begin);
     const std::span<std::uint8_t> tied(tiles.tied.data() + begin, end - begin);
-    if (reach == low_end(keys[begin]))  // equal points, already by number
-      std::fill(tied.begin() + 1, tied.end(), std::uint8_t{1});
-    else
-      sort_run(values, nodes, tied);
+    if (reach != low_end(keys[begin])) {
+      sort_run(values, nodes, tied, counts);
+      continue;
+    }
+    // Equal points, already by number.
     for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const Stage stage = tied[i] ? Stage::symbolic : values.order(nodes[i - 1], nodes[i]).stage;
-      counts.add(stage);
-      tied[i] = stage == Stage::symbolic;
+      tied[i] = 1;
+      counts.add(Stage::symbolic);
     }
   }
 }
