@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of VTP before VTK reads it: VTK allocates whatever a header or a block announces.
+// Checks of VTP and VTU before VTK reads it: VTK allocates whatever a header or a block announces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,8 @@ struct Storage {
 };
 
 Storage storage_of(std::string_view bytes) {
-  const std::string_view head = bytes.substr(0, bytes.find("<PolyData"));
+  const std::string_view head =
+      bytes.substr(0, std::min(bytes.find("<PolyData"), bytes.find("<UnstructuredGrid")));
   Storage storage{head.find("compressor") != std::string_view::npos,
                   head.find("UInt64") != std::string_view::npos,
                   head.find("BigEndian") != std::string_view::npos};
@@ -154,8 +155,9 @@ void check_points(std::string_view text) {
 void check_vtp(const std::string& bytes) {
   const Storage storage = storage_of(bytes);
   const std::uint64_t room = bytes.size() * (storage.compressed ? 100 : 1);
-  for (const char* name : {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips",
-                           "NumberOfPolys", "NumberOfTuples", "NumberOfComponents"}) {
+  for (const char* name :
+       {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys",
+        "NumberOfCells", "NumberOfTuples", "NumberOfComponents"}) {
     const std::uint64_t count = attribute_sum(bytes, name);
     if (count > room) {
       fail("header", fmt::format("{} is {}, more than the file holds", name, count),

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,6 +39,15 @@ using SoupPoint = CGAL::Simple_cartesian<double>::Point_3;
 struct PolygonSoup {
   std::vector<SoupPoint> points;
   std::vector<Corners> faces;
+  /// What the file calls them, for messages; empty: by position.
+  std::vector<std::int64_t> point_tags = {}, face_tags = {};
+
+  std::int64_t point_tag(std::size_t v) const {
+    return point_tags.empty() ? static_cast<std::int64_t>(v) : point_tags[v];
+  }
+  std::int64_t face_tag(std::size_t f) const {
+    return face_tags.empty() ? static_cast<std::int64_t>(f) : face_tags[f];
+  }
 };
 
 /// "ELEMENT: PROBLEM; REMEDY"; read_mesh puts the file's name in front.
@@ -50,13 +60,32 @@ void check_off(std::string& text);
 void check_obj(std::string& text);
 void check_ply(const std::string& bytes);
 void check_stl(std::string& bytes);
-void check_vtp(const std::string& bytes);
+void check_vtp(const std::string& bytes);  ///< and VTU
 
 PolygonSoup read_off(std::string bytes);
 PolygonSoup read_obj(std::string bytes);
 PolygonSoup read_ply(std::string bytes);
 PolygonSoup read_stl(std::string bytes);
 PolygonSoup read_vtp(std::string bytes);
+
+/// The bytes of a regular file.
+std::string load(const std::string& path);
+
+/// The reader of an extension (lower case); fails for an unknown one, saying `others` are known
+/// too.
+using SoupReader = PolygonSoup (*)(std::string);
+SoupReader soup_reader(const std::string& extension, const std::string& others = "");
+
+/// Runs `read`; whatever it throws becomes an InputError of one line with the file's name in front.
+void read_named(const std::string& name, const std::function<void()>& read);
+
+/// The faces' corners. Throws kernel::InputError unless there are faces, each has three distinct
+/// corners and these exist and are finite.
+std::vector<kernel::Triangle> proper_faces(const PolygonSoup& soup);
+
+/// Throws kernel::InputError naming an edge in three faces, a vertex with two fans or a face that
+/// is there twice. Requires: faces of proper_faces.
+void require_manifold(const PolygonSoup& soup, const std::vector<kernel::Triangle>& faces);
 
 /// The manifold in the soup, oriented. Throws kernel::InputError naming the element that prevents
 /// one. Cost: O(V + F) for bounded valences.

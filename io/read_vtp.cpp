@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
-#include <vtkDataArraySelection.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "io/polygon_soup.hpp"
+#include "io/field_soup.hpp"
 #include "io/text_scan.hpp"
 #include "io/vtk_quiet.hpp"
 
@@ -48,15 +48,14 @@ void read_faces(vtkCellArray& cells, std::vector<Corners>& faces) {
 
 }  // namespace
 
-PolygonSoup read_vtp(std::string bytes) {
+FieldSoup read_vtp_field(std::string bytes, const FieldRequest& request) {
   check_vtp(bytes);
   const VtkQuiet quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
   reader->UpdateInformation();
-  reader->GetPointDataArraySelection()->DisableAllArrays();
-  reader->GetCellDataArraySelection()->DisableAllArrays();
+  select_fields(*reader, request);
   reader->Update();
   vtkPolyData* data = reader->GetOutput();
   if (quiet.failed() || reader->GetErrorCode() != 0 || !data) {
@@ -66,7 +65,8 @@ PolygonSoup read_vtp(std::string bytes) {
   if (data->GetNumberOfStrips() > 0) {
     fail("faces", "there are triangle strips", "convert these to triangles");
   }
-  PolygonSoup soup;
+  FieldSoup result;
+  PolygonSoup& soup = result.soup;
   if (data->GetNumberOfPolys() > 0) read_faces(*data->GetPolys(), soup.faces);
   soup.points.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (vtkIdType v = 0; v < data->GetNumberOfPoints(); ++v) {
@@ -74,7 +74,12 @@ PolygonSoup read_vtp(std::string bytes) {
     data->GetPoint(v, p);
     soup.points.emplace_back(p[0], p[1], p[2]);
   }
-  return soup;
+  take_field(*reader, *data->GetPointData(), request, result);
+  return result;
+}
+
+PolygonSoup read_vtp(std::string bytes) {
+  return read_vtp_field(std::move(bytes), {}).soup;
 }
 
 }  // namespace crest::io

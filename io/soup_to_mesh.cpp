@@ -26,37 +26,7 @@ struct Side {
   bool direct;  ///< runs from low to high
 };
 
-std::vector<Triangle> proper_faces(const PolygonSoup& soup) {
-  const auto vertices = static_cast<std::int64_t>(soup.points.size());
-  std::vector<Triangle> faces;
-  faces.reserve(soup.faces.size());
-  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
-    const Corners& corners = soup.faces[f];
-    if (corners.size() != 3) {
-      fail(fmt::format("face {}", f), fmt::format("has {} vertices", corners.size()),
-           "remove it or give it 3");
-    }
-    Triangle triangle{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] < 0 || corners[k] >= vertices) {
-        fail(fmt::format("face {}", f),
-             fmt::format("vertex {} (counted from 0) does not exist", corners[k]),
-             fmt::format("the file has {} vertices", vertices));
-      }
-      triangle[k] = static_cast<Index>(corners[k]);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (triangle[k] == triangle[(k + 1) % 3]) {
-        fail(fmt::format("face {}", f), fmt::format("repeats vertex {}", triangle[k]),
-             "remove degenerate faces");
-      }
-    }
-    faces.push_back(triangle);
-  }
-  return faces;
-}
-
-void require_distinct(const std::vector<Side>& sides) {
+void require_distinct(const PolygonSoup& soup, const std::vector<Side>& sides) {
   Index first = kNone, original = kNone;
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const Side &s = sides[i - 1], &t = sides[i];
@@ -66,7 +36,8 @@ void require_distinct(const std::vector<Side>& sides) {
     }
   }
   if (first != kNone) {
-    fail(fmt::format("face {}", first), fmt::format("has the vertices of face {}", original),
+    fail(fmt::format("face {}", soup.face_tag(first)),
+         fmt::format("has the vertices of face {}", soup.face_tag(original)),
          "remove duplicate faces");
   }
 }
@@ -98,14 +69,15 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& faces, std::size_t v
 }
 
 /// Then the two sides of an interior edge are neighbours.
-void require_two_faces(const std::vector<Side>& sides) {
+void require_two_faces(const PolygonSoup& soup, const std::vector<Side>& sides) {
   for (std::size_t i = 2; i < sides.size(); ++i) {
     const Side &s = sides[i - 2], &t = sides[i];
     if (s.low != t.low || s.high != t.high) continue;
     std::array<Index, 3> f = {s.face, sides[i - 1].face, t.face};
     std::sort(f.begin(), f.end());
-    fail(fmt::format("edge {}-{}", s.low, s.high),
-         fmt::format("is in faces {}, {} and {}, it is not manifold", f[0], f[1], f[2]),
+    fail(fmt::format("edge {}-{}", soup.point_tag(s.low), soup.point_tag(s.high)),
+         fmt::format("is in faces {}, {} and {}, it is not manifold", soup.face_tag(f[0]),
+                     soup.face_tag(f[1]), soup.face_tag(f[2])),
          "separate the sheets that meet there");
   }
 }
@@ -170,8 +142,8 @@ Index orient(std::vector<Triangle>& faces, const std::vector<std::array<Neighbou
 }
 
 /// Corners of one vertex that share an interior edge belong to one fan; every vertex has one.
-void require_fans(const std::vector<Triangle>& faces, const std::vector<Side>& sides,
-                  std::size_t vertices) {
+void require_fans(const PolygonSoup& soup, const std::vector<Triangle>& faces,
+                  const std::vector<Side>& sides) {
   std::vector<Index> parent(3 * faces.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](Index c) {
@@ -187,7 +159,7 @@ void require_fans(const std::vector<Triangle>& faces, const std::vector<Side>& s
     parent[root(a[0])] = root(b[same ? 0 : 1]);
     parent[root(a[1])] = root(b[same ? 1 : 0]);
   }
-  std::vector<Index> fan(vertices, kNone);
+  std::vector<Index> fan(soup.points.size(), kNone);
   Index worst = kNone;
   for (Index c = 0; c < parent.size(); ++c) {
     const Index v = faces[c / 3][c % 3];
@@ -195,8 +167,8 @@ void require_fans(const std::vector<Triangle>& faces, const std::vector<Side>& s
     if (fan[v] != root(c)) worst = std::min(worst, v);
   }
   if (worst != kNone) {
-    fail(fmt::format("vertex {}", worst), "joins several fans of faces, it is not manifold",
-         "give each fan a vertex of its own");
+    fail(fmt::format("vertex {}", soup.point_tag(worst)),
+         "joins several fans of faces, it is not manifold", "give each fan a vertex of its own");
   }
 }
 
@@ -220,7 +192,7 @@ std::vector<Vec3> drop_unreferenced(const PolygonSoup& soup, std::vector<Triangl
 
 }  // namespace
 
-MeshFile mesh_of_soup(const PolygonSoup& soup) {
+std::vector<Triangle> proper_faces(const PolygonSoup& soup) {
   if (soup.faces.empty()) fail("faces", "there are none", "export the mesh with its faces");
   if (soup.points.size() >= kNone || soup.faces.size() >= kNone / 3) {
     fail("mesh", "has more than 1.4 billion faces or 4.2 billion vertices", "split it");
@@ -228,15 +200,51 @@ MeshFile mesh_of_soup(const PolygonSoup& soup) {
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     const SoupPoint& p = soup.points[v];
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
-      fail(fmt::format("vertex {}", v), "a coordinate is not finite",
+      fail(fmt::format("vertex {}", soup.point_tag(v)), "a coordinate is not finite",
            "remove or repair the vertex");
     }
   }
+  const auto vertices = static_cast<std::int64_t>(soup.points.size());
+  std::vector<Triangle> faces;
+  faces.reserve(soup.faces.size());
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Corners& corners = soup.faces[f];
+    const auto name = [&] { return fmt::format("face {}", soup.face_tag(f)); };
+    if (corners.size() != 3) {
+      fail(name(), fmt::format("has {} vertices", corners.size()), "remove it or give it 3");
+    }
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] < 0 || corners[k] >= vertices) {
+        fail(name(), fmt::format("vertex {} (counted from 0) does not exist", corners[k]),
+             fmt::format("the file has {} vertices", vertices));
+      }
+      triangle[k] = static_cast<Index>(corners[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (triangle[k] == triangle[(k + 1) % 3]) {
+        fail(name(), fmt::format("repeats vertex {}", soup.point_tag(triangle[k])),
+             "remove degenerate faces");
+      }
+    }
+    faces.push_back(triangle);
+  }
+  return faces;
+}
+
+void require_manifold(const PolygonSoup& soup, const std::vector<Triangle>& faces) {
+  const std::vector<Side> sides = sorted_sides(faces, soup.points.size());
+  require_distinct(soup, sides);
+  require_two_faces(soup, sides);
+  require_fans(soup, faces, sides);
+}
+
+MeshFile mesh_of_soup(const PolygonSoup& soup) {
   std::vector<Triangle> faces = proper_faces(soup);
   const std::vector<Side> sides = sorted_sides(faces, soup.points.size());
-  require_distinct(sides);
-  require_two_faces(sides);
-  require_fans(faces, sides, soup.points.size());
+  require_distinct(soup, sides);
+  require_two_faces(soup, sides);
+  require_fans(soup, faces, sides);
   const Index flipped = orient(faces, neighbours(sides, faces.size()));
   MeshFile file;
   std::vector<Vec3> points = drop_unreferenced(soup, faces);
