@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/reeb/conic_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crest::reeb {
+namespace {
+
+/// The roots of a x^2 + b x + c: the one nearer to zero. NaN if there is none.
+double nearer_root(double a, double b, double c) {
+  const double discriminant = b * b - 4 * a * c;
+  // A rounding below zero is a touching.
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  const double q = -0.5 * (b + std::copysign(root, b));
+  // The roots are q / a and c / q: the product c / a, the second the smaller.
+  return c / q;
+}
+
+}  // namespace
+
+double FaceFunction::at(const Point2& p) const {
+  const auto [s, t] = p;
+  return value + gs * s + gt * t + 0.5 * hss * s * s + hst * s * t + 0.5 * htt * t * t;
+}
+
+Point2 FaceFunction::gradient(const Point2& p) const {
+  return {gs + hss * p[0] + hst * p[1], gt + hst * p[0] + htt * p[1]};
+}
+
+FaceFunction face_function(const std::array<double, 3>& f, const std::array<double, 3>& m) {
+  return {f[0],
+          4 * m[0] - 3 * f[0] - f[1],
+          4 * m[2] - 3 * f[0] - f[2],
+          4 * (f[0] + f[1] - 2 * m[0]),
+          4 * (f[0] + m[1] - m[0] - m[2]),
+          4 * (f[0] + f[2] - 2 * m[2])};
+}
+
+double crossing_parameter(double a, double m, double b, double c, double u, double v) {
+  const double square = 2 * (a + b - 2 * m), slope = 4 * m - 3 * a - b;
+  const auto at = [&](double x) { return (square * x + slope) * x + (a - c); };
+  const bool rising = at(u) < at(v);
+  // Bisection needs no formula for each of the cases and ends at neighbouring doubles.
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (u + v);
+    if (x <= u || x >= v) break;
+    ((at(x) < 0) == rising ? u : v) = x;
+  }
+  return 0.5 * (u + v);
+}
+
+void sample_arc(const FaceFunction& f, double c, const Point2& p, const Point2& q, int depth,
+                std::vector<Point2>& out) {
+  constexpr double flat = 1e-3;  // of the chord: below what is seen
+  if (depth == 0) return;
+  const Point2 m = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
+  const Point2 d = {q[0] - p[0], q[1] - p[1]};
+  const Point2 hd = {f.hss * d[0] + f.hst * d[1], f.hst * d[0] + f.htt * d[1]};
+  const Point2 along = {-hd[1], hd[0]};  // conjugate to the chord
+  const double length = std::hypot(along[0], along[1]);
+  if (!(length > 0)) return;  // the level line is the chord
+  const Point2 e = {along[0] / length, along[1] / length};
+  const Point2 g = f.gradient(m);
+  const double curvature = f.hss * e[0] * e[0] + 2 * f.hst * e[0] * e[1] + f.htt * e[1] * e[1];
+  const double step = nearer_root(0.5 * curvature, g[0] * e[0] + g[1] * e[1], f.at(m) - c);
+  const double chord = std::hypot(d[0], d[1]);
+  if (!(std::abs(step) > flat * chord) || !(std::abs(step) < 2)) return;
+  const Point2 middle = {m[0] + step * e[0], m[1] + step * e[1]};
+  sample_arc(f, c, p, middle, depth - 1, out);
+  out.push_back(middle);
+  sample_arc(f, c, middle, q, depth - 1, out);
+}
+
+}  // namespace crest::reeb

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Places on the level lines of one quadratic function.
+#include <array>
+#include <vector>
+
+namespace crest::reeb {
+
+using Point2 = std::array<double, 2>;
+
+/// A quadratic function in a face's coordinates (s, t): along its first side and its last.
+struct FaceFunction {
+  double value, gs, gt;  ///< value and first derivatives at the first corner
+  double hss, hst, htt;  ///< second derivatives
+  double at(const Point2& p) const;
+  Point2 gradient(const Point2& p) const;
+};
+
+/// Corners' values and those in the middle of the sides (0 1), (1 2), (2 0).
+FaceFunction face_function(const std::array<double, 3>& corner,
+                           const std::array<double, 3>& middle);
+
+/// Where a function that is a, m, b at 0, 1/2, 1 takes the value c between two parameters u < v
+/// between which it is monotone.
+double crossing_parameter(double a, double m, double b, double c, double u, double v);
+
+/// Appends points of the arc of {f = c} from p to q, both ends left out. Of the two arcs of an
+/// ellipse it is the one that turns by less than half. At most 2^depth - 1 points; where the arc is
+/// straight, none.
+/// Source: a chord's midpoint lies on the diameter conjugate to the chord.
+void sample_arc(const FaceFunction& f, double c, const Point2& p, const Point2& q, int depth,
+                std::vector<Point2>& out);
+
+}  // namespace crest::reeb
