@@ -20,7 +20,7 @@ struct Box {
   Vec3 low, high;
 };
 
-Box bounds(const kernel::TriangleMesh& mesh) {
+Box bounds(const SurfaceView& mesh) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
   for (const Vec3& p : mesh.points()) {
@@ -43,7 +43,7 @@ double extent(const Box& box) {
   return largest > 0 && std::isfinite(largest) ? largest : 1;
 }
 
-Matrix covariance(const kernel::TriangleMesh& mesh) {
+Matrix covariance(const SurfaceView& mesh) {
   const Box box = bounds(mesh);
   const Vec3 centre = middle(box);
   const double unit = 1 / extent(box);
@@ -101,8 +101,13 @@ void diagonalise(Matrix& a, Matrix& axes) {
   }
 }
 
-/// Principal axes, the thinnest first, each with its largest coordinate positive.
-Matrix principal_axes(const kernel::TriangleMesh& mesh) {
+struct PrincipalAxes {
+  Matrix axes;
+  bool flat;  ///< no extent along the first
+};
+
+/// The thinnest first, each with its largest coordinate positive.
+PrincipalAxes principal_axes(const SurfaceView& mesh) {
   Matrix a = covariance(mesh), columns;
   diagonalise(a, columns);
   std::array<std::size_t, 3> order = {0, 1, 2};
@@ -116,7 +121,8 @@ Matrix principal_axes(const kernel::TriangleMesh& mesh) {
     });
     if (*largest < 0) axes[i] = combine(-1, axes[i], 0, axes[i]);
   }
-  return axes;
+  const bool flat = std::abs(a[order[0]][order[0]]) <= 1e-20 * std::abs(a[order[2]][order[2]]);
+  return {axes, flat};
 }
 
 /// Length of the elliptic ridges that face the eye, weighted by their curvature: features count,
@@ -136,7 +142,7 @@ double facing_strength(const kernel::TriangleMesh& mesh, const std::vector<Vec3>
   return sum;
 }
 
-double facing_area(const kernel::TriangleMesh& mesh, const Vec3& view) {
+double facing_area(const SurfaceView& mesh, const Vec3& view) {
   double sum = 0;
   for (const auto& f : mesh.faces()) {
     const auto& p = mesh.points();
@@ -144,6 +150,27 @@ double facing_area(const kernel::TriangleMesh& mesh, const Vec3& view) {
     sum += std::max(0.0, -dot(n, view));
   }
   return sum;
+}
+
+/// The tilted view of the largest score; equal scores keep the first.
+template <class Score>
+Vec3 best_view(const Matrix& axes, Score&& score_of) {
+  Vec3 best = axes[0];
+  double most = -1;
+  for (int sign : {-1, 1}) {
+    for (int side : {-1, 1}) {
+      for (int above : {-1, 1}) {
+        const Vec3 tilt = combine(0.6 * side, axes[2], 0.8 * above, axes[1]);
+        const Vec3 view = combine(sign * std::cos(kTilt), axes[0], std::sin(kTilt), tilt);
+        const double score = score_of(view);
+        if (score > most * (1 + 1e-9)) {
+          most = score;
+          best = view;
+        }
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -155,10 +182,10 @@ Vec3 normalised(const Vec3& a, const Vec3& fallback) {
   return combine(1 / std::sqrt(dot(b, b)), b, 0, b);
 }
 
-std::vector<Vec3> vertex_normals(const kernel::TriangleMesh& mesh) {
+std::vector<Vec3> vertex_normals(const SurfaceView& mesh) {
   // In units of the mesh's size, lest products overflow or vanish.
   const double unit = 1 / extent(bounds(mesh));
-  std::vector<Vec3> normals(mesh.vertex_count(), Vec3{});
+  std::vector<Vec3> normals(mesh.points().size(), Vec3{});
   for (const auto& f : mesh.faces()) {
     const auto& p = mesh.points();
     const Vec3 n =
@@ -171,34 +198,26 @@ std::vector<Vec3> vertex_normals(const kernel::TriangleMesh& mesh) {
 
 Vec3 automatic_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
                     const ridges::RidgeGraph& graph) {
-  const Matrix axes = principal_axes(mesh);
-  Vec3 best = axes[0];
-  double most = -1;
-  for (int sign : {-1, 1}) {
-    for (int side : {-1, 1}) {
-      for (int above : {-1, 1}) {
-        const Vec3 tilt = combine(0.6 * side, axes[2], 0.8 * above, axes[1]);
-        const Vec3 view = combine(sign * std::cos(kTilt), axes[0], std::sin(kTilt), tilt);
-        const double score = graph.ridges.empty() ? facing_area(mesh, view)
-                                                  : facing_strength(mesh, normals, graph, view);
-        // A hair more than before: equal scores keep the first view.
-        if (score > most * (1 + 1e-9)) {
-          most = score;
-          best = view;
-        }
-      }
-    }
-  }
-  return best;
+  return best_view(principal_axes(mesh).axes, [&](const Vec3& view) {
+    return graph.ridges.empty() ? facing_area(mesh, view)
+                                : facing_strength(mesh, normals, graph, view);
+  });
 }
 
-Camera fit_camera(const kernel::TriangleMesh& mesh, const Vec3& view, int width) {
+Vec3 automatic_view(const SurfaceView& mesh) {
+  const PrincipalAxes principal = principal_axes(mesh);
+  if (principal.flat) return combine(-1, principal.axes[0], 0, principal.axes[0]);
+  return best_view(principal.axes, [&](const Vec3& view) { return facing_area(mesh, view); });
+}
+
+Camera fit_camera(const SurfaceView& mesh, const Vec3& view, int width,
+                  const std::optional<Vec3>& vertical) {
   Camera camera{};
   camera.forward = normalised(view, {0, 0, -1});
   // Models stand on the plane y = 0 more often than on z = 0.
   const Vec3 y = {0, 1, 0}, z = {0, 0, 1};
-  const Vec3 vertical = std::abs(dot(camera.forward, y)) < 0.9 ? y : z;
-  camera.right = normalised(cross(camera.forward, vertical), {1, 0, 0});
+  const Vec3 usual = std::abs(dot(camera.forward, y)) < 0.9 ? y : z;
+  camera.right = normalised(cross(camera.forward, vertical.value_or(usual)), {1, 0, 0});
   camera.up = cross(camera.right, camera.forward);
   camera.centre = middle(bounds(mesh));
   constexpr double inf = std::numeric_limits<double>::infinity();

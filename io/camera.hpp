@@ -35,16 +35,37 @@ struct Camera {
   }
 };
 
+/// Points and faces of any mesh, as far as pictures need them. Refers to the mesh.
+class SurfaceView {
+ public:
+  template <class Mesh>
+  SurfaceView(const Mesh& mesh)  // NOLINT: meshes convert
+      : points_(mesh.points()), faces_(mesh.faces()) {}
+  SurfaceView(const std::vector<kernel::Vec3>& points, const std::vector<kernel::Triangle>& faces)
+      : points_(points), faces_(faces) {}
+  const std::vector<kernel::Vec3>& points() const { return points_; }
+  const std::vector<kernel::Triangle>& faces() const { return faces_; }
+
+ private:
+  const std::vector<kernel::Vec3>& points_;
+  const std::vector<kernel::Triangle>& faces_;
+};
+
 /// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
 /// of the elliptic ridges, weighted by curvature (the most area without ridges).
 kernel::Vec3 automatic_view(const kernel::TriangleMesh& mesh,
                             const std::vector<kernel::Vec3>& normals,
                             const ridges::RidgeGraph& graph);
 
-/// Fits the mesh into `width` with a margin; the height follows, at most 1.4 widths.
-Camera fit_camera(const kernel::TriangleMesh& mesh, const kernel::Vec3& view, int width);
+/// Along the thinnest axis, straight on a flat surface, else tilted towards the most area.
+kernel::Vec3 automatic_view(const SurfaceView& mesh);
+
+/// Fits the mesh into `width` with a margin; the height follows, at most 1.4 widths. `vertical`:
+/// what points up in the picture; nothing: the y-axis, or z where the view is along y.
+Camera fit_camera(const SurfaceView& mesh, const kernel::Vec3& view, int width,
+                  const std::optional<kernel::Vec3>& vertical = {});
 
 /// Area-weighted unit normals of the vertices.
-std::vector<kernel::Vec3> vertex_normals(const kernel::TriangleMesh& mesh);
+std::vector<kernel::Vec3> vertex_normals(const SurfaceView& mesh);
 
 }  // namespace crest::io

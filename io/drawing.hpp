@@ -16,6 +16,7 @@ struct StrokeClass {
   Colour colour;
   std::vector<std::vector<kernel::Vec3>> strokes;
   bool in_graph = false;  ///< visible or not
+  double width = 1;       ///< in stroke widths
 };
 
 struct Dot {

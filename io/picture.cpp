@@ -66,7 +66,7 @@ void paint(Canvas& canvas, const Drawing& drawing) {
       for (const auto& stroke : c.strokes) {
         for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
           canvas.draw_stroke(stroke[i], stroke[i + 1],
-                             rim ? drawing.casing_width : drawing.stroke_width,
+                             c.width * (rim ? drawing.casing_width : drawing.stroke_width),
                              rim ? casing(c.colour) : c.colour);
         }
       }
@@ -151,7 +151,7 @@ std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& 
     for (const bool rim : {true, false}) {
       svg += fmt::format("<path stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n",
                          hex(rim ? casing(c.colour) : c.colour),
-                         rim ? drawing.casing_width : drawing.stroke_width, data);
+                         c.width * (rim ? drawing.casing_width : drawing.stroke_width), data);
     }
   }
   svg += "</g>\n";

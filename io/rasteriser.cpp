@@ -47,10 +47,10 @@ Canvas::Canvas(int width, int height)
               Colour{255, 255, 255}),
       depth_(colour_.size(), std::numeric_limits<float>::infinity()) {}
 
-void Canvas::draw_surface(const Camera& camera, const kernel::TriangleMesh& mesh,
+void Canvas::draw_surface(const Camera& camera, const SurfaceView& mesh,
                           const std::vector<Vec3>& normals, const std::vector<Vec3>* tints) {
-  std::vector<Vec3> pixels(mesh.vertex_count()), turned(mesh.vertex_count());
-  for (kernel::Index v = 0; v < mesh.vertex_count(); ++v) {
+  std::vector<Vec3> pixels(mesh.points().size()), turned(mesh.points().size());
+  for (std::size_t v = 0; v < pixels.size(); ++v) {
     pixels[v] = camera.project(mesh.points()[v]);
     const Vec3& n = normals[v];
     turned[v] = {dot(n, camera.right), dot(n, camera.up), -dot(n, camera.forward)};

@@ -26,7 +26,7 @@ class Canvas {
 
   /// Smoothly shaded, two-sided; tints: factors on red, green and blue at each vertex.
   /// Requires: one unit normal a vertex, and one tint if there are any.
-  void draw_surface(const Camera& camera, const kernel::TriangleMesh& mesh,
+  void draw_surface(const Camera& camera, const SurfaceView& mesh,
                     const std::vector<kernel::Vec3>& normals,
                     const std::vector<kernel::Vec3>* tints = nullptr);
   /// True where a point of the surface is nearest to the eye, up to `bias` (all in pixels).

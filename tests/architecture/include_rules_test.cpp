@@ -43,7 +43,9 @@ bool is_result_header(const std::string& target) {
          target == "algorithms/ridges/ridges.hpp" ||
          target == "algorithms/curvature/curvature.hpp" ||
          target == "algorithms/curvature/focal.hpp" ||
-         target == "algorithms/feature_lines/feature_graph.hpp";
+         target == "algorithms/feature_lines/feature_graph.hpp" ||
+         target == "algorithms/reeb/reeb_graph.hpp" ||
+         target == "algorithms/reeb/tile_complex.hpp" || target == "algorithms/reeb/contours.hpp";
 }
 
 /// Prefixes of what each layer may include besides itself.

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest reeb: the Reeb graph of a function linear or quadratic on each face (paper 003).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "algorithms/reeb/arc_labels.hpp"
+#include "algorithms/reeb/certificate.hpp"
+#include "algorithms/reeb/contour_tree.hpp"
+#include "algorithms/reeb/contours.hpp"
+#include "algorithms/reeb/merge_trees.hpp"
+#include "algorithms/reeb/reeb_graph.hpp"
+#include "algorithms/reeb/segmentation.hpp"
+#include "certify/certificate.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/reeb_report.hpp"
+#include "cli/references.hpp"
+#include "cli/report.hpp"
+#include "io/atomic_file.hpp"
+#include "io/quadratic_reader.hpp"
+#include "io/reeb_picture.hpp"
+#include "io/reeb_writer.hpp"
+#include "kernel/arithmetic/self_test.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::cli {
+namespace {
+
+using kernel::Index;
+
+struct ReebOptions {
+  CommonOptions common;
+  std::string field, expression;
+  bool linear = false, segmentation = false;
+  bool contract = false, cancel_loops = false;
+  double persistence = 0;
+  CLI::Option* persistence_given = nullptr;
+  bool join_tree = false, split_tree = false, contour_tree = false;
+  std::vector<double> levels;
+};
+
+void add_reeb_options(CLI::App& app, ReebOptions& o) {
+  auto* field = app.add_option(
+      "--field", o.field, "scalar point field of a .vtu, .msh or .vtp (default: its only one)");
+  field->type_name("NAME");
+  app.add_option("--expression", o.expression,
+                 "function of x, y, z instead of a field, sampled at vertices and edge midpoints")
+      ->type_name("E")
+      ->excludes(field);
+  app.add_flag("--linear", o.linear, "linear on each face: ignore the midpoints");
+  app.add_flag("--contract", o.contract,
+               "the graph of the function itself: contract arcs between equal values");
+  o.persistence_given = app.add_option("--persistence", o.persistence,
+                                       "cancel leaves up to this difference of values");
+  o.persistence_given->type_name("P");
+  app.add_flag("--cancel-loops", o.cancel_loops, "with --persistence: small loops, too")
+      ->needs(o.persistence_given);
+  app.add_flag("--join-tree", o.join_tree, "also how the parts below a level merge");
+  app.add_flag("--split-tree", o.split_tree, "also how the parts above a level merge");
+  app.add_flag("--contour-tree", o.contour_tree,
+               "also the contour tree, by merging these two; refused where loops are possible");
+  app.add_option("--level", o.levels, "level lines at C, too (repeatable)")
+      ->type_name("C")
+      ->allow_extra_args(false);
+  app.add_flag("--segmentation", o.segmentation,
+               "with -o: the monotone tiles with the arc each belongs to");
+}
+
+io::FunctionSource function_source(const ReebOptions& o) {
+  io::FunctionSource source{o.field, {}, o.linear};
+  if (o.expression.empty()) return source;
+  try {
+    source.expression = kernel::Expression::parse(o.expression, {"x", "y", "z"});
+  } catch (const kernel::ExpressionError& error) {
+    throw UsageError(std::string("--expression: ") + error.what());
+  }
+  return source;
+}
+
+/// A step of the run, timed and shown.
+class Steps {
+ public:
+  Steps(Report& report, Progress& progress) : report_(report), progress_(progress) {}
+  template <class Work>
+  auto operator()(const char* phase, const std::string& what, Work&& work) {
+    progress_.show(what);
+    return report_.timed(phase, std::forward<Work>(work));
+  }
+
+ private:
+  Report& report_;
+  Progress& progress_;
+};
+
+/// Evenly between the extremes, for the picture of a run without --level.
+std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
+  const auto [low, high] = std::minmax_element(
+      places.begin(), places.end(),
+      [](const reeb::NodePlace& a, const reeb::NodePlace& b) { return a.value < b.value; });
+  constexpr int count = 15;
+  std::vector<double> levels;
+  for (int i = 0; i < count; ++i) {
+    const double t = (i + 0.5) / count;
+    const double level = (1 - t) * low->value + t * high->value;
+    if (std::isfinite(level) && low->value < high->value) levels.push_back(level);
+  }
+  return levels;
+}
+
+std::vector<io::LevelLines> level_lines(const kernel::QuadraticMesh& mesh,
+                                        const reeb::TileComplex& tiles,
+                                        const std::vector<double>& levels) {
+  std::vector<io::LevelLines> lines;
+  for (const double level : levels) lines.push_back({level, reeb::contours(mesh, tiles, level)});
+  return lines;
+}
+
+/// A merge tree of the graph as arcs between nodes of the tile complex, lower first.
+io::TreeLines tree_lines(int kind, const reeb::ReebGraph& graph, const reeb::MergeTree& tree) {
+  io::TreeLines lines{kind, {}};
+  for (std::size_t i = 0; i < tree.vertices.size(); ++i) {
+    if (tree.parent[i] == kernel::kNone) continue;
+    // Positions in graph.nodes ascend with the values.
+    const auto [low, high] = std::minmax(tree.vertices[i], tree.vertices[tree.parent[i]]);
+    lines.arcs.push_back({graph.nodes[low].vertex, graph.nodes[high].vertex});
+  }
+  return lines;
+}
+
+io::TreeLines contour_tree_lines(const std::string& input, const reeb::OrderedComplex& complex) {
+  try {
+    const reeb::ContourTree tree = reeb::contour_tree(complex);
+    io::TreeLines lines{io::kContourTreeKind, {}};
+    for (const auto& [low, high] : tree.arcs) {
+      lines.arcs.push_back({tree.vertices[low], tree.vertices[high]});
+    }
+    return lines;
+  } catch (const std::invalid_argument&) {
+    throw kernel::InputError(
+        input +
+        ": surface: is not simply connected, there need not be a contour tree; leave out "
+        "--contour-tree, the Reeb graph serves all surfaces");
+  }
+}
+
+std::vector<io::TreeLines> trees_of(const ReebOptions& o, const reeb::TileComplex& tiles,
+                                    const reeb::ReebGraph& graph) {
+  std::vector<io::TreeLines> trees;
+  if (o.join_tree) {
+    trees.push_back(
+        tree_lines(io::kJoinTreeKind, graph, reeb::reduced(reeb::augmented_join_tree(graph))));
+  }
+  if (o.split_tree) {
+    trees.push_back(
+        tree_lines(io::kSplitTreeKind, graph, reeb::reduced(reeb::augmented_split_tree(graph))));
+  }
+  if (o.contour_tree) trees.push_back(contour_tree_lines(o.common.input, reeb::ordered(tiles)));
+  return trees;
+}
+
+/// The graph that is written, with the arcs of the tile complex's nodes and of the tiles (that of
+/// the contour just above a tile's middle node).
+struct WrittenGraph {
+  reeb::ReebGraph graph;
+  std::vector<Index> arc_of_node, arc_of_tile;
+  bool changed = false;
+};
+
+WrittenGraph written_graph(const ReebOptions& o, const reeb::TileComplex& tiles,
+                           const std::vector<reeb::NodePlace>& places,
+                           const reeb::ReebGraph& graph) {
+  const reeb::OrderedComplex complex = reeb::ordered(tiles);
+  WrittenGraph w{graph, {}, {}, false};
+  if (o.segmentation) {
+    reeb::Segmentation segmentation = reeb::segmentation(complex, graph);
+    w.arc_of_node = std::move(segmentation.arc_of_vertex);
+    for (const reeb::TriangleArcs& arcs : segmentation.triangles) {
+      w.arc_of_tile.push_back(arcs.middle);
+    }
+  } else {
+    w.arc_of_node = reeb::arc_of_vertices(complex, graph);
+  }
+  const auto replace = [&](const auto& next) {
+    w = {next.graph, reeb::relabel_vertices(w.arc_of_node, w.graph, next),
+         reeb::relabel_arcs(w.arc_of_tile, next.arc_of_arc), true};
+  };
+  if (o.contract) replace(reeb::contract(w.graph, tiles.rank, tiles.tied));
+  if (o.persistence_given->count() > 0) {
+    std::vector<double> values;
+    for (const reeb::NodePlace& place : places) values.push_back(place.value);
+    replace(reeb::simplify(w.graph, values, o.persistence, o.cancel_loops));
+  }
+  return w;
+}
+
+std::vector<LevelCount> count_lines(const std::vector<io::LevelLines>& lines) {
+  std::vector<LevelCount> counts;
+  for (const io::LevelLines& level : lines) {
+    const auto cycles = static_cast<std::size_t>(
+        std::count_if(level.contours.begin(), level.contours.end(),
+                      [](const reeb::Contour& contour) { return contour.closed; }));
+    counts.push_back({level.level, level.contours.size() - cycles, cycles});
+  }
+  return counts;
+}
+
+void talk(const ReebOptions& o, const ReebRun& run, Report& report) {
+  if (!o.common.quiet) {
+    for (const auto& warning : report.json()["warnings"]) {
+      std::fprintf(stderr, "crest reeb: warning: %s\n", warning.get<std::string>().c_str());
+    }
+    fmt::print("{}time: {:.3g} s\n", summary_text(run), report.elapsed());
+  }
+  if (o.common.cite) {
+    std::vector<std::string> keys = {"dillard2006tessellation", "edelsbrunner1990simulation"};
+    if (!o.common.certificate.empty()) {
+      keys.insert(keys.end(), {"mcconnell2011certifying", "carr2003contour"});
+    }
+    fmt::print("{}", bibtex(keys));
+  }
+}
+
+/// Everything up to the graph and its certificate.
+struct Extraction {
+  io::QuadraticFile file;
+  reeb::PredicateReport predicates;
+  reeb::TileComplex tiles;
+  reeb::ReebGraph graph;
+  std::string digest;
+};
+
+Extraction extract(const ReebOptions& o, const io::FunctionSource& source, Steps& step,
+                   Report& report, Outputs& outputs) {
+  Extraction x{step("read", "reading " + o.common.input,
+                    [&] { return io::read_quadratic_mesh(o.common.input, source); }),
+               {},
+               {},
+               {},
+               {}};
+  for (const std::string& warning : x.file.warnings) report.warn(warning);
+  x.tiles = step("tessellate", "tessellating",
+                 [&] { return reeb::tessellate(x.file.mesh, &x.predicates); });
+  x.graph = step("graph", "joining contours into the graph",
+                 [&] { return reeb::reeb_graph(reeb::ordered(x.tiles)); });
+  outputs.write("--certificate", [&](const std::string& path) {
+    const certify::Bytes bytes = step("certificate", "composing the certificate", [&] {
+      return certify::encode(reeb::make_certificate(x.file.mesh, x.tiles, x.graph));
+    });
+    x.digest = certify::hex(certify::data_digest(bytes));
+    report.json()["data_digest"] = x.digest;
+    certify::write_file(path, bytes);
+    report.set_certificate("reeb");
+  });
+  return x;
+}
+
+/// What -o and --picture show; what neither needs is left empty.
+struct Shown {
+  std::vector<io::TreeLines> trees;
+  std::vector<io::LevelLines> levels;
+  std::vector<reeb::NodePlace> places;
+  WrittenGraph written;
+};
+
+void write_scenes(const Extraction& x, const Shown& shown, Outputs& outputs) {
+  const auto scene = [&](const std::vector<io::LevelLines>& lines) {
+    return io::ReebScene{x.file.mesh,
+                         x.tiles,
+                         shown.places,
+                         shown.written.graph,
+                         shown.written.arc_of_node,
+                         shown.written.arc_of_tile,
+                         shown.trees,
+                         lines,
+                         x.digest};
+  };
+  outputs.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
+  outputs.write("--picture", [&](const std::string& path) {
+    const auto lines = shown.levels.empty()
+                           ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
+                           : shown.levels;
+    io::write_reeb_picture(path, scene(lines));
+  });
+}
+
+void check_options(const ReebOptions& o) {
+  for (const double level : o.levels) {
+    if (!std::isfinite(level)) throw UsageError("--level: give a finite number");
+  }
+  if (!(o.persistence >= 0)) throw UsageError("--persistence: give a number from 0 on");
+}
+
+int run_reeb(const ReebOptions& o) {
+  check_options(o);
+  const io::FunctionSource source = function_source(o);
+  Outputs outputs;
+  outputs.add("-o", o.common.output, {".vtp", ".vtu"});
+  outputs.add("--picture", o.common.picture, {".svg", ".png"});
+  outputs.add("--certificate", o.common.certificate);
+  outputs.add("--report", o.common.report);
+  const ThreadLimit limit(o.common.threads);
+  Progress progress(o.common.quiet);
+  Report report("reeb", o.common.input, limit.threads());
+  Steps step(report, progress);
+  kernel::require_sound_floating_point();
+
+  const Extraction x = extract(o, source, step, report, outputs);
+  Shown shown;
+  shown.trees = step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
+  shown.levels = step("levels", "drawing level lines",
+                      [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
+  const bool drawn = outputs.wanted("-o") || outputs.wanted("--picture");
+  if (drawn || o.contract || o.persistence_given->count() > 0) {
+    step("simplify", "simplifying", [&] {
+      shown.places = reeb::node_places(x.file.mesh, x.tiles);
+      shown.written = written_graph(o, x.tiles, shown.places, x.graph);
+    });
+  }
+  if (drawn) step("write", "writing", [&] { write_scenes(x, shown, outputs); });
+  const std::vector<LevelCount> counts = count_lines(shown.levels);
+  const ReebRun run{x.file.mesh,
+                    x.tiles,
+                    x.predicates,
+                    x.graph,
+                    shown.written.changed ? shown.written.graph : x.graph,
+                    shown.trees,
+                    x.file.function,
+                    counts};
+  fill_report(report, run);
+  outputs.write("--report",
+                [&](const std::string& path) { io::write_atomically(path, report.text()); });
+  outputs.commit();
+  progress.clear();
+  talk(o, run, report);
+  return kDone;
+}
+
+std::function<int()> add_reeb(CLI::App& app) {
+  auto options = std::make_shared<ReebOptions>();
+  add_common_options(app, options->common,
+                     "surface with a function (.vtu .msh .vtp), or triangle mesh (.off .obj .ply "
+                     ".stl) with --expression",
+                     "graph, critical points and level lines (.vtp) or tiles (.vtu)");
+  add_reeb_options(app, *options);
+  return [options] { return run_reeb(*options); };
+}
+
+}  // namespace
+
+extern const Command reeb_command;
+const Command reeb_command = {
+    "reeb",
+    "Reeb graph of a function on a surface, linear or quadratic on each face",
+    add_reeb,
+    {"crest reeb ellipsoid.off --expression 'x*x - y*z' -o reeb.vtp --picture reeb.svg",
+     "crest reeb ellipsoid.off --expression 'x^3 - 3*x*y^2' --certificate reeb.crest --report "
+     "reeb.json"}};
+
+}  // namespace crest::cli

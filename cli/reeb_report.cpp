@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/reeb_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace crest::cli {
+namespace {
+
+using kernel::Index;
+using kernel::kNone;
+using reeb::NodeKind;
+using reeb::ReebGraph;
+
+struct Counts {
+  std::size_t minima = 0, saddles = 0, maxima = 0;
+  std::int64_t index_sum = 0;
+};
+
+/// Saddles with their multiplicity.
+Counts count_kinds(const ReebGraph& graph) {
+  Counts counts;
+  for (const reeb::ReebNode& node : graph.nodes) {
+    if (node.kind == NodeKind::minimum) ++counts.minima;
+    if (node.kind == NodeKind::maximum) ++counts.maxima;
+    if (node.kind == NodeKind::saddle) counts.saddles += node.multiplicity;
+    counts.index_sum += node.index;
+  }
+  return counts;
+}
+
+std::int64_t euler_characteristic(const kernel::QuadraticMesh& mesh) {
+  return std::int64_t{mesh.vertex_count()} - mesh.edge_count() + mesh.face_count();
+}
+
+/// Every boundary vertex has two boundary edges: as many loops as components of these edges.
+std::size_t boundary_loops(const kernel::QuadraticMesh& mesh) {
+  std::vector<Index> parent(mesh.vertex_count());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::size_t loops = 0;
+  for (const kernel::Edge& e : mesh.edges()) {
+    if (e.f1 != kNone) continue;
+    const Index a = root(e.v0), b = root(e.v1);
+    if (a == b) ++loops;  // the edge that closes one
+    parent[a] = b;
+  }
+  return loops;
+}
+
+Json graph_json(const ReebGraph& graph) {
+  return {{"nodes", graph.nodes.size()},
+          {"arcs", graph.arcs.size()},
+          {"loops", graph.loops()},
+          {"components", graph.components}};
+}
+
+const char* tree_name(int kind) {
+  if (kind == io::kJoinTreeKind) return "join_tree";
+  return kind == io::kSplitTreeKind ? "split_tree" : "contour_tree";
+}
+
+/// Ends of one arc only, roots included.
+std::size_t leaves(const io::TreeLines& tree) {
+  std::unordered_map<Index, int> degree;
+  for (const auto& arc : tree.arcs) {
+    for (const Index v : arc) ++degree[v];
+  }
+  return static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(),
+                                                [](const auto& node) { return node.second == 1; }));
+}
+
+}  // namespace
+
+void fill_report(Report& report, const ReebRun& run) {
+  Json& json = report.json();
+  for (const auto& [name, counts] : run.predicates) {
+    json["predicates"][name] = {{"calls", counts.calls},
+                                {"interval", counts.interval},
+                                {"exact", counts.exact},
+                                {"symbolic", counts.symbolic}};
+  }
+  const Counts counts = count_kinds(run.graph);
+  json["function"] = run.function;
+  json["degree"] = run.mesh.linear() ? 1 : 2;
+  json["vertices"] = run.mesh.vertex_count();
+  json["faces"] = run.mesh.face_count();
+  json["euler_characteristic"] = euler_characteristic(run.mesh);
+  json["boundary_loops"] = boundary_loops(run.mesh);
+  json["line_critical"] = run.tiles.critical_edges.size();
+  json["face_critical"] = run.tiles.critical_faces.size();
+  json["tiles"] = run.tiles.tiles.size();
+  json["ties"] = std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
+  json["critical_points"] = {{"minima", counts.minima},
+                             {"saddles", counts.saddles},
+                             {"maxima", counts.maxima},
+                             {"index_sum", counts.index_sum}};
+  json["graph"] = graph_json(run.graph);
+  json["written"] = graph_json(run.written);
+  for (const io::TreeLines& tree : run.trees) {
+    json[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
+  }
+  json["levels"] = Json::array();
+  for (const LevelCount& level : run.levels) {
+    json["levels"].push_back(
+        {{"level", level.level}, {"paths", level.paths}, {"cycles", level.cycles}});
+  }
+}
+
+std::string summary_text(const ReebRun& run) {
+  const Counts counts = count_kinds(run.graph);
+  std::string text =
+      fmt::format("surface: {} vertices, {} faces, Euler characteristic {}, {} boundary loops\n",
+                  run.mesh.vertex_count(), run.mesh.face_count(), euler_characteristic(run.mesh),
+                  boundary_loops(run.mesh));
+  text += fmt::format("function: {}, {}; {} monotone tiles\n", run.function,
+                      run.mesh.linear() ? "linear" : "quadratic", run.tiles.tiles.size());
+  text += fmt::format("critical points: {} minima, {} saddles, {} maxima\n", counts.minima,
+                      counts.saddles, counts.maxima);
+  const auto line = [](const char* name, const ReebGraph& graph) {
+    return fmt::format("{}: {} nodes, {} arcs, {} loops, {} components\n", name, graph.nodes.size(),
+                       graph.arcs.size(), graph.loops(), graph.components);
+  };
+  text += line("Reeb graph", run.graph);
+  for (const io::TreeLines& tree : run.trees) {
+    text += fmt::format("{}: {} arcs, {} leaves\n", tree_name(tree.kind), tree.arcs.size(),
+                        leaves(tree));
+  }
+  if (&run.written != &run.graph) text += line("written", run.written);
+  for (const LevelCount& level : run.levels) {
+    text += fmt::format("level {}: {} paths, {} cycles\n", level.level, level.paths, level.cycles);
+  }
+  return text;
+}
+
+}  // namespace crest::cli
