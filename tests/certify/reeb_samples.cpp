@@ -94,9 +94,10 @@ void shuffle(Faces& faces, Random& random) {
   std::iota(number.begin(), number.end(), u32{0});
   std::shuffle(number.begin(), number.end(), random);
   std::shuffle(faces.begin(), faces.end(), random);
+  const bool turn = random() % 2;
   for (auto& f : faces) {
     for (u32& v : f) v = number[v];
-    std::shuffle(f.begin(), f.end(), random);
+    if (turn) std::shuffle(f.begin(), f.end(), random);
   }
 }
 

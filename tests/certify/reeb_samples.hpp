@@ -16,7 +16,8 @@ struct ReebSurface {
   bool closed_orientable;
 };
 /// Spheres, tori, genus 2 and 3, disks, annuli, Moebius strip, projective plane, Klein bottle, two
-/// components, one triangle; with vertices and faces shuffled and faces turned around.
+/// components, one triangle; with vertices and faces shuffled and, on half of them,
+/// faces turned around.
 std::vector<ReebSurface> reeb_surfaces(Random& random);
 
 enum class Values { random, small, constant, ramp, mixed };
