@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "algorithms/curvature/curvature.hpp"
 #include "algorithms/feature_lines/certificate.hpp"
 #include "algorithms/feature_lines/feature_lines.hpp"
 #include "algorithms/ridges/ridges.hpp"
@@ -22,6 +23,8 @@
 #include "io/atomic_file.hpp"
 #include "io/feature_writer.hpp"
 #include "io/mesh_reader.hpp"
+#include "io/point_field.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
@@ -33,60 +36,97 @@ using feature_lines::Neighbourhood;
 struct FeaturesOptions {
   CommonOptions common;
   feature_lines::Options lines;
-  ridges::FitOptions fit;
+  std::string method = "fit", field;
+  int rings = 0;
+  bool absolute = false;
   double value = 0;
-  CLI::Option* value_given = nullptr;
+  CLI::Option *value_given = nullptr, *rings_given = nullptr;
 };
 
+/// CLI::Range lets NaN pass and prints its ends to the last digit.
+CLI::Validator finite_number(double least) {
+  return {[least](std::string& text) -> std::string {
+            double x = 0;
+            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x)) {
+              return fmt::format("{} is not a finite number", text);
+            }
+            return x < least ? fmt::format("{} is less than {}", text, least) : std::string();
+          },
+          ""};
+}
+
 void add_structure(CLI::App& app, const char* name, double& size, const char* help) {
-  app.add_option(name, size, help)->check(CLI::Range(0.0, 1e300))->type_name("N");
+  app.add_option(name, size, help)->check(finite_number(0))->type_name("N");
+}
+
+void add_field_options(CLI::App& app, FeaturesOptions& o) {
+  auto* quantile =
+      app.add_option("--threshold", o.lines.quantile,
+                     "mark the vertices from this quantile of the field on (default 0.85)");
+  quantile->check(CLI::Range(0.0, 1.0))->check(finite_number(0))->type_name("Q");
+  o.value_given = app.add_option("--value", o.value, "mark where the field is at least V");
+  o.value_given->check(finite_number(-HUGE_VAL))->type_name("V")->excludes(quantile);
+  std::vector<std::string> methods = {"fit"};
+  for (const curvature::Method m : curvature::kMethods) {
+    if (m != curvature::Method::np) methods.push_back(curvature::name_of(m));
+  }
+  auto* method = app.add_option(
+      "--method", o.method,
+      "the field is max(|k1|, |k2|), curvatures by fit (default: a polynomial over several "
+      "rings) or a method of crest curvature; ne keeps closest to sharp edges");
+  method->check(CLI::IsMember(methods))->type_name("METHOD");
+  o.rings_given = app.add_option("--rings", o.rings,
+                                 "rings of neighbours of fit (default: until 30 points) or of "
+                                 "normal-cycle (default 1)");
+  o.rings_given->check(CLI::Range(0, 100))->type_name("N");
+  auto* field =
+      app.add_option("--field", o.field, "a point field of the file (.vtp) instead of a curvature");
+  field->type_name("NAME")->excludes(method)->excludes(o.rings_given);
+  app.add_flag("--absolute", o.absolute, "take the field's absolute values")->needs(field);
 }
 
 void add_features_options(CLI::App& app, FeaturesOptions& o) {
   static const std::map<std::string, Neighbourhood> kinds = {
       {"ring", Neighbourhood::rings},
       {"euclidean", Neighbourhood::euclidean},
-      {"path", Neighbourhood::path}};
+      {"path", Neighbourhood::path},
+      {"geodesic", Neighbourhood::geodesic}};
   const CLI::Range whole(0u, 1000000000u);
-  auto* quantile =
-      app.add_option("--threshold", o.lines.quantile,
-                     "mark the vertices from this quantile of max(|k1|, |k2|) on (default 0.85)");
-  quantile->check(CLI::Range(0.0, 1.0))->type_name("Q");
-  o.value_given = app.add_option("--value", o.value, "mark where max(|k1|, |k2|) is at least V");
-  o.value_given->check(CLI::Range(-1e300, 1e300))->type_name("V")->excludes(quantile);
-  app.add_option("--rings", o.fit.rings,
-                 "rings of neighbours the curvatures are fitted to (default: until 30 points)")
-      ->check(CLI::Range(1, 100))
-      ->type_name("N");
+  add_field_options(app, o);
   add_structure(app, "--dilate", o.lines.dilate, "then dilate the marked region");
   add_structure(app, "--erode", o.lines.erode, "then erode it");
   add_structure(app, "--open", o.lines.open, "then open it (erode, dilate)");
   add_structure(app, "--close", o.lines.close, "then close it (dilate, erode)");
-  app.add_option("--neighbourhood", o.lines.neighbourhood,
-                 "what N of these four is: rings of neighbours (default), or a length in units of "
-                 "the input, Euclidean or along edge paths")
+  app.add_option(
+         "--neighbourhood", o.lines.neighbourhood,
+         "what N of these four is: rings of neighbours (default), or a length in units of "
+         "the input: Euclidean, along edge paths, or over the surface from the whole region")
       ->transform(CLI::CheckedTransformer(kinds))
-      ->type_name("ring|euclidean|path");
+      ->type_name("ring|euclidean|path|geodesic");
   app.add_option("--prune", o.lines.prune, "drop branches of at most M vertices (default 0)")
       ->check(whole)
       ->type_name("M");
   app.add_option("--min-patch", o.lines.min_patch,
-                 "fill patches of fewer than N vertices and thin again")
+                 "fill patches of fewer than N vertices and thin again; the certificate is then "
+                 "of this thinning, not of the first")
       ->check(whole)
       ->type_name("N");
-  app.add_option("--close-branches", o.lines.close_branches,
-                 "join open ends at most N edges apart in one patch")
+  app.add_option(
+         "--close-branches", o.lines.close_branches,
+         "join open ends at most N edges apart in one patch and thin again; the certificate "
+         "is then of this thinning")
       ->check(whole)
       ->type_name("N");
 }
 
 void check_options(FeaturesOptions& o) {
-  // The parser's ranges let NaN pass.
-  for (const double x :
-       {o.value, o.lines.quantile, o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close}) {
-    if (std::isnan(x)) throw UsageError("nan is not a number to threshold or measure with");
-  }
   if (o.value_given->count() > 0) o.lines.value = o.value;
+  if (o.rings_given->count() > 0) {
+    if (o.method != "fit" && o.method != "normal-cycle") {
+      throw UsageError("--rings belongs to fit and normal-cycle; " + o.method + " has none");
+    }
+    if (o.method == "fit" && o.rings == 0) throw UsageError("--rings: fit needs at least one");
+  }
   if (o.lines.neighbourhood != Neighbourhood::rings) return;
   for (const double size : {o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close}) {
     if (size != std::floor(size)) {
@@ -96,15 +136,58 @@ void check_options(FeaturesOptions& o) {
 }
 
 /// The larger absolute principal curvature of the fitted Monge forms.
-std::vector<double> curvature_field(const kernel::TriangleMesh& mesh,
-                                    const ridges::FitOptions& options) {
-  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
+std::vector<double> fitted_curvature(const kernel::TriangleMesh& mesh, int rings) {
+  ridges::FitOptions options;
+  options.rings = rings;
   std::vector<double> field;
-  field.reserve(fit.forms.size());
-  for (const kernel::MongeForm& form : fit.forms) {
+  for (const kernel::MongeForm& form : ridges::fit_monge_forms(mesh, options).forms) {
     field.push_back(std::max(std::fabs(form.k1), std::fabs(form.k2)));
   }
   return field;
+}
+
+std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                                        Report& report) {
+  curvature::Options options;
+  options.method = *curvature::method_of(o.method);
+  if (o.rings_given->count() > 0) options.rings = o.rings;
+  const curvature::Result result = curvature::estimate(mesh, options);
+  if (result.undetermined > 0) {
+    report.warn(
+        fmt::format("{} vertices have no finite curvature; it is zero there", result.undetermined));
+  }
+  std::vector<double> field;
+  for (const auto& c : result.vertices) {
+    field.push_back(std::max(std::fabs(c.k1), std::fabs(c.k2)));
+  }
+  return field;
+}
+
+std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                             Report& report) {
+  if (o.field.empty()) {
+    return o.method == "fit" ? fitted_curvature(mesh, o.rings)
+                             : estimated_curvature(o, mesh, report);
+  }
+  std::vector<double> field = io::read_point_field(o.common.input, o.field);
+  if (field.size() != mesh.vertex_count()) {
+    throw kernel::InputError("field '" + o.field +
+                             "': the file has vertices without faces; remove them");
+  }
+  if (o.absolute) {
+    for (double& x : field) x = std::fabs(x);
+  }
+  return field;
+}
+
+/// What knows no file names.
+template <class Work>
+auto with_file(const std::string& file, Work&& work) {
+  try {
+    return work();
+  } catch (const kernel::InputError& error) {
+    throw error.with_file(file);
+  }
 }
 
 Json betti_json(const feature_lines::Topology& t) {
@@ -124,13 +207,15 @@ Json lengths_json(const feature_lines::FeatureGraph& graph) {
       {"arcs", length[0]}, {"branches", length[1]}, {"loops", length[2]}, {"isolated", length[3]}};
 }
 
-void fill_report(Report& report, const kernel::TriangleMesh& mesh, const FeatureLines& f,
-                 const std::string& digest) {
+void fill_report(Report& report, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                 const FeatureLines& f, const std::string& digest) {
   Json& json = report.json();
   json["vertices"] = mesh.vertex_count();
   json["faces"] = mesh.face_count();
   json["euler_characteristic"] = mesh.euler_characteristic();
   json["boundary_loops"] = mesh.boundary_loops();
+  json["field"] = o.field.empty() ? "max(|k1|, |k2|)" : o.field;
+  if (o.field.empty()) json["method"] = o.method;
   json["threshold"] = f.value;
   json["marked"] = f.marked;
   json["line_vertices"] = feature_lines::count(f.marks);
@@ -143,6 +228,8 @@ void fill_report(Report& report, const kernel::TriangleMesh& mesh, const Feature
   json["length"] = lengths_json(f.graph);
   json["filled_patches"] = f.filled_patches;
   json["joined_ends"] = f.joined;
+  json["thinnings"] = f.thinnings;
+  json["thinned"] = feature_lines::count(f.thinning.before);
   json["dropped_lines"] = f.thinning.dropped.size();
   json["betti_before"] = betti_json(f.thinning.topology_before);
   json["betti_after"] = betti_json(f.thinning.topology_after);
@@ -160,11 +247,22 @@ void talk(const FeaturesOptions& o, const FeatureLines& f, Report& report) {
                f.graph.count(LineKind::loop), f.graph.count(LineKind::isolated),
                f.graph.nodes.size(), f.graph.patch_sizes.size());
     const auto& b = f.thinning.topology_after;
-    fmt::print("kept by thinning: {} components, {} loops; complement {}, {}\n", b.marked.b0,
-               b.marked.b1, b.complement.b0, b.complement.b1);
+    const std::string which =
+        f.thinnings == 1 ? "" : fmt::format("the last of {} rounds of ", f.thinnings);
+    fmt::print("kept by {}thinning: {} components, {} loops; complement {}, {}\n", which,
+               b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1);
   }
   if (o.common.cite) {
-    std::vector<std::string> keys = {"roessl2005surfaces", "cazals2003jets"};
+    std::vector<std::string> keys = {"roessl2005surfaces"};
+    if (o.field.empty() && (o.method == "fit" || o.method == "jet")) {
+      keys.push_back("cazals2003jets");
+    }
+    if (o.field.empty() && (o.method == "cf" || o.method == "qf")) {
+      keys.push_back("goldfeather2004novel");
+    }
+    if (o.field.empty() && o.method == "qt") keys.push_back("welch1994free");
+    if (o.field.empty() && o.method == "normal-cycle") keys.push_back("cohensteiner2003restricted");
+    if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");
     if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
     fmt::print("{}", bibtex(keys));
   }
@@ -185,12 +283,14 @@ int run_features(FeaturesOptions& o) {
   io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
   for (const std::string& warning : file.warnings) report.warn(warning);
   const kernel::TriangleMesh& mesh = file.mesh;
-  progress.show("fitting curvatures");
-  const std::vector<double> field =
-      report.timed("fit", [&] { return curvature_field(mesh, o.fit); });
+  progress.show(o.field.empty() ? "fitting curvatures" : "reading " + o.field);
+  const std::vector<double> field = report.timed(
+      "fit", [&] { return with_file(o.common.input, [&] { return field_of(o, mesh, report); }); });
   progress.show("thinning");
-  const FeatureLines f = report.timed(
-      "extract", [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
+  const FeatureLines f = report.timed("extract", [&] {
+    return with_file(o.common.input,
+                     [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
+  });
   progress.show("composing the certificate");
   const certify::Bytes certificate = report.timed("certificate", [&] {
     return certify::encode(feature_lines::make_certificate(mesh, f.thinning));
@@ -209,7 +309,7 @@ int run_features(FeaturesOptions& o) {
       report.set_certificate("features-mesh");
     });
   });
-  fill_report(report, mesh, f, digest);
+  fill_report(report, o, mesh, f, digest);
   outputs.write("--report",
                 [&](const std::string& path) { io::write_atomically(path, report.text()); });
   outputs.commit();
@@ -234,7 +334,7 @@ const Command features_command = {
     "feature lines of a triangle mesh",
     add_features,
     {"crest features ellipsoid.off --threshold 0.9 --close 1 --prune 4 -o features.vtp",
-     "crest features ellipsoid.off --value 1.5 --certificate features.crest --picture "
+     "crest features ellipsoid.off --method ne --value 1.5 --certificate features.crest --picture "
      "features.svg"}};
 
 }  // namespace crest::cli

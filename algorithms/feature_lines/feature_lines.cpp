@@ -28,16 +28,18 @@ Marks result_of(const Thinning& thinning) {
 
 void take_result(const TriangleMesh& mesh, Thinning thinning, FeatureLines& result) {
   result.thinning = std::move(thinning);
+  ++result.thinnings;
   result.marks = result_of(result.thinning);
   result.graph = build_feature_graph(mesh, result.marks);
 }
 
 }  // namespace
 
-Thinning thin(const TriangleMesh& mesh, Marks region, Index prune) {
+Thinning thin(const TriangleMesh& mesh, Marks region, Index prune,
+              const std::vector<double>& field) {
   Thinning t;
   t.before = region;
-  Thinner thinner(mesh, std::move(region));
+  Thinner thinner(mesh, std::move(region), field);
   thinner.skeletonize();
   thinner.pre_prune();
   thinner.prune(prune);
@@ -60,19 +62,19 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
   result.value = o.value ? *o.value : field_quantile(field, o.quantile);
   Marks region = feature_region(mesh, field, result.value, o);
   result.marked = count(region);
-  take_result(mesh, thin(mesh, std::move(region), o.prune), result);
+  take_result(mesh, thin(mesh, std::move(region), o.prune, field), result);
   if (o.min_patch > 1) {
     const Marks filled = fill_small_patches(result.graph, result.marks, o.min_patch);
     if (filled != result.marks) {
       const auto patches = result.graph.patch_sizes.size();
-      take_result(mesh, thin(mesh, filled, o.prune), result);
+      take_result(mesh, thin(mesh, filled, o.prune, field), result);
       result.filled_patches = static_cast<Index>(patches - result.graph.patch_sizes.size());
     }
   }
   if (o.close_branches > 0) {
     Marks closed = result.marks;
     result.joined = feature_lines::close_branches(mesh, result.graph, o.close_branches, closed);
-    if (result.joined > 0) take_result(mesh, thin(mesh, std::move(closed), o.prune), result);
+    if (result.joined > 0) take_result(mesh, thin(mesh, std::move(closed), o.prune, field), result);
   }
   return result;
 }

@@ -37,12 +37,14 @@ struct FeatureLines {
   Index marked = 0;          ///< vertices in the feature region before thinning
   Index filled_patches = 0;  ///< patches filled because of min_patch
   Index joined = 0;          ///< pairs of open ends joined
+  Index thinnings = 0;       ///< how often the region was thinned; `thinning` is the last one
 };
 
-/// Thins the region to lines: skeletonize, pre_prune, prune.
+/// Thins the region to lines: skeletonize, pre_prune, prune; along the field's crests, if given.
 /// Guarantees: after has the topology of before; no simple vertex of `after` has two or more
 ///   marked neighbours.
-Thinning thin(const kernel::TriangleMesh& mesh, Marks region, Index prune);
+Thinning thin(const kernel::TriangleMesh& mesh, Marks region, Index prune,
+              const std::vector<double>& field = {});
 
 /// Shapes: one field value a vertex. Deterministic; no threads.
 /// Throws: InputError for another number of values or a value that is not a number.

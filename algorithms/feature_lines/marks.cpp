@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/feature_lines/geodesic.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::feature_lines {
@@ -78,6 +79,13 @@ Marks grow_by_paths(const TriangleMesh& mesh, Marks marks, double size) {
   return marks;
 }
 
+Marks grow_by_geodesics(const TriangleMesh& mesh, const Marks& marks, double size) {
+  const std::vector<double> distances = geodesic_distances(mesh, marks, size);
+  Marks grown(marks.size());
+  for (std::size_t v = 0; v < grown.size(); ++v) grown[v] = distances[v] <= size ? 1 : 0;
+  return grown;
+}
+
 /// Walks the vertices of a ball that its centre reaches by edges inside the ball.
 class BallWalker {
  public:
@@ -135,6 +143,7 @@ Marks dilate(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
   if (s.size <= 0) return marks;
   if (s.kind == Neighbourhood::rings) return grow_by_rings(mesh, marks, s.size);
   if (s.kind == Neighbourhood::path) return grow_by_paths(mesh, marks, s.size);
+  if (s.kind == Neighbourhood::geodesic) return grow_by_geodesics(mesh, marks, s.size);
   Marks grown = marks;
   BallWalker walker(mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -149,7 +158,7 @@ Marks dilate(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
 
 Marks erode(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
   if (s.size <= 0) return marks;
-  // These two relations are symmetric: eroding is dilating the complement.
+  // These relations are symmetric (geodesic: nearly): eroding is dilating the complement.
   if (s.kind != Neighbourhood::euclidean) {
     return complement(dilate(mesh, complement(marks), s));
   }
@@ -162,11 +171,19 @@ Marks erode(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
 }
 
 Marks opening(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
-  return dilate(mesh, erode(mesh, marks, s), s);
+  Marks opened = dilate(mesh, erode(mesh, marks, s), s);
+  if (s.kind == Neighbourhood::geodesic) {
+    for (std::size_t v = 0; v < marks.size(); ++v) opened[v] &= marks[v];
+  }
+  return opened;
 }
 
 Marks closing(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
-  return erode(mesh, dilate(mesh, marks, s), s);
+  Marks closed = erode(mesh, dilate(mesh, marks, s), s);
+  if (s.kind == Neighbourhood::geodesic) {
+    for (std::size_t v = 0; v < marks.size(); ++v) closed[v] |= marks[v];
+  }
+  return closed;
 }
 
 }  // namespace crest::feature_lines

@@ -29,7 +29,8 @@ double field_quantile(const std::vector<double>& field, double quantile);
 enum class Neighbourhood {
   rings,      ///< vertices at most `size` edges away
   euclidean,  ///< vertices at most `size` away in space, joined to i by edges inside that ball
-  path        ///< vertices with an edge path of length at most `size`: not less than geodesic
+  path,       ///< vertices with an edge path of length at most `size`: not less than geodesic
+  geodesic    ///< vertices at most `size` from the whole set over the surface (geodesic.hpp)
 };
 
 /// size: a whole number of rings, or a length in units of the input. 0: the operators do nothing.
@@ -39,14 +40,16 @@ struct Structure {
 };
 
 /// {j : j in nhd(i) for some marked i}.
-/// Cost: rings and path O(V log V), euclidean O(marked times vertices in a ball).
+/// Cost: rings, path and geodesic O(V log V), euclidean O(marked times vertices in a ball).
 Marks dilate(const kernel::TriangleMesh& mesh, const Marks& marks, const Structure& s);
 /// {j : nhd(j) all marked}. Adjoint to dilate: dilate(A) in B iff A in erode(B), so that opening
-/// and closing are idempotent. Cost: as dilate.
+/// and closing are idempotent. Not so for geodesic, whose distances from a set are no minima of
+/// distances from its vertices: there it is the complement of what dilating the complement gives.
+/// Cost: as dilate.
 Marks erode(const kernel::TriangleMesh& mesh, const Marks& marks, const Structure& s);
-/// dilate(erode): drops small regions and thin branches.
+/// dilate(erode): drops small regions and thin branches. geodesic: what of that was marked.
 Marks opening(const kernel::TriangleMesh& mesh, const Marks& marks, const Structure& s);
-/// erode(dilate): fills small holes.
+/// erode(dilate): fills small holes. geodesic: that and what was marked.
 Marks closing(const kernel::TriangleMesh& mesh, const Marks& marks, const Structure& s);
 
 }  // namespace crest::feature_lines

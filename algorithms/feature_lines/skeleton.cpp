@@ -3,48 +3,49 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 namespace crest::feature_lines {
 namespace {
 
-/// First in, first out within a degree; the highest degree first.
+/// Vertices by marked neighbours, most first; then by rank, lowest first.
 class DegreeQueue {
  public:
-  void push(Index v, Index degree) {
-    const std::size_t d = std::min<std::size_t>(degree, queues_.size() - 1);
-    queues_[d].items.push_back(v);
-    top_ = std::max(top_, d);
-  }
-  /// False when empty; `floor` is the degree the vertex was pushed with, at most 15.
-  bool pop(Index& v, Index& floor) {
-    while (true) {
-      Queue& q = queues_[top_];
-      if (q.next < q.items.size()) {
-        v = q.items[q.next++];
-        floor = static_cast<Index>(top_);
-        return true;
-      }
-      q = {};
-      if (top_ == 0) return false;
-      --top_;
-    }
+  explicit DegreeQueue(const std::vector<Index>& rank) : rank_(rank) {}
+  void push(Index v, Index degree) { heap_.push({degree, ~rank_[v], v}); }
+  /// False when empty; `pushed` is the degree the vertex was pushed with.
+  bool pop(Index& v, Index& pushed) {
+    if (heap_.empty()) return false;
+    std::tie(pushed, std::ignore, v) = heap_.top();
+    heap_.pop();
+    return true;
   }
 
  private:
-  struct Queue {
-    std::vector<Index> items;
-    std::size_t next = 0;
-  };
-  std::array<Queue, 16> queues_;
-  std::size_t top_ = 0;
+  const std::vector<Index>& rank_;
+  std::priority_queue<std::tuple<Index, Index, Index>> heap_;
 };
+
+/// Places of the vertices in ascending order of the field; of their numbers without one.
+std::vector<Index> ranks_of(Index vertices, const std::vector<double>& field) {
+  std::vector<Index> order(vertices), rank(vertices);
+  std::iota(order.begin(), order.end(), Index{0});
+  if (field.empty()) return order;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return field[a] < field[b]; });
+  for (Index i = 0; i < vertices; ++i) rank[order[i]] = i;
+  return rank;
+}
 
 }  // namespace
 
-Thinner::Thinner(const kernel::TriangleMesh& mesh, Marks marks)
+Thinner::Thinner(const kernel::TriangleMesh& mesh, Marks marks, const std::vector<double>& field)
     : mesh_(mesh),
       marks_(std::move(marks)),
+      rank_(ranks_of(mesh.vertex_count(), field)),
       unmarked_(mesh.vertex_count(), 0),
       centre_until_(mesh.vertex_count(), 0) {
   for (const kernel::Edge& e : mesh.edges()) {
@@ -91,6 +92,7 @@ void Thinner::skeletonize() {
   }
   for (pass_ = 1; !front.empty(); ++pass_) {
     next.clear();
+    std::sort(front.begin(), front.end(), [&](Index a, Index b) { return rank_[a] < rank_[b]; });
     for (const Index v : front) {
       if (!marks_[v] || !beside_centre(v) || !is_simple(mesh_, marks_, v)) continue;
       take(v);
@@ -108,7 +110,7 @@ void Thinner::skeletonize() {
 void Thinner::pre_prune() {
   // The ends of a strip have fewer marked neighbours than its sides: sides first, or an unlucky
   // numbering would eat the strip from its end.
-  DegreeQueue queue;
+  DegreeQueue queue(rank_);
   for (Index v = 0; v < mesh_.vertex_count(); ++v) {
     if (marks_[v] && degree(v) >= 2) queue.push(v, degree(v));
   }
@@ -116,7 +118,7 @@ void Thinner::pre_prune() {
   while (queue.pop(v, pushed)) {
     const Index now = marks_[v] ? degree(v) : 0;
     if (now < 2) continue;
-    if (std::min<Index>(now, 15) != pushed) {
+    if (now != pushed) {
       if (now < pushed) queue.push(v, now);
       continue;
     }

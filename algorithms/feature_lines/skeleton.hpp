@@ -11,8 +11,10 @@ namespace crest::feature_lines {
 /// Takes marked sets apart, vertex by vertex, and remembers the order.
 class Thinner {
  public:
-  /// Requires: marks.size() == V; mesh outlives the thinner.
-  Thinner(const kernel::TriangleMesh& mesh, Marks marks);
+  /// field: one number a vertex, or none. Where the order of removals is free, the vertex with the
+  /// smallest value goes first, the smaller number among equals, so that lines run along crests.
+  /// Requires: marks.size() == V; mesh outlives the thinner. Cost: O(V log V).
+  Thinner(const kernel::TriangleMesh& mesh, Marks marks, const std::vector<double>& field = {});
 
   /// Algorithm 3.1 to its fixpoint: passes over the vertices that are no centres at the start of
   /// the pass; those beside a vertex that was a centre then, and that are simple, go. Ends when no
@@ -48,6 +50,7 @@ class Thinner {
 
   const kernel::TriangleMesh& mesh_;
   Marks marks_;
+  std::vector<Index> rank_;          ///< V: place in the order of removals
   std::vector<Index> unmarked_;      ///< V: unmarked neighbours; 0: a centre, if marked
   std::vector<Index> centre_until_;  ///< V: the pass in which it ceased to be a centre
   Index pass_ = 0;

@@ -48,14 +48,32 @@ TEST_CASE("crest features refuses wrong options with exit code 2 and bad meshes 
   write_text(folder / "t.off",
              "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   write_text(folder / "bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 9\n");
-  for (const char* options :
-       {"--threshold 1.5", "--threshold nan", "--threshold 0.5 --value 1", "--value x",
-        "--value nan", "--dilate 1.5", "--dilate -1", "--erode nan", "--neighbourhood geodesic",
-        "--prune -1", "--prune 1.5", "--min-patch x", "-o t.ply", "--picture t.pdf"}) {
+  for (const char* options : {"--threshold 1.5",
+                              "--threshold nan",
+                              "--threshold 0.5 --value 1",
+                              "--value x",
+                              "--value nan",
+                              "--dilate 1.5",
+                              "--dilate -1",
+                              "--dilate 1e999",
+                              "--erode nan",
+                              "--neighbourhood lattice",
+                              "--method np",
+                              "--method ne --rings 2",
+                              "--rings 0",
+                              "--absolute",
+                              "--field k1 --method ne",
+                              "--field k1 --rings 2",
+                              "--prune -1",
+                              "--prune 1.5",
+                              "--min-patch x",
+                              "-o t.ply",
+                              "--picture t.pdf"}) {
     const auto run = run_crest(std::string("crest features t.off ") + options, folder.path());
     INFO(options << "\n" << run.err);
     CHECK(run.exit_code == 2);
     CHECK(is_one_line(run.err));
+    CHECK(run.err.size() < 200);
   }
   for (const char* file : {"bad.off", "none.off"}) {
     const auto run =
@@ -64,6 +82,46 @@ TEST_CASE("crest features refuses wrong options with exit code 2 and bad meshes 
     CHECK(is_one_line(run.err));
     CHECK_FALSE(fs::exists(folder / "out.vtp"));
   }
-  CHECK(run_crest("crest features t.off --dilate 1.5 --neighbourhood path", folder.path())
-            .exit_code == 0);
+  for (const char* kind : {"path", "euclidean", "geodesic"}) {
+    const std::string line = "crest features t.off --dilate 1.5 --cite --neighbourhood ";
+    const auto run = run_crest(line + kind, folder.path());
+    CHECK(run.exit_code == 0);
+    CHECK((run.out.find("{kimmel1998computing,") != std::string::npos) ==
+          (std::string(kind) == "geodesic"));
+  }
+}
+
+TEST_CASE("crest features thresholds a point field, or the curvature of a chosen method") {
+  const TemporaryFolder folder;
+  REQUIRE(run_crest("crest sample ellipsoid --vertices 800 -o e.off", folder.path()).exit_code ==
+          0);
+  REQUIRE(run_crest("crest curvature e.off --method ne -o c.vtp", folder.path()).exit_code == 0);
+  // On a convex surface |k2| is the larger one: the field and the method mark the same region.
+  const auto field = run_crest(
+      "crest features c.vtp --field k2 --absolute --prune 2 --quiet -o f.vtp --report f.json",
+      folder.path());
+  INFO(field.err);
+  REQUIRE(field.exit_code == 0);
+  REQUIRE(run_crest("crest features c.vtp --method ne --prune 2 --quiet -o m.vtp --report m.json",
+                    folder.path())
+              .exit_code == 0);
+  CHECK(read_text(folder / "f.vtp") == read_text(folder / "m.vtp"));
+  const auto f = read_json(folder / "f.json"), m = read_json(folder / "m.json");
+  CHECK(f["field"] == "k2");
+  CHECK_FALSE(f.contains("method"));
+  CHECK(m["method"] == "ne");
+  CHECK(f["thinnings"] == 1);
+  CHECK(f["marked"] == f["thinned"]);
+  for (const char* name : {"k3", "d1", ""}) {
+    const auto run = run_crest(std::string("crest features c.vtp -o o.vtp --field '") + name + "'",
+                               folder.path());
+    INFO(name << "\n" << run.err);
+    CHECK(run.exit_code == (*name ? 3 : 0));
+    if (!*name) continue;
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find("'k1', 'k2'") != std::string::npos);
+  }
+  const auto off = run_crest("crest features e.off --field k1", folder.path());
+  CHECK(off.exit_code == 3);
+  CHECK(off.err.find("only .vtp") != std::string::npos);
 }

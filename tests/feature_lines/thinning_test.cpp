@@ -41,7 +41,11 @@ TEST_CASE("thinning keeps the topology of random sets, replayed by brute force")
       const Marks region = random_marks(mesh, random, density, Index(i % 4));
       const Index prune = Index(i % 5);
       INFO(name << ", set " << i << ", prune " << prune);
-      const fl::Thinning t = fl::thin(mesh, region, prune);
+      std::vector<double> field;
+      if (i % 2 == 1) {
+        for (Index v = 0; v < mesh.vertex_count(); ++v) field.push_back(double(random() % 50));
+      }
+      const fl::Thinning t = fl::thin(mesh, region, prune, field);
       CHECK(t.before == region);
       CHECK(t.topology_before == t.topology_after);
       CHECK(betti_by_ranks(mesh, t.after, 1) == betti_by_ranks(mesh, region, 1));
@@ -63,10 +67,46 @@ TEST_CASE("thinning keeps the topology of random sets, replayed by brute force")
       }
       for (const Index v : t.dropped) CHECK(fl::marked_neighbours(mesh, marks, v) == 0);
       // The same input gives the same order.
-      CHECK(fl::thin(mesh, region, prune).removed == t.removed);
+      CHECK(fl::thin(mesh, region, prune, field).removed == t.removed);
     }
   }
   CHECK(removed > 1000);
+}
+
+TEST_CASE(
+    "with a field, lines run along its crest, and the numbering of vertices does not matter") {
+  // The band has two middle rows; the crest wanders between them.
+  const TriangleMesh mesh = grid(40, 11);
+  const auto crest = [](double x) { return 5.5 + 0.5 * std::sin(0.3 * x); };
+  std::vector<double> field;
+  Marks band(mesh.vertex_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3& p = mesh.points()[v];
+    // No two values alike.
+    field.push_back(-std::abs(p[1] - crest(p[0])) - 1e-9 * v);
+    band[v] = p[0] > 1 && p[0] < 39 && std::abs(p[1] - 5.5) < 2 ? 1 : 0;
+  }
+  const auto distance = [&](const Marks& marks) {
+    double sum = 0;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) sum += marks[v] ? -field[v] : 0;
+    return sum / fl::count(marks);
+  };
+  const fl::Thinning with = fl::thin(mesh, band, 3, field), without = fl::thin(mesh, band, 3);
+  CHECK(with.topology_before == with.topology_after);
+  CHECK(distance(with.after) < 0.85 * distance(without.after));
+  // The same mesh with its vertices numbered backwards.
+  const Index last = mesh.vertex_count() - 1;
+  std::vector<Vec3> points(mesh.points().rbegin(), mesh.points().rend());
+  std::vector<Triangle> faces = mesh.faces();
+  for (Triangle& f : faces) {
+    for (Index& v : f) v = last - v;
+  }
+  const TriangleMesh turned(points, faces);
+  std::reverse(field.begin(), field.end());
+  std::reverse(band.begin(), band.end());
+  Marks after = fl::thin(turned, band, 3, field).after;
+  std::reverse(after.begin(), after.end());
+  CHECK(after == with.after);
 }
 
 TEST_CASE("skeletonize ends when no simple vertex is beside a centre") {
@@ -184,4 +224,22 @@ TEST_CASE("a field of another length or with a NaN is bad input") {
   field.pop_back();
   CHECK_THROWS_AS(fl::extract_feature_lines(mesh, field, {}), crest::kernel::InputError);
   CHECK_THROWS_AS(fl::field_quantile({}, 0.5), crest::kernel::InputError);
+}
+
+TEST_CASE("filling and joining thin again: the certified thinning is the last one") {
+  const TriangleMesh mesh = grid(10, 6);
+  const Marks frame = picture({"...........", ".#########.", ".#.......#.", ".#.......#.",
+                               ".#.......#.", ".#########.", "..........."});
+  const std::vector<double> field(frame.begin(), frame.end());
+  fl::Options options;
+  options.value = 1;
+  const fl::FeatureLines once = fl::extract_feature_lines(mesh, field, options);
+  CHECK(once.thinnings == 1);
+  CHECK(once.thinning.before == frame);
+  options.min_patch = 25;
+  const fl::FeatureLines twice = fl::extract_feature_lines(mesh, field, options);
+  CHECK(twice.thinnings == 2);
+  CHECK(twice.filled_patches == 1);
+  CHECK(fl::count(twice.thinning.before) == fl::count(once.marks) + 21);
+  CHECK(twice.thinning.topology_before == twice.thinning.topology_after);
 }
