@@ -44,18 +44,6 @@ std::vector<TestMesh> meshes_of(std::uint64_t seed) {
           perturbed_delaunay(waved_tube(), 100, 50, seed)};
 }
 
-/// Along the exact normals by a uniform length in [0, s d / 100].
-std::vector<Vec3> displaced(const TestMesh& mesh, double s, std::uint64_t seed) {
-  std::mt19937_64 random(seed * 1000003 + 17);
-  const double length = s / 100 * bounding_diagonal(mesh.points);
-  std::vector<Vec3> points = mesh.points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double t = static_cast<double>(random() >> 11) * 0x1p-53;
-    points[i] = combine(1, points[i], t * length, mesh.normals[i]);
-  }
-  return points;
-}
-
 /// [mesh][level][method][measure] -> a value a seed.
 using Values = std::vector<std::vector<std::map<Method, std::array<std::vector<double>, 3>>>>;
 

@@ -3,8 +3,9 @@
 
 // The test meshes of paper 001, section 3.3 (figure 3.4): a torus and a waved tube, each with
 // random diagonals ("1") and as a Delaunay triangulation of perturbed parameters ("2"). The thesis'
-// second surface is the middle part of Goldfeather and Interrante's test surface, whose formula it
-// does not give; the waved tube stands in for it: two boundary curves, K of both signs.
+// second surface is the middle part of Goldfeather and Interrante's test surface ("since the joints
+// to the top and bottom parts are not curvature continuous"), whose formula it does not give; the
+// waved tube stands in for it: two boundary curves, K of both signs.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -198,6 +199,18 @@ inline double bounding_diagonal(const std::vector<Vec3>& points) {
     }
   const Vec3 d = combine(1, high, -1, low);
   return std::sqrt(dot(d, d));
+}
+
+/// Along the exact normals by a uniform length in [0, s d / 100].
+inline std::vector<Vec3> displaced(const TestMesh& mesh, double s, std::uint64_t seed) {
+  std::mt19937_64 random(seed * 1000003 + 17);
+  const double length = s / 100 * bounding_diagonal(mesh.points);
+  std::vector<Vec3> points = mesh.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double t = static_cast<double>(random() >> 11) * 0x1p-53;
+    points[i] = combine(1, points[i], t * length, mesh.normals[i]);
+  }
+  return points;
 }
 
 }  // namespace crest::experiments
