@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <functional>
-#include <limits>
 #include <map>
 
 #include "algorithms/reeb/certificate.hpp"
@@ -147,12 +146,15 @@ bool book_is_refused() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Arguments: seeds, and the number of a row to run it alone.
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 40;
+  std::vector<Row> table = rows();
+  if (argc > 2) table = {table.at(static_cast<std::size_t>(std::atoi(argv[2])))};
   fmt::print(
       "| surface | values | degree | equal to brute force | certificates accepted | loops = "
       "genus |\n|---|---|---|---|---|---|\n");
   bool all = true;
-  for (const Row& row : rows()) {
+  for (const Row& row : table) {
     const Surface s = row.make();
     Count count;
     for (int seed = 0; seed < seeds; ++seed) run(row, s, std::uint64_t(seed) + 1, count);

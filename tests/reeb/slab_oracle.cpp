@@ -41,6 +41,10 @@ class Slabs {
       }
     }
     arc_at_edge_.assign(edges_.size(), kNone);
+    around_.resize(complex.rank.size());
+    for (Index t = 0; t < complex.triangles.size(); ++t) {
+      for (const Index v : complex.triangles[t]) around_[v].push_back(t);
+    }
     out_.arc_of_vertex.resize(complex.rank.size());
   }
 
@@ -71,7 +75,7 @@ class Slabs {
   /// Types from the link taken apart into its lower and its upper part.
   void note_triangles(Index v, bool below) {
     triangle_arcs_.resize(complex_.triangles.size());
-    for (std::size_t t = 0; t < complex_.triangles.size(); ++t) {
+    for (const Index t : around_[v]) {
       auto corners = complex_.triangles[t];
       std::sort(corners.begin(), corners.end(),
                 [&](Index a, Index b) { return complex_.rank[a] < complex_.rank[b]; });
@@ -90,7 +94,8 @@ class Slabs {
     std::map<Index, Index> place;
     std::vector<std::array<Index, 2>> sides;
     std::map<Index, int> uses;
-    for (const auto& t : complex_.triangles) {
+    for (const Index number : around_[v]) {
+      const auto& t = complex_.triangles[number];
       for (std::size_t k = 0; k < 3; ++k) {
         if (t[k] == v) sides.push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
       }
@@ -134,21 +139,28 @@ class Slabs {
       return complex_.rank[edges_[e][0]] <= level && complex_.rank[edges_[e][1]] > level;
     };
     Sets sets(edges_.size());
+    std::vector<std::uint8_t> is_crossed(edges_.size());
+    for (Index e = 0; e < edges_.size(); ++e) is_crossed[e] = crossed(e);
     for (std::size_t t = 0; t < complex_.triangles.size(); ++t) {
       Index last = kNone;
       for (std::size_t k = 0; k < 3; ++k) {
         const Index e = sides_[3 * t + k];
-        if (!crossed(e)) continue;
+        if (!is_crossed[e]) continue;
         if (last != kNone) sets.unite(last, e);
         last = e;
       }
     }
-    std::map<Index, std::vector<Index>> contours;
-    for (Index e = 0; e < edges_.size(); ++e) {
-      if (crossed(e)) contours[sets.find(e)].push_back(e);
-    }
+    std::vector<Index> place(edges_.size(), kNone);
     std::vector<std::vector<Index>> out;
-    for (auto& [root, contour] : contours) out.push_back(std::move(contour));
+    for (Index e = 0; e < edges_.size(); ++e) {
+      if (!is_crossed[e]) continue;
+      Index& at = place[sets.find(e)];
+      if (at == kNone) {
+        at = static_cast<Index>(out.size());
+        out.emplace_back();
+      }
+      out[at].push_back(e);
+    }
     return out;
   }
 
@@ -184,6 +196,7 @@ class Slabs {
   const reeb::OrderedComplex& complex_;
   std::vector<std::array<Index, 2>> edges_;  ///< lower end first
   std::vector<int> faces_;                   ///< by edge: how many
+  std::vector<std::vector<Index>> around_;   ///< triangles by vertex
   std::vector<Index> sides_, arc_at_edge_, arc_of_;
   std::vector<Arc> arcs_;
   std::vector<std::array<Index, 3>> triangle_arcs_;
