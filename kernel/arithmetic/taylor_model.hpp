@@ -26,8 +26,8 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/arithmetic/monomials.hpp"
 #include "kernel/arithmetic/sign.hpp"
+#include "kernel/arithmetic/taylor_series.hpp"
 
 namespace crest::kernel {
 
@@ -43,61 +43,6 @@ inline MaybeSign certain_sign(const Range& r) {
   if (r.low == 0 && r.high == 0) return Sign::zero;
   return std::nullopt;
 }
-
-/// An upper bound of the exact value of a non-negative number computed in at most 2^8 operations.
-inline double grow(double x) {
-  return x * (1 + 0x1p-43) + 0x1p-1000;
-}
-
-namespace taylor {
-
-/// Taylor coefficients t[0..n] of a function at c, each within error[k] of the exact one, and a
-/// bound on |f(c + h) - sum t_k h^k| / |h|^(n + 1) (exact t) for |h| <= rho. Not finite where the
-/// function is not analytic on [c - rho, c + rho].
-struct Series {
-  std::array<double, 8> t{}, error{};
-  double rest = HUGE_VAL;
-};
-Series inverse_series(double c, double rho, int order);
-Series sqrt_series(double c, double rho, int order);
-Series exp_series(double c, double rho, int order);
-Series log_series(double c, double rho, int order);
-Series sin_series(double c, double rho, int order);
-Series cos_series(double c, double rho, int order);
-
-/// Bernstein coefficients of the monomials, row by row; entries err by at most 4 units roundoff.
-template <int Order>
-struct BernsteinTable {
-  static constexpr int kCount = monomial_count(2, Order);
-  std::array<std::array<double, kCount>, kCount> of{};  ///< [coefficient][monomial]
-  BernsteinTable();
-};
-extern template struct BernsteinTable<3>;
-extern template struct BernsteinTable<4>;
-extern template struct BernsteinTable<5>;
-template <int Order>
-inline const BernsteinTable<Order> kBernstein{};
-
-constexpr double weight(int i, int j) {
-  double w = 1;
-  for (int k = 0; k < i && k < j; ++k) w /= 2;
-  return w;
-}
-
-template <int Order>
-struct Weights {
-  std::array<double, monomial_count(2, Order)> of{};
-  std::array<int, monomial_count(2, Order)> degree{};
-  constexpr Weights() {
-    const Monomials<2, Order> table;
-    for (std::size_t m = 0; m < of.size(); ++m) {
-      of[m] = weight(table.exponents[m][0], table.exponents[m][1]);
-      degree[m] = table.exponents[m][0] + table.exponents[m][1];
-    }
-  }
-};
-
-}  // namespace taylor
 
 /// Order: 3 to 5. Coefficients in the order of Monomials<2, Order>: 1, v, u, v^2, u v, u^2, ...
 template <int Order>
@@ -123,7 +68,7 @@ class TaylorModel {
 
   /// Encloses the function's values on the triangle (Bernstein coefficients).
   Range range() const;
-  /// Encloses the value at barycentric coordinates; cheap bound: |p| <= sum of |c|.
+  /// A cheap upper bound of |f|: the sum of w |c|, and the radius.
   double magnitude() const;
 
   TaylorModel operator-() const {
@@ -154,112 +99,11 @@ class TaylorModel {
   TaylorModel scaled(double s) const;
   /// Plain sums of w |c| by degree.
   std::array<double, Order + 1> by_degree() const;
-  template <class MakeSeries>
-  TaylorModel compose(MakeSeries make_series) const;
+  TaylorModel compose(taylor::Series (*make_series)(double c, double rho, int order)) const;
 };
 
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::linear(double at0, double at1, double at2, double error) {
-  // l0 = (1 - u - v) 2/3 - ..: at the corners u = (-1/2, 1, -1/2), v = (-1/2, -1/2, 1).
-  TaylorModel m;
-  m.c[0] = (at0 + at1 + at2) / 3;
-  m.c[1] = (at2 - at0) * (2.0 / 3);
-  m.c[2] = (at1 - at0) * (2.0 / 3);
-  const double size = std::fabs(at0) + std::fabs(at1) + std::fabs(at2);
-  m.radius = grow(error + 16 * kUnit * size);
-  return m;
-}
-
-template <int Order>
-std::array<double, Order + 1> TaylorModel<Order>::by_degree() const {
-  std::array<double, Order + 1> sums{};
-  for (std::size_t m = 0; m < kCount; ++m)
-    sums[static_cast<std::size_t>(kWeights.degree[m])] += kWeights.of[m] * std::fabs(c[m]);
-  return sums;
-}
-
-template <int Order>
-double TaylorModel<Order>::magnitude() const {
-  double sum = 0;
-  for (const double x : by_degree()) sum += x;
-  return grow(sum + radius);
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::sum(const TaylorModel& b, double sign) const {
-  TaylorModel r;
-  double size = 0;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    r.c[m] = c[m] + sign * b.c[m];
-    size += std::fabs(r.c[m]);
-  }
-  // A rounded sum errs by at most u times itself.
-  r.radius = grow(radius + b.radius + kUnit * size);
-  return r;
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::scaled(double s) const {
-  TaylorModel r;
-  double size = 0;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    r.c[m] = s * c[m];
-    size += std::fabs(r.c[m]);
-  }
-  r.radius = grow(std::fabs(s) * radius + kUnit * size);
-  return r;
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::product(const TaylorModel& b) const {
-  TaylorModel r;
-  for (const auto& [i, j, k] : kTable.products) r.c[k] += c[i] * b.c[j];
-  const auto da = by_degree(), db = b.by_degree();
-  double sum_a = 0, sum_b = 0, beyond = 0, tail = 0;
-  for (std::size_t d = 0; d <= Order; ++d) {
-    sum_a += da[d];
-    sum_b += db[d];
-    // tail = sum of db over degrees above Order - d.
-    beyond += da[d] * tail;
-    tail += db[Order - d];
-  }
-  // (b) with |c| in place of w |c|: w >= 2^-(Order / 2), and Order is at most 5.
-  const double rounding = 1.02 * 4 * 4 * (kCount + 1) * kUnit * sum_a * sum_b;
-  r.radius = grow(beyond + rounding + sum_a * b.radius + sum_b * radius + radius * b.radius);
-  return r;
-}
-
-/// f(c0 + h) = t0 + h (t1 + h (...)) with h this model without its constant.
-template <int Order>
-template <class MakeSeries>
-TaylorModel<Order> TaylorModel<Order>::compose(MakeSeries make_series) const {
-  TaylorModel h = *this;
-  h.c[0] = 0;
-  const double rho = h.magnitude();
-  const taylor::Series s = make_series(c[0], rho, Order);
-  TaylorModel r = around(s.t[Order], s.error[Order]);
-  for (std::size_t k = Order; k-- > 0;) r = r * h + around(s.t[k], s.error[k]);
-  double power = 1;
-  for (int k = 0; k <= Order; ++k) power *= rho;
-  r.radius = grow(r.radius + s.rest * power);
-  return r;
-}
-
-template <int Order>
-Range TaylorModel<Order>::range() const {
-  const auto& table = taylor::kBernstein<Order>.of;
-  double low = HUGE_VAL, high = -HUGE_VAL, size = 0;
-  for (const double x : c) size += std::fabs(x);
-  for (const auto& row : table) {
-    double b = 0;
-    for (std::size_t m = 0; m < kCount; ++m) b += row[m] * c[m];
-    low = std::fmin(low, b);
-    high = std::fmax(high, b);
-  }
-  const double slack = grow(radius + (kCount + 6) * kUnit * size);
-  // NaN spreads: fmin drops it, so the size is asked.
-  if (!(size + slack < HUGE_VAL)) return {-HUGE_VAL, HUGE_VAL};
-  return {low - slack - std::fabs(low) * 0x1p-52, high + slack + std::fabs(high) * 0x1p-52};
-}
+extern template class TaylorModel<3>;
+extern template class TaylorModel<4>;
+extern template class TaylorModel<5>;
 
 }  // namespace crest::kernel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor series of elementary functions, with bounds for what they leave out.
-#include <mpfr.h>
+#include "kernel/arithmetic/taylor_series.hpp"
 
-#include "kernel/arithmetic/taylor_model.hpp"
+#include <mpfr.h>
 
 namespace crest::kernel::taylor {
 namespace {
@@ -63,11 +63,16 @@ Series circular(double c, int order, int start) {
   return s;
 }
 
-/// Exact combinatorics: at most 5! 2^5 5! fits in an int.
-long falling(int n, int k) {
-  long product = 1;
-  for (int i = 0; i < k; ++i) product *= n - i;
-  return product;
+/// A homogeneous polynomial in l0, l1, l2; [a1][a2] is the coefficient of l1^a1 l2^a2 times the
+/// missing power of l0. Exact: at order 5 the coefficients stay below 4^5.
+using Homogeneous = std::array<std::array<double, 6>, 6>;
+
+Homogeneous times(const Homogeneous& p, double c0, double c1, double c2) {
+  Homogeneous r{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      r[i][j] = c0 * p[i][j] + (i > 0 ? c1 * p[i - 1][j] : 0) + (j > 0 ? c2 * p[i][j - 1] : 0);
+  return r;
 }
 
 }  // namespace
@@ -133,37 +138,25 @@ Series cos_series(double c, double rho, int order) {
   return std::isfinite(c) && std::isfinite(rho) ? circular(c, order, 1) : not_analytic();
 }
 
-// The coefficient (a0, a1, a2) of u^i v^j is the average of the products of i values of u and j of
-// v over all choices of i + j different ones among a0 times corner 0, a1 times 1, a2 times 2.
+// u = (2 l1 - l0 - l2) / 2, v = (2 l2 - l0 - l1) / 2, 1 = l0 + l1 + l2: u^i v^j as a homogeneous
+// polynomial of degree Order; its coefficients over the multinomial ones.
 template <int Order>
 BernsteinTable<Order>::BernsteinTable() {
   const Monomials<2, Order> table;
-  const int u2[3] = {-1, 2, -1}, v2[3] = {-1, -1, 2};  // twice the corners' coordinates
-  std::size_t row = 0;
-  for (int a1 = 0; a1 <= Order; ++a1)
-    for (int a2 = 0; a1 + a2 <= Order; ++a2, ++row) {
-      const int a[3] = {Order - a1 - a2, a1, a2};
-      for (std::size_t m = 0; m < kCount; ++m) {
-        const int i = table.exponents[m][0], j = table.exponents[m][1];
-        long sum = 0;
-        for (int i1 = 0; i1 <= i; ++i1)
-          for (int i2 = 0; i1 + i2 <= i; ++i2)
-            for (int j1 = 0; j1 <= j; ++j1)
-              for (int j2 = 0; j1 + j2 <= j; ++j2) {
-                const int us[3] = {i - i1 - i2, i1, i2}, vs[3] = {j - j1 - j2, j1, j2};
-                long term = falling(i, i) * falling(j, j);
-                for (int k = 0; k < 3; ++k) {
-                  term /= falling(us[k], us[k]) * falling(vs[k], vs[k]);
-                  term *= falling(a[k], us[k] + vs[k]);
-                  for (int n = 0; n < us[k]; ++n) term *= u2[k];
-                  for (int n = 0; n < vs[k]; ++n) term *= v2[k];
-                }
-                sum += term;
-              }
-        of[row][m] =
-            static_cast<double>(sum) / static_cast<double>(falling(Order, i + j) << (i + j));
-      }
+  for (std::size_t m = 0; m < kCount; ++m) {
+    Homogeneous p{};
+    p[0][0] = 1;
+    int left = Order;
+    for (int n = table.exponents[m][0]; n > 0; --n, --left) p = times(p, -0.5, 1, -0.5);
+    for (int n = table.exponents[m][1]; n > 0; --n, --left) p = times(p, -0.5, -0.5, 1);
+    for (; left > 0; --left) p = times(p, 1, 1, 1);
+    for (std::size_t row = 0; row < kCount; ++row) {
+      const auto [a1, a2] = table.exponents[row];
+      const double multinomial =
+          factorial(Order) / (factorial(a1) * factorial(a2) * factorial(Order - a1 - a2));
+      of[row][m] = p[a1][a2] / multinomial;
     }
+  }
 }
 
 template struct BernsteinTable<3>;
