@@ -7,14 +7,16 @@
 namespace crest::reeb {
 namespace {
 
-/// The roots of a x^2 + b x + c: the one nearer to zero. NaN if there is none.
+/// Of the roots of a x^2 + b x + c the one nearer to zero. NaN if there is none.
 double nearer_root(double a, double b, double c) {
-  const double discriminant = b * b - 4 * a * c;
-  // A rounding below zero is a touching.
-  const double root = std::sqrt(std::max(discriminant, 0.0));
-  const double q = -0.5 * (b + std::copysign(root, b));
+  const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));
   // The roots are q / a and c / q: the product c / a, the second the smaller.
   return c / q;
+}
+
+bool in_face(const Point2& p) {
+  constexpr double slack = 1e-9;
+  return p[0] >= -slack && p[1] >= -slack && p[0] + p[1] <= 1 + slack;
 }
 
 }  // namespace
@@ -65,8 +67,10 @@ void sample_arc(const FaceFunction& f, double c, const Point2& p, const Point2& 
   const double curvature = f.hss * e[0] * e[0] + 2 * f.hst * e[0] * e[1] + f.htt * e[1] * e[1];
   const double step = nearer_root(0.5 * curvature, g[0] * e[0] + g[1] * e[1], f.at(m) - c);
   const double chord = std::hypot(d[0], d[1]);
-  if (!(std::abs(step) > flat * chord) || !(std::abs(step) < 2)) return;
+  if (!(std::abs(step) > flat * chord)) return;
   const Point2 middle = {m[0] + step * e[0], m[1] + step * e[1]};
+  // On a chord next to nothing, or where H is, rounding leaves no direction: the chord is better.
+  if (!in_face(middle) || !(std::abs(f.at(middle) - c) < std::abs(f.at(m) - c))) return;
   sample_arc(f, c, p, middle, depth - 1, out);
   out.push_back(middle);
   sample_arc(f, c, middle, q, depth - 1, out);

@@ -18,6 +18,31 @@ using kernel::Vec3;
 
 constexpr int kArcDepth = 4;
 
+/// The face-critical point of a face that has one, by the formulas of SPEC.md.
+class ExactFace {
+ public:
+  ExactFace(const QuadraticMesh& mesh, Index face) {
+    std::array<Rational, 3> f, m;
+    for (std::size_t k = 0; k < 3; ++k) {
+      f[k] = mesh.values()[mesh.faces()[face][k]];
+      m[k] = mesh.edge_values()[mesh.face_edges()[face][k]];
+    }
+    corner_ = f[0];
+    g_ = 4 * m[0] - 3 * f[0] - f[1];
+    h_ = 4 * m[2] - 3 * f[0] - f[2];
+    p_ = 4 * (f[0] + f[1] - 2 * m[0]);
+    r_ = 4 * (f[0] + f[2] - 2 * m[2]);
+    q_ = 4 * (f[0] + m[1] - m[0] - m[2]);
+    det_ = p_ * r_ - q_ * q_;
+  }
+  Rational s() const { return (h_ * q_ - g_ * r_) / det_; }
+  Rational t() const { return (g_ * q_ - h_ * p_) / det_; }
+  Rational centre_value() const { return corner_ + (g_ * s() + h_ * t()) / 2; }
+
+ private:
+  Rational corner_, g_, h_, p_, q_, r_, det_;
+};
+
 /// A side of a tile: one node below the level, one above.
 struct Side {
   Index low, high;  ///< by number
@@ -207,13 +232,13 @@ class Placer {
     return {p[0] + x * (q[0] - p[0]), p[1] + x * (q[1] - p[1])};
   }
 
-  /// From the face-critical node the function changes with the square of the distance.
+  /// From the face-critical node the function changes with the square of the distance. Its place
+  /// and value are rounded from exact ones: H may be next to nothing.
   Point2 on_spoke(const Side& side, Index face) const {
-    const FaceFunction f = function(face);
-    const double h = f.hss * f.htt - f.hst * f.hst;
-    const Point2 centre = {(f.gt * f.hst - f.gs * f.htt) / h, (f.gs * f.hst - f.gt * f.hss) / h};
+    const ExactFace f(mesh_, face);
+    const Point2 centre = {f.s().convert_to<double>(), f.t().convert_to<double>()};
     const Point2 end = boundary_node(side.low, face);
-    const double v = f.at(centre), w = f.at(end);
+    const double v = f.centre_value().convert_to<double>(), w = function(face).at(end);
     const double share = std::sqrt(std::clamp((level_ - v) / (w - v), 0.0, 1.0));
     const double x = std::isfinite(share) ? share : 0.5;
     return {centre[0] + x * (end[0] - centre[0]), centre[1] + x * (end[1] - centre[1])};
@@ -274,15 +299,7 @@ Rational exact_node_value(const QuadraticMesh& mesh, const TileComplex& tiles, I
     return a + da * da / (2 * (da - db));
   }
   const Index face = tiles.critical_faces[node - tiles.vertex_count - lines];
-  std::array<Rational, 3> f, m;
-  for (std::size_t k = 0; k < 3; ++k) {
-    f[k] = values[mesh.faces()[face][k]];
-    m[k] = mesh.edge_values()[mesh.face_edges()[face][k]];
-  }
-  const Rational g = 4 * m[0] - 3 * f[0] - f[1], h = 4 * m[2] - 3 * f[0] - f[2];
-  const Rational p = 4 * (f[0] + f[1] - 2 * m[0]), r = 4 * (f[0] + f[2] - 2 * m[2]);
-  const Rational q = 4 * (f[0] + m[1] - m[0] - m[2]), det = p * r - q * q;
-  return f[0] + (g * (h * q - g * r) + h * (g * q - h * p)) / (2 * det);
+  return ExactFace(mesh, face).centre_value();
 }
 
 Index nodes_below(const QuadraticMesh& mesh, const TileComplex& tiles, double level) {
