@@ -8,26 +8,25 @@
 #include <map>
 
 #include "algorithms/reeb/certificate.hpp"
+#include "algorithms/reeb/slab_oracle.hpp"
+#include "algorithms/sampling/plain_surfaces.hpp"
 #include "certify/verify.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/support/closed_surfaces.hpp"
-// A program here has one source; the oracle of the tests is part of it.
-#include "tests/reeb/slab_oracle.cpp"
 
 namespace {
 
 using namespace crest;
 using kernel::Index;
-using tests::Surface;
+using Surface = sampling::PlainSurface;
 
 enum class Values { height, smooth, noise, quantised, constant };
 constexpr std::array<const char*, 5> kNames = {"height", "smooth", "noise", "quantised",
                                                "constant"};
 
 std::vector<double> sampled(const Surface& s, Values kind, std::uint64_t seed) {
-  if (kind == Values::smooth) return tests::smooth_values(s, seed);
-  if (kind == Values::noise) return tests::noise_values(s, seed);
-  if (kind == Values::quantised) return tests::quantised(tests::noise_values(s, seed), 0.125);
+  if (kind == Values::smooth) return sampling::smooth_values(s, seed);
+  if (kind == Values::noise) return sampling::noise_values(s, seed);
+  if (kind == Values::quantised) return sampling::quantised(sampling::noise_values(s, seed), 0.125);
   std::vector<double> values;
   for (const auto& p : s.points) values.push_back(kind == Values::height ? p[0] : 1.0);
   return values;
@@ -78,10 +77,10 @@ void run(const Row& row, const Surface& s, std::uint64_t seed, Count& count) {
   const reeb::OrderedComplex complex = reeb::ordered(tiles);
   const reeb::ReebGraph graph = reeb::reeb_graph(complex);
   if (row.brute_force) {
-    const tests::OracleGraph truth = tests::slab_oracle(complex),
-                             ours = tests::named(
-                                 complex, graph,
-                                 std::vector<Index>(complex.rank.size(), kernel::kNone));
+    const reeb::OracleGraph truth = reeb::slab_oracle(complex),
+                            ours =
+                                reeb::named(complex, graph,
+                                            std::vector<Index>(complex.rank.size(), kernel::kNone));
     count.equal +=
         ours.nodes == truth.nodes && ours.arcs == truth.arcs && ours.components == truth.components;
   }
@@ -91,19 +90,20 @@ void run(const Row& row, const Surface& s, std::uint64_t seed, Count& count) {
 }
 
 std::vector<Row> rows() {
-  using enum tests::Sides;
+  using enum sampling::Sides;
   using enum Values;
-  const auto torus = [] { return tests::torus_surface(24, 24); };
-  const auto fine_torus = [] { return tests::torus_surface(40, 40); };
+  const auto torus = [] { return sampling::torus_surface(24, 24); };
+  const auto fine_torus = [] { return sampling::torus_surface(40, 40); };
   const auto plate = [](unsigned n, unsigned genus) {
-    return [n, genus] { return tests::plate(n, genus, true); };
+    return [n, genus] { return sampling::plate(n, genus, true); };
   };
-  const auto sphere = [] { return tests::icosphere(3); };
-  const auto disk = [] { return tests::strip(20, 20, open, open); };
-  const auto moebius = [] { return tests::strip(30, 8, flipped, open); };
-  const auto klein = [] { return tests::strip(20, 21, joined, flipped); };
+  const auto sphere = [] { return sampling::icosphere(3); };
+  const auto disk = [] { return sampling::strip(20, 20, open, open); };
+  const auto moebius = [] { return sampling::strip(30, 8, flipped, open); };
+  const auto klein = [] { return sampling::strip(20, 21, joined, flipped); };
   const auto several = [] {
-    return tests::disjoint(tests::torus_surface(12, 13), tests::strip(9, 3, flipped, open));
+    return sampling::disjoint(sampling::torus_surface(12, 13),
+                              sampling::strip(9, 3, flipped, open));
   };
   std::vector<Row> out;
   for (const bool quadratic : {false, true}) {
@@ -126,7 +126,7 @@ std::vector<Row> rows() {
     add("disk", -1, noise, disk);
     add("Moebius strip", -1, noise, moebius);
     add("Klein bottle", -1, noise, klein);
-    add("projective plane", -1, noise, [] { return tests::projective_plane(3); });
+    add("projective plane", -1, noise, [] { return sampling::projective_plane(3); });
     add("torus and Moebius strip", -1, noise, several);
   }
   return out;

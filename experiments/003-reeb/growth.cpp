@@ -15,7 +15,7 @@
 
 #include "algorithms/reeb/cuts.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
-#include "tests/support/closed_surfaces.hpp"
+#include "algorithms/sampling/plain_surfaces.hpp"
 
 namespace {
 
@@ -36,14 +36,14 @@ double peak_megabytes() {
 /// One line of the table; peak memory is that of a process of its own.
 void measure(double triangles, bool smooth, int repeats) {
   const auto n = static_cast<unsigned>(std::lround(std::sqrt(triangles / (4 * (1 - 1 / 9.0)))));
-  const tests::Surface s = tests::plate(n, 16, true);
-  const auto values = smooth ? tests::smooth_values(s, 1, 12) : tests::noise_values(s, 1);
+  const sampling::PlainSurface s = sampling::plate(n, 16, true);
+  const auto values = smooth ? sampling::smooth_values(s, 1, 12) : sampling::noise_values(s, 1);
   const double before = peak_megabytes();
   std::vector<double> sorts, graphs;
   reeb::ReebGraph graph;
   for (int i = 0; i < repeats; ++i) {
-    tests::VertexOrder o;
-    sorts.push_back(seconds_of([&] { o = tests::order_of(values); }));
+    sampling::VertexOrder o;
+    sorts.push_back(seconds_of([&] { o = sampling::order_of(values); }));
     graphs.push_back(seconds_of([&] { graph = reeb::reeb_graph({s.triangles, o.rank, o.order}); }));
   }
   const auto median = [](std::vector<double> x) {

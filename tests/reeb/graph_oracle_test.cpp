@@ -3,12 +3,17 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/reeb/segmentation.hpp"
+#include "algorithms/reeb/slab_oracle.hpp"
 #include "tests/reeb/graph_cases.hpp"
-#include "tests/reeb/slab_oracle.hpp"
 #include "tests/support/environment.hpp"
 
 namespace crest::tests {
 namespace {
+
+using reeb::named;
+using reeb::OracleArc;
+using reeb::OracleGraph;
+using reeb::slab_oracle;
 
 constexpr int kSeeds = 40;
 

@@ -19,12 +19,12 @@
 #include <cmath>
 
 #include "algorithms/reeb/reeb_graph.hpp"
-#include "tests/support/closed_surfaces.hpp"
+#include "algorithms/sampling/plain_surfaces.hpp"
 
 namespace {
 
 using namespace crest;
-using tests::Surface;
+using Surface = sampling::PlainSurface;
 
 struct Result {
   double seconds = 0, megabytes = 0;
@@ -38,7 +38,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// Order and graph; the input is there already.
 Result crest_graph(const Surface& s, const std::vector<double>& values) {
   const auto start = std::chrono::steady_clock::now();
-  const tests::VertexOrder o = tests::order_of(values);
+  const sampling::VertexOrder o = sampling::order_of(values);
   const reeb::ReebGraph graph = reeb::reeb_graph({s.triangles, o.rank, o.order});
   Result r;
   r.seconds = seconds_since(start);
@@ -115,9 +115,9 @@ int main(int argc, char** argv) {
   for (const double size : sizes) {
     for (const bool torus : {true, false}) {
       const auto n = static_cast<unsigned>(std::lround(std::sqrt(size / (torus ? 2 : 3.6))));
-      const Surface s = torus ? tests::torus_surface(n, n) : tests::plate(n, 5, true);
+      const Surface s = torus ? sampling::torus_surface(n, n) : sampling::plate(n, 5, true);
       for (const bool smooth : {true, false}) {
-        const auto values = smooth ? tests::smooth_values(s, 1) : tests::noise_values(s, 1);
+        const auto values = smooth ? sampling::smooth_values(s, 1) : sampling::noise_values(s, 1);
         std::vector<Result> vtk, ours;
         for (int i = 0; i < repetitions; ++i) {
           vtk.push_back(in_child([&] { return vtk_graph(s, values); }));

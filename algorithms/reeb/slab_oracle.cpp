@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/reeb/slab_oracle.hpp"
+#include "algorithms/reeb/slab_oracle.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
 
-namespace crest::tests {
+namespace crest::reeb {
 namespace {
-
-using kernel::Index;
-using kernel::kNone;
-using reeb::NodeKind;
 
 struct Sets {
   explicit Sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
@@ -25,7 +21,7 @@ struct Sets {
 
 class Slabs {
  public:
-  explicit Slabs(const reeb::OrderedComplex& complex) : complex_(complex) {
+  explicit Slabs(const OrderedComplex& complex) : complex_(complex) {
     std::map<std::array<Index, 2>, Index> number;
     for (const auto& t : complex.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -193,7 +189,7 @@ class Slabs {
     note_triangles(v, false);
   }
 
-  const reeb::OrderedComplex& complex_;
+  const OrderedComplex& complex_;
   std::vector<std::array<Index, 2>> edges_;  ///< lower end first
   std::vector<int> faces_;                   ///< by edge: how many
   std::vector<std::vector<Index>> around_;   ///< triangles by vertex
@@ -205,17 +201,17 @@ class Slabs {
 
 }  // namespace
 
-OracleGraph slab_oracle(const reeb::OrderedComplex& complex) {
+OracleGraph slab_oracle(const OrderedComplex& complex) {
   return Slabs(complex).run();
 }
 
-OracleArc named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph, Index arc) {
-  const reeb::ReebArc& a = graph.arcs[arc];
+OracleArc named(const OrderedComplex& complex, const ReebGraph& graph, Index arc) {
+  const ReebArc& a = graph.arcs[arc];
   return {complex.rank[graph.nodes[a.lower].vertex], complex.rank[graph.nodes[a.upper].vertex],
           complex.rank[a.strand], a.open_below != 0};
 }
 
-OracleGraph named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& graph,
+OracleGraph named(const OrderedComplex& complex, const ReebGraph& graph,
                   const std::vector<Index>& arc_of_vertex) {
   OracleGraph out;
   for (const auto& n : graph.nodes) {
@@ -231,4 +227,4 @@ OracleGraph named(const reeb::OrderedComplex& complex, const reeb::ReebGraph& gr
   return out;
 }
 
-}  // namespace crest::tests
+}  // namespace crest::reeb
