@@ -67,20 +67,30 @@ class Sweep {
     for (u32 k_cut = 0; k_cut < c.cuts.size(); ++k_cut) arc_cut_[c.cuts[k_cut].arc] = k_cut;
     component_.resize(q.critical.size());
     std::iota(component_.begin(), component_.end(), u32{0});
+    size_.assign(q.critical.size(), 1);
   }
 
   void run() {
     reached_.assign(k_.rank.size(), kNone);
+    look_along_sides();
     const auto size = static_cast<u32>(q_.critical.size());
     for (u32 i = 0; i < size; ++i) visit(up_ ? i : size - 1 - i);
   }
-  /// The component, named by the last node that joined it.
+  /// The component. Comparing roots compares the last nodes that joined: each has one.
   u32 find(u32 s) {
     while (component_[s] != s) s = component_[s] = component_[component_[s]];
     return s;
   }
 
  private:
+  /// The smaller of the two components below the root of the larger one: short ways to the root.
+  void attach(u32 s, u32 root) {
+    s = find(s);
+    if (size_[s] > size_[root]) std::swap(s, root);
+    component_[s] = root;
+    size_[root] += size_[s];
+  }
+
   /// The node of K'' in which the part of an edge next to its later end ends; kNone if that is the
   /// edge's other end.
   u32 at_cut(u32 side) const {
@@ -117,14 +127,24 @@ class Sweep {
     return end;
   }
 
+  /// In the order of the mesh, where neighbours are near in memory; the sweep's order is random.
+  void look_along_sides() {
+    const auto& sides = up_ ? types_.lower : types_.upper;
+    target_.assign(sides.size(), kNone);
+    for (const auto& node : types_.nodes) {
+      if (node.critical == kNone) continue;
+      for (u32 at = types_.start[node.critical]; at < types_.start[node.critical + 1]; ++at)
+        if (sides[at] != kNone) target_[at] = before(sides[at]);
+    }
+  }
+
   void visit(u32 s) {
     if (q_.critical[s] == kNone) return visit_cut(s);
     surface_.clear();
     graph_.clear();
     const u32 i = q_.critical[s];
-    const auto& sides = up_ ? types_.lower : types_.upper;
     for (u32 at = types_.start[i]; at < types_.start[i + 1]; ++at)
-      if (sides[at] != kNone) surface_.push_back(find(before(sides[at])));
+      if (target_[at] != kNone) surface_.push_back(find(target_[at]));
     for (u32 at = arcs_.start[i]; at < arcs_.start[i + 1]; ++at)
       graph_.push_back(find(graph_end(arcs_.arcs[at])));
     std::sort(surface_.begin(), surface_.end());
@@ -134,7 +154,7 @@ class Sweep {
             "graph: a loop without cut {} node {}", up_ ? "below" : "above", c_.critical_nodes[i]);
     require(surface_ == graph_, "graph: {} node {} other components meet than in the surface",
             up_ ? "below" : "above", c_.critical_nodes[i]);
-    for (const u32 found : surface_) component_[found] = s;
+    for (const u32 found : surface_) attach(s, found);
   }
 
   /// Of the two new nodes of a cut one ends what comes along its arc; with the other a component
@@ -151,7 +171,7 @@ class Sweep {
     const u32 found = find(end);
     require(found == find(q_.of_critical[up_ ? arc.lower : arc.upper]),
             "cut {}: its arc leads to another component", cut);
-    component_[found] = s;
+    attach(s, found);
   }
   u32 graph_end(u32 arc) const {
     const u32 cut = arc_cut_[arc];
@@ -166,7 +186,7 @@ class Sweep {
   const Sequence& q_;
   bool up_;
   ArcsAt arcs_;
-  std::vector<u32> arc_cut_, component_, reached_, path_, surface_, graph_;
+  std::vector<u32> arc_cut_, component_, size_, reached_, path_, target_, surface_, graph_;
 };
 
 /// Theorem 6's hypothesis. `join` has swept upwards: its components are those of K''.

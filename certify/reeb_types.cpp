@@ -95,27 +95,29 @@ void classify(const ReebCertificate& c, const BoundaryEnds& ends, NodeTypes& out
 }
 
 /// Every run ends at a transition unless it is the whole link: then any side meets it.
-void collect_sides(const Complex& k, const ReebCertificate& c, NodeTypes& out) {
-  out.lower.reserve(out.start.back());
-  out.upper.reserve(out.start.back());
-  for (const u32 v : c.critical_nodes) {
+void collect_sides(const Complex& k, NodeTypes& out) {
+  out.lower.assign(out.start.back(), kNone);
+  out.upper.assign(out.start.back(), kNone);
+  for (u32 v = 0; v < out.nodes.size(); ++v) {
     const auto& node = out.nodes[v];
+    if (node.critical == kNone) continue;
+    u32 at = out.start[node.critical];
     if (node.transitions == 0) {
-      out.lower.push_back(node.down);
-      out.upper.push_back(node.up);
+      out.lower[at] = node.down;
+      out.upper[at] = node.up;
       continue;
     }
     const u32 start = k.node(node.down) == v ? node.down : next_corner(node.down);
     for_corners_around(k, start, [&](u32 corner) {
       const Middle m = middle_of(k, corner / 3);
-      if (m.corner != corner) return false;
-      out.lower.push_back(m.to_lower);
-      out.upper.push_back(m.to_upper);
+      if (m.corner != corner || at == out.start[node.critical + 1]) return false;
+      out.lower[at] = m.to_lower;
+      out.upper[at++] = m.to_upper;
       return false;
     });
+    // The walk has found what the count over all tiles has.
+    if (at != out.start[node.critical + 1]) throw std::logic_error("a node's star is not a disk");
   }
-  // The walks have found what the count over all tiles has.
-  if (out.lower.size() != out.start.back()) throw std::logic_error("a node's star is not a disk");
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ NodeTypes check_types(const ReebCertificate& c, const Complex& k) {
   require(out.minima == c.minima, "minima: {} stated, {} found", c.minima, out.minima);
   require(out.saddles == c.saddles, "saddles: {} stated, {} found", c.saddles, out.saddles);
   require(out.maxima == c.maxima, "maxima: {} stated, {} found", c.maxima, out.maxima);
-  collect_sides(k, c, out);
+  collect_sides(k, out);
   return out;
 }
 
