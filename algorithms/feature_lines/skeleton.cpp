@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -11,41 +10,31 @@
 namespace crest::feature_lines {
 namespace {
 
-/// Vertices by marked neighbours, most first; then by rank, lowest first.
+/// Vertices by marked neighbours, most first; then by field, lowest first; then by number.
 class DegreeQueue {
  public:
-  explicit DegreeQueue(const std::vector<Index>& rank) : rank_(rank) {}
-  void push(Index v, Index degree) { heap_.push({degree, ~rank_[v], v}); }
+  explicit DegreeQueue(const std::vector<double>& field) : field_(field) {}
+  void push(Index v, Index degree) { heap_.push({degree, field_.empty() ? 0.0 : -field_[v], ~v}); }
   /// False when empty; `pushed` is the degree the vertex was pushed with.
   bool pop(Index& v, Index& pushed) {
     if (heap_.empty()) return false;
-    std::tie(pushed, std::ignore, v) = heap_.top();
+    pushed = std::get<0>(heap_.top());
+    v = ~std::get<2>(heap_.top());
     heap_.pop();
     return true;
   }
 
  private:
-  const std::vector<Index>& rank_;
-  std::priority_queue<std::tuple<Index, Index, Index>> heap_;
+  const std::vector<double>& field_;
+  std::priority_queue<std::tuple<Index, double, Index>> heap_;
 };
-
-/// Places of the vertices in ascending order of the field; of their numbers without one.
-std::vector<Index> ranks_of(Index vertices, const std::vector<double>& field) {
-  std::vector<Index> order(vertices), rank(vertices);
-  std::iota(order.begin(), order.end(), Index{0});
-  if (field.empty()) return order;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return field[a] < field[b]; });
-  for (Index i = 0; i < vertices; ++i) rank[order[i]] = i;
-  return rank;
-}
 
 }  // namespace
 
-Thinner::Thinner(const kernel::TriangleMesh& mesh, Marks marks, const std::vector<double>& field)
+Thinner::Thinner(const kernel::TriangleMesh& mesh, Marks marks, std::vector<double> field)
     : mesh_(mesh),
       marks_(std::move(marks)),
-      rank_(ranks_of(mesh.vertex_count(), field)),
+      field_(std::move(field)),
       unmarked_(mesh.vertex_count(), 0),
       centre_until_(mesh.vertex_count(), 0) {
   for (const kernel::Edge& e : mesh.edges()) {
@@ -85,22 +74,48 @@ bool Thinner::is_tip(Index v) const {
   return marks_[v] && degree(v) == 1 && is_simple(mesh_, marks_, v);
 }
 
+bool Thinner::goes_before(Index v, Index w) const {
+  if (field_.empty() || field_[v] == field_[w]) return v < w;
+  return field_[v] < field_[w];
+}
+
 void Thinner::skeletonize() {
-  std::vector<Index> front, next, pass_of(mesh_.vertex_count(), 0);
+  std::vector<Index> front, next, waiting, stack, next_of(mesh_.vertex_count(), 0);
+  waiting.assign(mesh_.vertex_count(), 0);
   for (Index v = 0; v < mesh_.vertex_count(); ++v) {
     if (marks_[v] && unmarked_[v] > 0) front.push_back(v);
   }
+  const auto visit = [&](Index v) {
+    if (!marks_[v] || !beside_centre(v) || !is_simple(mesh_, marks_, v)) return;
+    take(v);
+    removed_.push_back(v);
+    for (const Index w : mesh_.ring(v)) {
+      if (!marks_[w] || next_of[w] == pass_) continue;
+      next_of[w] = pass_;
+      next.push_back(w);
+    }
+  };
   for (pass_ = 1; !front.empty(); ++pass_) {
     next.clear();
-    std::sort(front.begin(), front.end(), [&](Index a, Index b) { return rank_[a] < rank_[b]; });
-    for (const Index v : front) {
-      if (!marks_[v] || !beside_centre(v) || !is_simple(mesh_, marks_, v)) continue;
-      take(v);
-      removed_.push_back(v);
-      for (const Index w : mesh_.ring(v)) {
-        if (!marks_[w] || pass_of[w] == pass_) continue;
-        pass_of[w] = pass_;
-        next.push_back(w);
+    for (const Index v : front) waiting[v] = pass_;
+    // What happens to a vertex depends on the marks of its neighbours alone: those of them that go
+    // before it first, and all is as if the whole front were sorted.
+    for (const Index seed : front) {
+      if (waiting[seed] != pass_) continue;
+      stack.assign(1, seed);
+      while (!stack.empty()) {
+        const Index v = stack.back();
+        const auto ring = mesh_.ring(v);
+        const auto first = std::find_if(ring.begin(), ring.end(), [&](Index w) {
+          return waiting[w] == pass_ && goes_before(w, v);
+        });
+        if (first != ring.end()) {
+          stack.push_back(*first);
+          continue;
+        }
+        stack.pop_back();
+        waiting[v] = 0;
+        visit(v);
       }
     }
     front.swap(next);
@@ -110,7 +125,7 @@ void Thinner::skeletonize() {
 void Thinner::pre_prune() {
   // The ends of a strip have fewer marked neighbours than its sides: sides first, or an unlucky
   // numbering would eat the strip from its end.
-  DegreeQueue queue(rank_);
+  DegreeQueue queue(field_);
   for (Index v = 0; v < mesh_.vertex_count(); ++v) {
     if (marks_[v] && degree(v) >= 2) queue.push(v, degree(v));
   }

@@ -13,8 +13,8 @@ class Thinner {
  public:
   /// field: one number a vertex, or none. Where the order of removals is free, the vertex with the
   /// smallest value goes first, the smaller number among equals, so that lines run along crests.
-  /// Requires: marks.size() == V; mesh outlives the thinner. Cost: O(V log V).
-  Thinner(const kernel::TriangleMesh& mesh, Marks marks, const std::vector<double>& field = {});
+  /// Requires: marks.size() == V; mesh outlives the thinner; no value is NaN.
+  Thinner(const kernel::TriangleMesh& mesh, Marks marks, std::vector<double> field = {});
 
   /// Algorithm 3.1 to its fixpoint: passes over the vertices that are no centres at the start of
   /// the pass; those beside a vertex that was a centre then, and that are simple, go. Ends when no
@@ -22,13 +22,13 @@ class Thinner {
   void skeletonize();
 
   /// Removes simple vertices with two or more marked neighbours, one at a time, those with most
-  /// marked neighbours first: what remains are lines, nodes and tips. Cost: O(V).
+  /// marked neighbours first: what remains are lines, nodes and tips. Cost: O(V log V).
   void pre_prune();
 
   /// Takes the tips away `rounds` times; where an open end is left, what was taken from it comes
   /// back (at a fork the longest chain). So branches of more than `rounds` vertices keep their
   /// length and shorter ones vanish. An isolated line of at most `rounds` vertices shrinks to a
-  /// point, listed in dropped(). Ends with pre_prune(). Cost: O(V).
+  /// point, listed in dropped(). Ends with pre_prune(). Cost: O(V log V).
   void prune(Index rounds);
 
   const Marks& marks() const { return marks_; }
@@ -44,13 +44,14 @@ class Thinner {
   void put_back(Index v);
   bool beside_centre(Index v) const;
   bool is_tip(Index v) const;
+  bool goes_before(Index v, Index w) const;
   Index degree(Index v) const;
   std::vector<Taken> take_tips(Index rounds);
   void restore_open_ends(const std::vector<Taken>& history, Index rounds);
 
   const kernel::TriangleMesh& mesh_;
   Marks marks_;
-  std::vector<Index> rank_;          ///< V: place in the order of removals
+  std::vector<double> field_;        ///< V or none
   std::vector<Index> unmarked_;      ///< V: unmarked neighbours; 0: a centre, if marked
   std::vector<Index> centre_until_;  ///< V: the pass in which it ceased to be a centre
   Index pass_ = 0;

@@ -9,18 +9,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "algorithms/curvature/curvature.hpp"
 #include "algorithms/feature_lines/feature_lines.hpp"
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::experiments {
 
-/// max(|k1|, |k2|) of the fitted Monge forms, as `crest features --rings N` takes it.
-inline std::vector<double> curvature_field(const kernel::TriangleMesh& mesh, int rings = 0) {
-  ridges::FitOptions options;
-  options.rings = rings;
+/// max(|k1|, |k2|) as `crest features --method METHOD` takes it: of the fitted Monge forms ("fit"),
+/// or by a method of crest curvature.
+inline std::vector<double> curvature_field(const kernel::TriangleMesh& mesh,
+                                           const std::string& method = "fit") {
   std::vector<double> field;
+  if (method != "fit") {
+    curvature::Options options;
+    options.method = curvature::method_of(method).value();
+    for (const auto& c : curvature::estimate(mesh, options).vertices)
+      field.push_back(std::max(std::fabs(c.k1), std::fabs(c.k2)));
+    return field;
+  }
+  ridges::FitOptions options;
   for (const auto& form : ridges::fit_monge_forms(mesh, options).forms)
     field.push_back(std::max(std::fabs(form.k1), std::fabs(form.k2)));
   return field;

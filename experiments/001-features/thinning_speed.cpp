@@ -56,7 +56,7 @@ void run(kernel::Index side) {
       "pass over rings s |\n|---|---|---|---|---|---|---|---|\n");
   for (const double quantile : {0.2, 0.5, 0.8}) {
     const fl::Marks region = fl::threshold_by_value(field, fl::field_quantile(field, quantile));
-    fl::Thinner thinner(mesh, region);
+    fl::Thinner thinner(mesh, region, field);
     const double peel = seconds([&] { thinner.skeletonize(); });
     const double prune = seconds([&] { thinner.pre_prune(); });
     fl::Options options;
