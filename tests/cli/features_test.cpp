@@ -125,3 +125,36 @@ TEST_CASE("crest features thresholds a point field, or the curvature of a chosen
   CHECK(off.exit_code == 3);
   CHECK(off.err.find("only .vtp") != std::string::npos);
 }
+
+TEST_CASE("crest features refuses point fields that are no numbers, or belong to no vertex") {
+  const TemporaryFolder folder;
+  const auto vtp = [](const std::string& extra_point, const std::string& values) {
+    const std::string array = "<DataArray type=\"Float64\" format=\"ascii\" ";
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+           "byte_order=\"LittleEndian\">\n<PolyData><Piece NumberOfPoints=\"" +
+           std::string(extra_point.empty() ? "4" : "5") + "\" NumberOfPolys=\"4\">\n<PointData>" +
+           array + "Name=\"a\">" + values + "</DataArray></PointData>\n<Points>" + array +
+           "NumberOfComponents=\"3\">0 0 0 1 0 0 0 1 0 0 0 1 " + extra_point +
+           "</DataArray></Points>\n<Polys><DataArray type=\"Int64\" format=\"ascii\" "
+           "Name=\"connectivity\">0 2 1 0 1 3 1 2 3 0 3 2</DataArray><DataArray type=\"Int64\" "
+           "format=\"ascii\" Name=\"offsets\">3 6 9 12</DataArray></Polys>\n</Piece></PolyData>"
+           "</VTKFile>\n";
+  };
+  write_text(folder / "good.vtp", vtp("", "1 2 3 4"));
+  write_text(folder / "nan.vtp", vtp("", "1 2 nan 4"));
+  write_text(folder / "loose.vtp", vtp("5 5 5", "1 2 3 4 5"));
+  const auto good =
+      run_crest("crest features good.vtp --field a --threshold 0.5 --report r.json", folder.path());
+  INFO(good.err);
+  CHECK(good.exit_code == 0);
+  CHECK(read_json(folder / "r.json")["threshold"] == 3);
+  for (const char* file : {"nan.vtp", "loose.vtp"}) {
+    const auto run =
+        run_crest(std::string("crest features ") + file + " --field a -o o.vtp", folder.path());
+    INFO(file << "\n" << run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(file) != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "o.vtp"));
+  }
+}
