@@ -81,7 +81,10 @@ void add_field_options(CLI::App& app, FeaturesOptions& o) {
   o.rings_given->check(CLI::Range(0, 100))->type_name("N");
   auto* field =
       app.add_option("--field", o.field, "a point field of the file (.vtp) instead of a curvature");
-  field->type_name("NAME")->excludes(method)->excludes(o.rings_given);
+  field->check([](const std::string& name) { return name.empty() ? "is empty" : std::string(); })
+      ->type_name("NAME")
+      ->excludes(method)
+      ->excludes(o.rings_given);
   app.add_flag("--absolute", o.absolute, "take the field's absolute values")->needs(field);
 }
 
@@ -163,23 +166,6 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
   return field;
 }
 
-std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
-                             Report& report) {
-  if (o.field.empty()) {
-    return o.method == "fit" ? fitted_curvature(mesh, o.rings)
-                             : estimated_curvature(o, mesh, report);
-  }
-  std::vector<double> field = io::read_point_field(o.common.input, o.field);
-  if (field.size() != mesh.vertex_count()) {
-    throw kernel::InputError("field '" + o.field +
-                             "': the file has vertices without faces; remove them");
-  }
-  if (o.absolute) {
-    for (double& x : field) x = std::fabs(x);
-  }
-  return field;
-}
-
 /// What knows no file names.
 template <class Work>
 auto with_file(const std::string& file, Work&& work) {
@@ -188,6 +174,25 @@ auto with_file(const std::string& file, Work&& work) {
   } catch (const kernel::InputError& error) {
     throw error.with_file(file);
   }
+}
+
+std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                             Report& report) {
+  if (o.field.empty()) {
+    return with_file(o.common.input, [&] {
+      return o.method == "fit" ? fitted_curvature(mesh, o.rings)
+                               : estimated_curvature(o, mesh, report);
+    });
+  }
+  std::vector<double> field = io::read_point_field(o.common.input, o.field);
+  if (field.size() != mesh.vertex_count()) {
+    throw kernel::InputError(o.common.input + ": field '" + o.field +
+                             "': the file has vertices without faces; remove them");
+  }
+  if (o.absolute) {
+    for (double& x : field) x = std::fabs(x);
+  }
+  return field;
 }
 
 Json betti_json(const feature_lines::Topology& t) {
@@ -284,8 +289,7 @@ int run_features(FeaturesOptions& o) {
   for (const std::string& warning : file.warnings) report.warn(warning);
   const kernel::TriangleMesh& mesh = file.mesh;
   progress.show(o.field.empty() ? "fitting curvatures" : "reading " + o.field);
-  const std::vector<double> field = report.timed(
-      "fit", [&] { return with_file(o.common.input, [&] { return field_of(o, mesh, report); }); });
+  const std::vector<double> field = report.timed("fit", [&] { return field_of(o, mesh, report); });
   progress.show("thinning");
   const FeatureLines f = report.timed("extract", [&] {
     return with_file(o.common.input,

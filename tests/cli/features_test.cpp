@@ -116,10 +116,11 @@ TEST_CASE("crest features thresholds a point field, or the curvature of a chosen
     const auto run = run_crest(std::string("crest features c.vtp -o o.vtp --field '") + name + "'",
                                folder.path());
     INFO(name << "\n" << run.err);
-    CHECK(run.exit_code == (*name ? 3 : 0));
+    CHECK(run.exit_code == (*name ? 3 : 2));
     if (!*name) continue;
     CHECK(is_one_line(run.err));
     CHECK(run.err.find("'k1', 'k2'") != std::string::npos);
+    CHECK(run.err.find("c.vtp") == run.err.rfind("c.vtp"));
   }
   const auto off = run_crest("crest features e.off --field k1", folder.path());
   CHECK(off.exit_code == 3);
@@ -155,6 +156,7 @@ TEST_CASE("crest features refuses point fields that are no numbers, or belong to
     CHECK(run.exit_code == 3);
     CHECK(is_one_line(run.err));
     CHECK(run.err.find(file) != std::string::npos);
+    CHECK(run.err.find(file) == run.err.rfind(file));
     CHECK_FALSE(fs::exists(folder / "o.vtp"));
   }
 }
