@@ -15,6 +15,14 @@ else()
   target_compile_options(crest_rounding INTERFACE -frounding-math -Wno-overriding-t-option)
 endif()
 
+# Headers of other projects that most files of a target read, read once. Files still include what
+# they use: -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON must build too.
+function(crest_precompile target)
+  list(TRANSFORM ARGN PREPEND "<")
+  list(TRANSFORM ARGN APPEND ">")
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()
+
 # crest_library(<name> SOURCES ... LINK ... [ROUNDING])
 function(crest_library name)
   cmake_parse_arguments(ARG "ROUNDING" "" "SOURCES;LINK" ${ARGN})
