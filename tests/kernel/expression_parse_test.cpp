@@ -22,6 +22,12 @@ ExpressionError error_of(const std::string& text) {
   return {0, "no error"};
 }
 
+std::string before_x(std::size_t count, char c) {
+  std::string text(count + 1, c);
+  text.back() = 'x';
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("errors name the column and what was expected, in one line") {
@@ -54,8 +60,8 @@ TEST_CASE("errors name the column and what was expected, in one line") {
       {"x\x01", 2, "not a special character"},
       {"x $ y", 3, "not '$'"},
       {std::string("x\0y", 3), 2, "an operator or the end"},
-      {std::string(300, '(') + "x", 201, "nested too deeply"},
-      {std::string(300, '-') + "x", 201, "nested too deeply"},
+      {before_x(300, '('), 201, "nested too deeply"},
+      {before_x(300, '-'), 201, "nested too deeply"},
       {std::string(1001, '1'), 1, "too long"},
   };
   for (const Case& c : cases) {
