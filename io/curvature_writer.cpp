@@ -14,13 +14,11 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <iterator>
 
 #include "io/atomic_file.hpp"
 #include "io/formats.hpp"
-#include "io/vtk_quiet.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -109,19 +107,6 @@ vtkSmartPointer<vtkCellArray> vtk_triangles(const std::vector<kernel::Triangle>&
     cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
   }
   return cells;
-}
-
-std::string vtu_bytes(vtkUnstructuredGrid& grid) {
-  const VtkQuiet quiet;
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  writer->WriteToOutputStringOn();
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
-  writer->SetByteOrderToLittleEndian();
-  if (writer->Write() != 1 || quiet.failed()) throw std::runtime_error("VTK cannot write the data");
-  return writer->GetOutputString();
 }
 
 std::string ply_of(const kernel::TriangleMesh& mesh, const curvature::Result& result) {

@@ -43,24 +43,12 @@ int id(Index n) {
   return n == kNone ? -1 : static_cast<int>(n);
 }
 
-vtkSmartPointer<vtkIntArray> ints(const char* name) {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray> doubles(const char* name) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  return array;
-}
-
 void add_points(vtkPolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
                 const std::vector<double>& field) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const auto label = ints("label"), patch = ints("patch");
-  const auto value = doubles("field");
+  const auto label = named_ints("label"), patch = named_ints("patch");
+  const auto value = named_doubles("field");
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     points->InsertNextPoint(mesh.points()[v].data());
     label->InsertNextValue(code(graph.labels[v]));
@@ -75,10 +63,10 @@ void add_points(vtkPolyData& data, const kernel::TriangleMesh& mesh, const Featu
 
 /// The columns of the cell data.
 struct CellColumns {
-  vtkSmartPointer<vtkIntArray> kind = ints("kind"), end_0 = ints("end_0"), end_1 = ints("end_1"),
-                               node_0 = ints("node_0"), node_1 = ints("node_1"),
-                               patch = ints("patch");
-  vtkSmartPointer<vtkDoubleArray> length = doubles("length");
+  vtkSmartPointer<vtkIntArray> kind = named_ints("kind"), end_0 = named_ints("end_0"),
+                               end_1 = named_ints("end_1"), node_0 = named_ints("node_0"),
+                               node_1 = named_ints("node_1"), patch = named_ints("patch");
+  vtkSmartPointer<vtkDoubleArray> length = named_doubles("length");
 
   void add(int k, std::array<int, 2> ends, std::array<int, 2> nodes, int p, double l) {
     kind->InsertNextValue(k);

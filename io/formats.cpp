@@ -3,7 +3,9 @@
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -12,9 +14,12 @@
 
 namespace crest::io {
 
-std::string vtp_bytes(vtkPolyData& data) {
+namespace {
+
+template <class Writer, class Data>
+std::string bytes_of(Data& data) {
   const VtkQuiet quiet;
-  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<Writer> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
   writer->SetDataModeToAppended();
@@ -23,6 +28,28 @@ std::string vtp_bytes(vtkPolyData& data) {
   writer->SetByteOrderToLittleEndian();
   if (writer->Write() != 1 || quiet.failed()) throw std::runtime_error("VTK cannot write the data");
   return writer->GetOutputString();
+}
+
+}  // namespace
+
+std::string vtp_bytes(vtkPolyData& data) {
+  return bytes_of<vtkXMLPolyDataWriter>(data);
+}
+
+std::string vtu_bytes(vtkUnstructuredGrid& data) {
+  return bytes_of<vtkXMLUnstructuredGridWriter>(data);
+}
+
+vtkSmartPointer<vtkIntArray> named_ints(const char* name) {
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> named_doubles(const char* name) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  return array;
 }
 
 std::string lower_extension(const std::string& path) {

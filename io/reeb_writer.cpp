@@ -13,14 +13,12 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "io/atomic_file.hpp"
 #include "io/formats.hpp"
-#include "io/vtk_quiet.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -35,18 +33,6 @@ enum Kind { kNode, kArc, kLevelLine, kTile = 6 };  // between them the trees
 
 int number(Index i) {
   return i == kNone ? -1 : static_cast<int>(i);
-}
-
-vtkSmartPointer<vtkIntArray> ints(const char* name) {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray> doubles(const char* name) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  return array;
 }
 
 void add_digest(vtkDataObject& data, const std::string& digest) {
@@ -174,32 +160,19 @@ class PolyBuilder {
   const ReebScene& scene_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkCellArray> verts_, lines_, polys_;
-  vtkSmartPointer<vtkDoubleArray> value_ = doubles("value"), level_ = doubles("level");
-  vtkSmartPointer<vtkIntArray> node_ = ints("node"), type_ = ints("type"),
-                               multiplicity_ = ints("multiplicity"),
-                               on_boundary_ = ints("on_boundary"), kind_ = ints("kind"),
-                               arc_ = ints("arc"), lower_ = ints("lower"), upper_ = ints("upper"),
-                               face_ = ints("face");
+  vtkSmartPointer<vtkDoubleArray> value_ = named_doubles("value"), level_ = named_doubles("level");
+  vtkSmartPointer<vtkIntArray> node_ = named_ints("node"), type_ = named_ints("type"),
+                               multiplicity_ = named_ints("multiplicity"),
+                               on_boundary_ = named_ints("on_boundary"), kind_ = named_ints("kind"),
+                               arc_ = named_ints("arc"), lower_ = named_ints("lower"),
+                               upper_ = named_ints("upper"), face_ = named_ints("face");
 };
-
-std::string vtu_bytes(vtkUnstructuredGrid& grid) {
-  const VtkQuiet quiet;
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  writer->WriteToOutputStringOn();
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
-  writer->SetByteOrderToLittleEndian();
-  if (writer->Write() != 1 || quiet.failed()) throw std::runtime_error("VTK cannot write the data");
-  return writer->GetOutputString();
-}
 
 std::string tiles_vtu(const ReebScene& scene) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const auto value = doubles("value");
-  const auto kind = ints("kind"), type = ints("type"), point_arc = ints("arc");
+  const auto value = named_doubles("value");
+  const auto kind = named_ints("kind"), type = named_ints("type"), point_arc = named_ints("arc");
   const std::size_t lines = scene.tiles.vertex_count + scene.tiles.critical_edges.size();
   for (Index v = 0; v < scene.places.size(); ++v) {
     points->InsertNextPoint(scene.places[v].point.data());
@@ -212,7 +185,7 @@ std::string tiles_vtu(const ReebScene& scene) {
     type->SetValue(node.vertex, static_cast<int>(node.kind));
   }
   vtkNew<vtkCellArray> cells;
-  const auto face = ints("face"), arc = ints("arc");
+  const auto face = named_ints("face"), arc = named_ints("arc");
   const auto& begin = scene.tiles.tile_begin;
   const auto& tiles = scene.tiles.tiles;
   Index f = 0;
