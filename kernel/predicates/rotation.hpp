@@ -14,12 +14,12 @@
 // its error.
 //
 // Laws. (1) omega(w, v) = -omega(v, w). (2) independent of the frames' signs
-// (if d1 is parallel to n, phi is 0 or pi by the sign of d1's first non-zero coordinate). (3) around a triangle
-// omega and the scaled corner angles sum to pi (1 + twice the index): exactly, so a sum known to
-// less than pi gives the index. (4) twice the index is odd iff the product of the three acute-rule
-// signs is negative. (5) the indices of a closed mesh sum to its Euler characteristic.
-// Not true: that omega is less than 90 degrees (a sharp fold separates the acute rule, which is
-// measured in space, from the rotation in the surface).
+// (if d1 is parallel to n, phi is 0 or pi by the sign of d1's first non-zero coordinate). (3)
+// around a triangle omega and the scaled corner angles sum to pi (1 + twice the index): exactly, so
+// a sum known to less than pi gives the index. (4) twice the index is odd iff the product of the
+// three acute-rule signs is negative. (5) the indices of a closed mesh sum to its Euler
+// characteristic. Not true: that omega is less than 90 degrees (a sharp fold separates the acute
+// rule, which is measured in space, from the rotation in the surface).
 #include <optional>
 #include <span>
 
