@@ -35,3 +35,15 @@ inline MaybeSign certain_sign(const Interval& x) {
 }
 
 }  // namespace crest::kernel
+
+// Here argument-dependent lookup finds them, as it does CGAL's square root.
+namespace CGAL {
+
+/// Over MPFR, under either rounding mode; a microsecond or two each.
+crest::kernel::Interval exp(const crest::kernel::Interval& x);
+/// The whole line if x holds negative numbers.
+crest::kernel::Interval log(const crest::kernel::Interval& x);
+crest::kernel::Interval sin(const crest::kernel::Interval& x);
+crest::kernel::Interval cos(const crest::kernel::Interval& x);
+
+}  // namespace CGAL

@@ -64,6 +64,21 @@ MpInterval MpInterval::from(const Rational& x, mpfr_prec_t bits) {
   return r;
 }
 
+MpInterval MpInterval::between(double low, double high, mpfr_prec_t bits) {
+  if (!(low <= high)) return whole(bits);
+  MpInterval r(bits);
+  mpfr_set_d(r.low_, low, MPFR_RNDD);
+  mpfr_set_d(r.high_, high, MPFR_RNDU);
+  return r;
+}
+
+MpInterval MpInterval::hull(const MpInterval& a, const MpInterval& b) {
+  MpInterval r(common(a, b));
+  mpfr_min(r.low_, a.low_, b.low_, MPFR_RNDD);
+  mpfr_max(r.high_, a.high_, b.high_, MPFR_RNDU);
+  return r;
+}
+
 MpInterval MpInterval::pi(mpfr_prec_t bits) {
   MpInterval r(bits);
   mpfr_const_pi(r.low_, MPFR_RNDD);
@@ -156,12 +171,94 @@ MpInterval operator/(const MpInterval& a, const MpInterval& b) {
   return a * inverse;
 }
 
+MpInterval operator+(const MpInterval& a, double b) {
+  MpInterval r(a.precision());
+  mpfr_add_d(r.low_, a.low_, b, MPFR_RNDD);
+  mpfr_add_d(r.high_, a.high_, b, MPFR_RNDU);
+  r.widen_if_undefined();
+  return r;
+}
+
+MpInterval operator-(const MpInterval& a, double b) {
+  return a + -b;
+}
+
+MpInterval operator*(const MpInterval& a, double b) {
+  MpInterval r(a.precision());
+  mpfr_mul_d(r.low_, b < 0 ? a.high_ : a.low_, b, MPFR_RNDD);
+  mpfr_mul_d(r.high_, b < 0 ? a.low_ : a.high_, b, MPFR_RNDU);
+  r.widen_if_undefined();
+  return r;
+}
+
+MpInterval operator/(const MpInterval& a, double b) {
+  if (b == 0) return MpInterval::whole(a.precision());
+  MpInterval r(a.precision());
+  mpfr_div_d(r.low_, b < 0 ? a.high_ : a.low_, b, MPFR_RNDD);
+  mpfr_div_d(r.high_, b < 0 ? a.low_ : a.high_, b, MPFR_RNDU);
+  r.widen_if_undefined();
+  return r;
+}
+
 MpInterval sqrt(const MpInterval& a) {
   MpInterval r(a.precision());
   if (mpfr_sgn(a.low_) > 0) mpfr_sqrt(r.low_, a.low_, MPFR_RNDD);
   if (mpfr_sgn(a.high_) > 0) mpfr_sqrt(r.high_, a.high_, MPFR_RNDU);
   r.widen_if_undefined();
   return r;
+}
+
+MpInterval exp(const MpInterval& a) {
+  MpInterval r(a.precision());
+  mpfr_exp(r.low_, a.low_, MPFR_RNDD);
+  mpfr_exp(r.high_, a.high_, MPFR_RNDU);
+  r.widen_if_undefined();
+  return r;
+}
+
+MpInterval log(const MpInterval& a) {
+  if (mpfr_sgn(a.low_) < 0) return MpInterval::whole(a.precision());
+  MpInterval up(a), r(a.precision());
+  mpfr_abs(up.low_, up.low_, MPFR_RNDD);  // the logarithm of -0 is undefined in some versions
+  mpfr_log(r.low_, up.low_, MPFR_RNDD);
+  mpfr_log(r.high_, up.high_, MPFR_RNDU);
+  r.widen_if_undefined();
+  return r;
+}
+
+// Whole numbers in an enclosure of (a - shift) / pi: none, and f is monotone over a; an even one,
+// and 1 is its maximum; an odd one, and -1 is its minimum.
+MpInterval MpInterval::wave(const MpInterval& a, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+                            double shift) {
+  const mpfr_prec_t bits = a.precision();
+  const MpInterval one = between(-1, 1, bits), turns = a / pi(bits + 32) - shift;
+  if (!mpfr_number_p(turns.low_) || !mpfr_number_p(turns.high_)) return one;
+  MpInterval whole_turns(turns), r(bits), other(bits);
+  mpfr_rint_ceil(whole_turns.low_, turns.low_, MPFR_RNDD);
+  mpfr_rint_floor(whole_turns.high_, turns.high_, MPFR_RNDU);
+  const int held = mpfr_cmp(whole_turns.low_, whole_turns.high_);  // > 0: none, 0: one
+  if (held < 0) return one;
+  f(r.low_, a.low_, MPFR_RNDD);
+  f(other.low_, a.high_, MPFR_RNDD);
+  mpfr_min(r.low_, r.low_, other.low_, MPFR_RNDD);
+  f(r.high_, a.low_, MPFR_RNDU);
+  f(other.high_, a.high_, MPFR_RNDU);
+  mpfr_max(r.high_, r.high_, other.high_, MPFR_RNDU);
+  if (held > 0) return r;
+  mpfr_div_2ui(whole_turns.low_, whole_turns.low_, 1, MPFR_RNDD);
+  if (mpfr_integer_p(whole_turns.low_)) {
+    mpfr_set_si(r.high_, 1, MPFR_RNDU);
+  } else {
+    mpfr_set_si(r.low_, -1, MPFR_RNDD);
+  }
+  return r;
+}
+
+MpInterval sin(const MpInterval& a) {
+  return MpInterval::wave(a, mpfr_sin, 0.5);
+}
+MpInterval cos(const MpInterval& a) {
+  return MpInterval::wave(a, mpfr_cos, 0);
 }
 
 // atan2 over a box without the origin takes its extremes at two corners: the argument grows with -x

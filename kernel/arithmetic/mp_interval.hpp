@@ -27,6 +27,9 @@ class MpInterval {
 
   /// An enclosure one unit in the last place wide.
   static MpInterval from(const Rational& x, mpfr_prec_t bits);
+  /// All x with low <= x <= high; the whole line unless low <= high.
+  static MpInterval between(double low, double high, mpfr_prec_t bits);
+  static MpInterval hull(const MpInterval& a, const MpInterval& b);
   static MpInterval pi(mpfr_prec_t bits);
   static MpInterval whole(mpfr_prec_t bits);
 
@@ -44,8 +47,17 @@ class MpInterval {
   friend MpInterval operator-(const MpInterval& a, const MpInterval& b);
   friend MpInterval operator*(const MpInterval& a, const MpInterval& b);
   friend MpInterval operator/(const MpInterval& a, const MpInterval& b);
+  friend MpInterval operator+(const MpInterval& a, double b);
+  friend MpInterval operator-(const MpInterval& a, double b);
+  friend MpInterval operator*(const MpInterval& a, double b);
+  friend MpInterval operator/(const MpInterval& a, double b);
   /// Square roots of the non-negative points of a; zero if there are none.
   friend MpInterval sqrt(const MpInterval& a);
+  friend MpInterval exp(const MpInterval& a);
+  /// The whole line if a holds negative points.
+  friend MpInterval log(const MpInterval& a);
+  friend MpInterval sin(const MpInterval& a);
+  friend MpInterval cos(const MpInterval& a);
   /// The arguments of all points (x, y), modulo 2 pi: continuous across the negative x-axis, where
   /// the result holds pi and may exceed it. A box that holds the origin gives an interval that
   /// encloses [-pi, pi].
@@ -55,8 +67,17 @@ class MpInterval {
 
  private:
   void widen_if_undefined();
+  /// f over a; f is monotone between `shift` + whole multiples of pi, where it is 1 and -1 in
+  /// turns, 1 at `shift`.
+  static MpInterval wave(const MpInterval& a, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+                         double shift);
   mpfr_t low_;
   mpfr_t high_;
 };
+
+/// The number x with the precision of `like` (see jet_tables.hpp).
+inline MpInterval number_like(double x, const MpInterval* like) {
+  return MpInterval(x, like != nullptr ? like->precision() : mpfr_prec_t{64});
+}
 
 }  // namespace crest::kernel

@@ -56,6 +56,25 @@ TaylorModel<Order> TaylorModel<Order>::scaled(double s) const {
 }
 
 template <int Order>
+TaylorModel<Order> TaylorModel<Order>::divided(double s) const {
+  TaylorModel r;
+  double size = 0;
+  for (std::size_t m = 0; m < kCount; ++m) {
+    r.c[m] = c[m] / s;
+    size += std::fabs(r.c[m]);
+  }
+  r.radius = grow(radius / std::fabs(s) + kUnit * size);
+  return r;
+}
+
+template <int Order>
+bool TaylorModel<Order>::is_flat() const {
+  bool flat = true;
+  for (std::size_t m = 1; m < kCount; ++m) flat = flat && c[m] == 0;
+  return flat;
+}
+
+template <int Order>
 TaylorModel<Order> TaylorModel<Order>::product(const TaylorModel& b) const {
   TaylorModel r;
   for (const auto& [i, j, k] : kTable.products) r.c[k] += c[i] * b.c[j];
@@ -91,13 +110,14 @@ TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(dou
 }
 
 template <int Order>
-Range TaylorModel<Order>::range() const {
+Range TaylorModel<Order>::range_of_rows(std::uint64_t rows) const {
   const auto& table = taylor::kBernstein<Order>.of;
   double low = HUGE_VAL, high = -HUGE_VAL, size = 0;
   for (const double x : c) size += std::fabs(x);
-  for (const auto& row : table) {
+  for (std::size_t row = 0; row < kCount; ++row) {
+    if ((rows >> row & 1) == 0) continue;
     double b = 0;
-    for (std::size_t m = 0; m < kCount; ++m) b += row[m] * c[m];
+    for (std::size_t m = 0; m < kCount; ++m) b += table[row][m] * c[m];
     low = std::fmin(low, b);
     high = std::fmax(high, b);
   }
@@ -105,6 +125,45 @@ Range TaylorModel<Order>::range() const {
   // NaN spreads: fmin drops it, so the size is asked.
   if (!(size + slack < HUGE_VAL)) return {-HUGE_VAL, HUGE_VAL};
   return {low - slack - std::fabs(low) * 0x1p-52, high + slack + std::fabs(high) * 0x1p-52};
+}
+
+namespace {
+
+/// The Bernstein coefficients l0^a0 l1^a1 l2^a2 without the corners of the bits `without`: of the
+/// triangle, an edge (they are those of the function on it) or a corner (its value there).
+template <int Order>
+constexpr std::uint64_t rows_without(unsigned without) {
+  constexpr Monomials<2, Order> kTable;  // its exponents are a1 and a2
+  std::uint64_t rows = 0;
+  for (std::size_t row = 0; row < kTable.kCount; ++row) {
+    const int a1 = kTable.exponents[row][0], a2 = kTable.exponents[row][1];
+    const bool has[3] = {a1 + a2<Order, a1> 0, a2 > 0};
+    bool keep = true;
+    for (unsigned i = 0; i < 3; ++i) keep = keep && !(has[i] && (without >> i & 1) != 0);
+    if (keep) rows |= std::uint64_t{1} << row;
+  }
+  return rows;
+}
+
+}  // namespace
+
+template <int Order>
+Range TaylorModel<Order>::range() const {
+  return range_of_rows(rows_without<Order>(0));
+}
+
+template <int Order>
+Range TaylorModel<Order>::range_on_edge(int i) const {
+  constexpr std::uint64_t kRows[3] = {rows_without<Order>(4), rows_without<Order>(1),
+                                      rows_without<Order>(2)};
+  return range_of_rows(kRows[i]);
+}
+
+template <int Order>
+Range TaylorModel<Order>::at_corner(int i) const {
+  constexpr std::uint64_t kRows[3] = {rows_without<Order>(6), rows_without<Order>(5),
+                                      rows_without<Order>(3)};
+  return range_of_rows(kRows[i]);
 }
 
 template class TaylorModel<3>;

@@ -25,6 +25,7 @@
 // If anything overflows the radius is infinite or NaN, and nothing is certain any more.
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "kernel/arithmetic/sign.hpp"
 #include "kernel/arithmetic/taylor_series.hpp"
@@ -68,6 +69,11 @@ class TaylorModel {
 
   /// Encloses the function's values on the triangle (Bernstein coefficients).
   Range range() const;
+  /// On the edge from corner i to corner (i + 1) % 3.
+  Range range_on_edge(int i) const;
+  Range at_corner(int i) const;
+  /// The polynomial is a constant: nothing but c[0] and the radius.
+  bool is_flat() const;
   /// A cheap upper bound of |f|: the sum of w |c|, and the radius.
   double magnitude() const;
 
@@ -81,6 +87,7 @@ class TaylorModel {
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) { return a.product(b); }
   friend TaylorModel operator*(double s, const TaylorModel& a) { return a.scaled(s); }
   friend TaylorModel operator*(const TaylorModel& a, double s) { return a.scaled(s); }
+  friend TaylorModel operator/(const TaylorModel& a, double s) { return a.divided(s); }
   friend TaylorModel operator/(const TaylorModel& a, const TaylorModel& b) {
     return a * inverse(b);
   }
@@ -94,9 +101,12 @@ class TaylorModel {
  private:
   static constexpr double kUnit = 0x1p-53;
 
+  /// Least and greatest of the Bernstein coefficients in `rows`, opened by radius and rounding.
+  Range range_of_rows(std::uint64_t rows) const;
   TaylorModel sum(const TaylorModel& b, double sign) const;
   TaylorModel product(const TaylorModel& b) const;
   TaylorModel scaled(double s) const;
+  TaylorModel divided(double s) const;
   /// Plain sums of w |c| by degree.
   std::array<double, Order + 1> by_degree() const;
   TaylorModel compose(taylor::Series (*make_series)(double c, double rho, int order)) const;
