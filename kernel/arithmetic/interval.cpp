@@ -20,6 +20,9 @@ Interval narrow(const MpInterval& x) {
 
 }  // namespace
 
+Interval strict_sqrt(const Interval& x) {
+  return x.inf() < 0 ? Interval::largest() : sqrt(x);
+}
 Interval exp(const Interval& x) {
   return narrow(exp(wide(x)));
 }

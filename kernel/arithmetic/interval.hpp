@@ -39,6 +39,8 @@ inline MaybeSign certain_sign(const Interval& x) {
 // Here argument-dependent lookup finds them, as it does CGAL's square root.
 namespace CGAL {
 
+/// The whole line if x holds negative numbers. Requires: a RoundUpward.
+crest::kernel::Interval strict_sqrt(const crest::kernel::Interval& x);
 /// Over MPFR, under either rounding mode; a microsecond or two each.
 crest::kernel::Interval exp(const crest::kernel::Interval& x);
 /// The whole line if x holds negative numbers.

@@ -70,9 +70,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::over(const Jet& f) const {
 
 template <class T, int Variables, int Order>
 Jet<T, Variables, Order> Jet<T, Variables, Order>::square_root() const {
-  using std::sqrt;
   // The constant is set last: its products with the others are the left side.
-  const T root = sqrt((*this)[0]), factor = number_like(1, &root) / (root * 2.0);
+  const T root = strict_sqrt((*this)[0]), factor = number_like(1, &root) / (root * 2.0);
   Jet s;
   Coefficients sums;
   for (std::size_t i = 1; i < kCount; ++i) {

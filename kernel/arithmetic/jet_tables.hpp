@@ -4,6 +4,7 @@
 // What jets are made with: where coefficients stand and where their products go, at compile time;
 // what jets ask of number types.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,6 +21,14 @@ T number_like(double x, const T* /*like*/) {
 template <class T>
 void add_product(T& sum, const T& a, const T& b) {
   sum = sum + a * b;
+}
+
+/// The square root; the whole line where a negative number is enclosed: types overload it whose
+/// sqrt forgives those.
+template <class T>
+T strict_sqrt(const T& x) {
+  using std::sqrt;
+  return sqrt(x);
 }
 
 template <int Variables, int Order>

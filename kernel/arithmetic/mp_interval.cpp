@@ -208,6 +208,10 @@ MpInterval sqrt(const MpInterval& a) {
   return r;
 }
 
+MpInterval strict_sqrt(const MpInterval& a) {
+  return a.lower() < 0 ? MpInterval::whole(a.precision()) : sqrt(a);
+}
+
 MpInterval exp(const MpInterval& a) {
   MpInterval r(a.precision());
   mpfr_exp(r.low_, a.low_, MPFR_RNDD);

@@ -75,6 +75,8 @@ class MpInterval {
   mpfr_t high_;
 };
 
+/// The whole line if a holds negative points (see jet_tables.hpp).
+MpInterval strict_sqrt(const MpInterval& a);
 /// The number x with the precision of `like` (see jet_tables.hpp).
 inline MpInterval number_like(double x, const MpInterval* like) {
   return MpInterval(x, like != nullptr ? like->precision() : mpfr_prec_t{64});

@@ -8,6 +8,7 @@
 #include "kernel/arithmetic/interval.hpp"
 #include "kernel/arithmetic/jet.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
+#include "kernel/arithmetic/mp_taylor_model.hpp"
 #include "kernel/arithmetic/taylor_model.hpp"
 #include "kernel/expressions/evaluate.hpp"
 
@@ -46,12 +47,39 @@ template <int Order>
 TaylorModel<Order> as_enclosure(const Constant& c, const TaylorModel<Order>*) {
   return as_taylor<Order>(c);
 }
+template <int Order>
+MpTaylorModel<Order> as_enclosure(const Constant& c, const MpTaylorModel<Order>*) {
+  return MpTaylorModel<Order>(as_mp_interval(c, MpTaylorModel<Order>::kBits));
+}
 inline double as_enclosure(const Constant& c, const double*) {
   return as_double(c);
 }
 inline Rational as_enclosure(const Constant& c, const Rational*) {
   return as_rational(c);
 }
+
+/// With square roots of negative numbers unknown (see strict_sqrt).
+template <class T>
+struct StrictFunctions {
+  static T apply(Operation::Code code, const T& x) {
+    switch (code) {
+      case Operation::Code::sqrt:
+        return strict_sqrt(x);
+      case Operation::Code::exp:
+        return exp(x);
+      case Operation::Code::log:
+        return log(x);
+      case Operation::Code::sin:
+        return sin(x);
+      default:
+        return cos(x);
+    }
+  }
+};
+template <>
+struct ElementaryFunctions<Interval> : StrictFunctions<Interval> {};
+template <>
+struct ElementaryFunctions<MpInterval> : StrictFunctions<MpInterval> {};
 
 template <int Variables, int Order>
 struct ElementaryFunctions<Jet<Rational, Variables, Order>> {
