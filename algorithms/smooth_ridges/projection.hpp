@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Points of an implicit surface in double precision. Nothing is proven here: charts decide.
+#include <optional>
+
+#include "algorithms/smooth_ridges/surface.hpp"
+#include "algorithms/smooth_ridges/triangulation.hpp"
+
+namespace crest::smooth_ridges {
+
+/// Not for two threads at a time.
+class Projection {
+ public:
+  explicit Projection(const Surface& surface) : f_(surface) {}
+
+  struct Sample {
+    double value;
+    Vec3 gradient;
+  };
+  Sample sample(const Vec3& p);
+
+  /// A zero of F near p by Newton's method along grad F, to rounding; nothing if it does not
+  /// converge in steps that together stay within `reach`.
+  std::optional<Vec3> onto(Vec3 p, double reach);
+  /// The same along the direction m (unit length is not needed; reach is measured in space).
+  std::optional<Vec3> along(Vec3 p, const Vec3& m, double reach);
+
+  /// x, and N = grad F / |grad F| there.
+  Vertex vertex(const Vec3& x);
+
+ private:
+  template <class Direction>
+  std::optional<Vec3> newton(Vec3 p, double reach, Direction&& direction);
+
+  ImplicitMap<double, 1> f_;
+};
+
+/// How triangulations of the surface are refined. Implicit: new points by projection of an edge's
+/// midpoint along its mean normal. Parametric: lengths in the metric of X at the midpoint.
+EdgeRules edge_rules(const Surface& surface);
+
+inline double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// a + t b.
+inline Vec3 step(const Vec3& a, double t, const Vec3& b) {
+  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
+}
+inline double length(const Vec3& a) {
+  return std::sqrt(dot(a, a));
+}
+inline Vec3 position(const Vertex& v) {
+  return {v[0], v[1], v[2]};
+}
+inline Vec3 normal(const Vertex& v) {
+  return {v[3], v[4], v[5]};
+}
+
+}  // namespace crest::smooth_ridges
