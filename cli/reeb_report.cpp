@@ -83,6 +83,7 @@ void fill_report(Report& report, const ReebRun& run) {
   for (const auto& [name, counts] : run.predicates) {
     json["predicates"][name] = {{"calls", counts.calls},
                                 {"interval", counts.interval},
+                                {"integer", counts.integer},
                                 {"exact", counts.exact},
                                 {"symbolic", counts.symbolic}};
   }

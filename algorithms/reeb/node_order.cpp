@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "kernel/arithmetic/rational.hpp"
+#include "algorithms/reeb/exact_order.hpp"
+#include "kernel/predicates/critical_value_grid.hpp"
 #include "kernel/predicates/critical_value_order.hpp"
 
 namespace crest::reeb {
@@ -19,16 +19,14 @@ using kernel::CriticalValue;
 using kernel::Decision;
 using kernel::FaceValues;
 using kernel::QuadraticMesh;
-using kernel::Rational;
 using kernel::Sign;
 using kernel::Stage;
 using kernel::StageCounts;
 using kernel::ValueKind;
 using kernel::ValueRange;
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-/// bits: the enclosure's lower end, ascending as doubles are; width: at least its length.
+/// bits: the key on the grid, or the enclosure's lower end, ascending as doubles are; width: at
+/// least the enclosure's length.
 struct Key {
   std::uint64_t bits;
   Index node;
@@ -117,86 +115,22 @@ class Values {
   std::vector<ValueRange> ranges_;
 };
 
-// The values times 2^shift are integers, as doubles; nothing if their exponents differ too much.
-std::optional<int> integer_shift(const FaceValues& f) {
-  int low = 2000, high = -2000;
-  for (const auto& part : {f.corner, f.side})
-    for (double x : part) {
-      if (x == 0) continue;
-      const int exponent = std::ilogb(x);
-      low = std::min(low, exponent);
-      high = std::max(high, exponent);
-    }
-  if (high - low > 800 || low < -900 || high > 900) return std::nullopt;
-  return 52 - low;
-}
-
-template <class Number, ValueKind kind>
-std::pair<Number, Number> fraction(const FaceValues& f) {
-  const kernel::ValueFraction<Number, kind> q(f);
-  return {Number(f.corner[0]) * q.denominator + q.numerator, q.denominator};
-}
-
-template <ValueKind kind>
-Rational exact_fraction(FaceValues f) {
-  const std::optional<int> shift = integer_shift(f);
-  if (!shift) {
-    const auto [n, d] = fraction<Rational, kind>(f);
-    return n / d;
-  }
-  // Integers need one reduction, rationals one an operation.
-  for (auto* part : {&f.corner, &f.side})
-    for (double& x : *part) x = std::ldexp(x, *shift);
-  auto [n, d] = fraction<Integer, kind>(f);
-  if (*shift > 0)
-    d <<= static_cast<unsigned>(*shift);
-  else
-    n <<= static_cast<unsigned>(-*shift);
-  return {n, d};
-}
-
-Rational exact_value(const CriticalValue& v) {
-  if (v.kind == ValueKind::vertex) return v.f.corner[0];
-  return v.kind == ValueKind::edge ? exact_fraction<ValueKind::edge>(v.f)
-                                   : exact_fraction<ValueKind::face>(v.f);
-}
-
-// The exact values once a node rather than once a comparison.
-void sort_exactly(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied,
-                  StageCounts& counts) {
-  struct Item {
-    Rational value;
-    Index node;
-  };
-  std::vector<Item> items;
+// Longer runs by exact values, each once.
+void sort_long_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied,
+                   StageCounts& counts) {
+  std::vector<ValuedNode> items;
   items.reserve(nodes.size());
   for (Index node : nodes) {
     const ValueRange r = values.range(node);
-    items.push_back({r.low == r.high ? Rational(r.low) : exact_value(values.value(node)), node});
+    items.push_back({r.low == r.high ? CriticalValue::vertex(r.low) : values.value(node), r, node});
   }
-  const auto disjoint = [&](const Item& x, const Item& y) {
-    const ValueRange a = values.range(x.node), b = values.range(y.node);
-    return a.high < b.low ? -1 : b.high < a.low ? 1 : 0;
-  };
-  std::sort(items.begin(), items.end(), [&](const Item& x, const Item& y) {
-    int c = disjoint(x, y);
-    if (c == 0) c = x.value.compare(y.value);
-    return c != 0 ? c < 0 : x.node < y.node;
-  });
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    nodes[i] = items[i].node;
-    if (i == 0) continue;
-    tied[i] = items[i].value == items[i - 1].value;
-    counts.add(tied[i]                                 ? Stage::symbolic
-               : disjoint(items[i - 1], items[i]) != 0 ? Stage::triage
-                                                       : Stage::exact);
-  }
+  sort_exactly(items, nodes, tied, counts);
 }
 
 // A pair is the common run and mostly decided by a filter.
 void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8_t> tied,
               StageCounts& counts) {
-  if (nodes.size() > 2) return sort_exactly(values, nodes, tied, counts);
+  if (nodes.size() > 2) return sort_long_run(values, nodes, tied, counts);
   const CriticalValue x = values.value(nodes[0]), y = values.value(nodes[1]);
   const Decision d = kernel::critical_value_order(x, nodes[0], y, nodes[1]);
   tied[1] = d.stage == Stage::symbolic;
@@ -204,15 +138,32 @@ void sort_run(const Values& values, std::span<Index> nodes, std::span<std::uint8
   counts.add(d.stage);
 }
 
-// Sets order and tied, and counts who decided between successive nodes.
-void sort_nodes(const Values& values, TileComplex& tiles, StageCounts& counts) {
+void take_order(const std::vector<Key>& keys, TileComplex& tiles) {
+  tiles.order.resize(keys.size());
+  for (std::size_t r = 0; r < keys.size(); ++r) tiles.order[r] = keys[r].node;
+  tiles.tied.assign(keys.size(), 0);
+}
+
+// Both set order and tied, and count who decided between successive nodes.
+void sort_by_grid(const QuadraticMesh& mesh, const std::vector<Sign>& signs,
+                  const kernel::ValueGrid& grid, TileComplex& tiles, StageCounts& counts) {
+  std::vector<Key> keys(tiles.vertex_count + signs.size());
+  for (Index i = 0; i < keys.size(); ++i)
+    keys[i] = {grid.key(node_value(mesh, tiles, signs, i)), i, 0};
+  radix_sort(keys);
+  take_order(keys, tiles);
+  for (std::size_t r = 1; r < keys.size(); ++r) {
+    tiles.tied[r] = keys[r].bits == keys[r - 1].bits;
+    counts.add(tiles.tied[r] ? Stage::symbolic : Stage::integer);
+  }
+}
+
+void sort_by_ranges(const Values& values, TileComplex& tiles, StageCounts& counts) {
   const Index n = values.size();
   std::vector<Key> keys(n);
   for (Index i = 0; i < n; ++i) keys[i] = key_of(values.range(i), i);
   radix_sort(keys);
-  tiles.order.resize(n);
-  for (Index r = 0; r < n; ++r) tiles.order[r] = keys[r].node;
-  tiles.tied.assign(n, 0);
+  take_order(keys, tiles);
   // Runs of enclosures that overlap one another: only there the lower ends may mislead.
   for (Index begin = 0, end = 0; begin < n; begin = end) {
     if (begin > 0) counts.add(Stage::triage);
@@ -267,8 +218,12 @@ CriticalValue node_value(const QuadraticMesh& mesh, const TileComplex& tiles,
 
 void order_nodes(const QuadraticMesh& mesh, const std::vector<Sign>& signs, bool guarded,
                  TileComplex& tiles, StageCounts& counts) {
-  const Values values(mesh, tiles, signs, guarded);
-  sort_nodes(values, tiles, counts);
+  std::optional<kernel::ValueGrid> grid;
+  if (guarded) grid = kernel::ValueGrid::find(mesh.values(), mesh.edge_values());
+  if (grid)
+    sort_by_grid(mesh, signs, *grid, tiles, counts);
+  else
+    sort_by_ranges(Values(mesh, tiles, signs, guarded), tiles, counts);
   tiles.rank.resize(tiles.order.size());
   for (Index r = 0; r < tiles.order.size(); ++r) tiles.rank[tiles.order[r]] = r;
 }

@@ -82,6 +82,20 @@ ValueRange interval_range(const CriticalValue& value) {
 
 }  // namespace
 
+CriticalValue normal_form(const CriticalValue& value) {
+  CriticalValue v = value;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v.f.corner[k] += 0.0;  // +0 for -0
+    v.f.side[k] += 0.0;
+  }
+  const FaceValues f = v.f;
+  if (v.kind == ValueKind::edge) v.f = std::min(f, f.mirrored());
+  if (v.kind == ValueKind::face)
+    for (const FaceValues& g : {f, f.rotated(1), f.rotated(2)})
+      v.f = std::min({v.f, g, g.mirrored()});
+  return v;
+}
+
 ValueRange value_range(const CriticalValue& value) {
   if (value.kind == ValueKind::vertex) return {value.f.corner[0], value.f.corner[0]};
   const ValueRange r = interval_range(value);

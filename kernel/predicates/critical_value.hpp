@@ -6,6 +6,7 @@
 //
 // Differences of nodal values come first, so that equal values cancel without rounding.
 #include <array>
+#include <compare>
 
 #include "kernel/predicates/ladder.hpp"
 
@@ -28,6 +29,8 @@ struct FaceValues {
   FaceValues mirrored() const {
     return {{corner[1], corner[0], corner[2]}, {side[0], side[2], side[1]}};
   }
+  /// Lexicographic.
+  auto operator<=>(const FaceValues&) const = default;
   /// Side k from its corner k to corner k + 1.
   EdgeValues edge(std::size_t k) const { return {corner[k], corner[(k + 1) % 3], side[k]}; }
 };
@@ -75,6 +78,10 @@ struct CriticalValue {
     return {ValueKind::face, hessian, f};
   }
 };
+
+/// The same critical value from data that do not depend on the order of the corners, in which zero
+/// has no sign: of two nodes with equal normal forms the values are equal. (Not conversely.)
+CriticalValue normal_form(const CriticalValue& value);
 
 /// The value as corner[0] + numerator / denominator.
 template <class T, ValueKind kind>

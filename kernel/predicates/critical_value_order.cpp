@@ -52,11 +52,9 @@ bool both_vertices(const CriticalValue& x, const CriticalValue& y) {
   return x.kind == vertex && y.kind == vertex;
 }
 
-// The same data, on an edge from either end: equal without a computation.
+// Equal without a computation.
 bool same_data(const CriticalValue& x, const CriticalValue& y) {
-  const FaceValues &f = x.f, &g = y.f;
-  if (x.kind != y.kind || f.side != g.side) return false;
-  return f.corner == g.corner || (x.kind == edge && f.corner == g.mirrored().corner);
+  return x.kind == y.kind && normal_form(x).f == normal_form(y).f;
 }
 
 Sign compare_vertices(const CriticalValue& x, const CriticalValue& y) {

@@ -41,7 +41,8 @@ struct ValueDifference {
   }
 };
 
-/// The sign of value(x) - value(y). Triage finds zero for two vertices and for equal data.
+/// The sign of value(x) - value(y). Triage finds zero for two vertices and for data that
+/// are equal up to the order of the corners.
 MaybeSign triage_critical_value_order(const CriticalValue& x, const CriticalValue& y);
 MaybeSign interval_critical_value_order(const CriticalValue& x, const CriticalValue& y);
 Sign exact_critical_value_order(const CriticalValue& x, const CriticalValue& y);

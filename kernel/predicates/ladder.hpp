@@ -6,7 +6,9 @@
 // A formula is a struct with its inputs, `template <class T> T value() const` written once, and
 // `static constexpr int depth` (its rounding depth, re-derived by running value<Depth>()).
 // For a predicate x the stages are triage_x (double with the bound of Approximate), interval_x,
-// exact_x (rationals), symbolic_x (only where zero must be resolved) and the public x.
+// exact_x (rationals), symbolic_x (only where zero must be resolved) and the public x. Where many
+// decisions share data on a coarse grid, machine integers may decide them all before the first
+// (stage integer, kernel/predicates/critical_value_grid.hpp).
 #include <cassert>
 #include <cstdint>
 
@@ -15,25 +17,27 @@
 
 namespace crest::kernel {
 
-enum class Stage : std::uint8_t { triage, interval, exact, symbolic };
+enum class Stage : std::uint8_t { triage, interval, integer, exact, symbolic };
 
 struct Decision {
   Sign sign;
   Stage stage;  ///< the one that decided
 };
 
-/// Who decided, summed over calls; calls - interval - exact - symbolic were decided by triage.
+/// Who decided, summed over calls; the calls that no other stage decided triage did.
 struct StageCounts {
-  std::uint64_t calls = 0, interval = 0, exact = 0, symbolic = 0;
+  std::uint64_t calls = 0, interval = 0, integer = 0, exact = 0, symbolic = 0;
   void add(Stage s) {
     ++calls;
     interval += s == Stage::interval;
+    integer += s == Stage::integer;
     exact += s == Stage::exact;
     symbolic += s == Stage::symbolic;
   }
   StageCounts& operator+=(const StageCounts& o) {
     calls += o.calls;
     interval += o.interval;
+    integer += o.integer;
     exact += o.exact;
     symbolic += o.symbolic;
     return *this;

@@ -106,40 +106,77 @@ TEST_CASE("tiles: the same surface, oriented as the faces are") {
     }
 }
 
+namespace {
+
+/// Checks every place in the order in rationals; returns who decided.
+kernel::StageCounts require_exact_order(const QuadraticMesh& mesh) {
+  reeb::PredicateReport report;
+  const TileComplex t = reeb::tessellate(mesh, &report);
+  const Index n = t.node_count();
+  REQUIRE(t.order.size() == n);
+  REQUIRE(t.tied.size() == n);
+  std::vector<Rational> values(n);
+  for (Index i = 0; i < n; ++i) values[i] = exact_value(mesh, t, i);
+  std::uint64_t tied = 0;
+  for (Index r = 0; r < n; ++r) {
+    REQUIRE(t.rank[t.order[r]] == r);
+    if (r == 0) continue;
+    const Index a = t.order[r - 1], b = t.order[r];
+    REQUIRE((values[a] < values[b] || (values[a] == values[b] && a < b)));
+    REQUIRE(t.tied[r] == (values[a] == values[b]));
+    tied += t.tied[r];
+  }
+  REQUIRE(report.size() == 4);
+  const kernel::StageCounts& order = report[3].second;
+  CHECK(report[3].first == "critical_value_order");
+  CHECK(order.calls == n - 1);
+  CHECK(order.symbolic == tied);
+  CHECK(report[0].second.calls == mesh.edge_count());
+  return order;
+}
+
+}  // namespace
+
 TEST_CASE("tiles: the order is that of the exact values, ties by number") {
-  std::uint64_t ties = 0, climbs = 0;
+  kernel::StageCounts sum;
   for (const Family family : kFamilies) {
     Draw d(710 + static_cast<std::uint64_t>(family));
-    for (const Surface& s : surfaces()) {
-      const QuadraticMesh mesh = random_field(s, d, family);
-      reeb::PredicateReport report;
-      const TileComplex t = reeb::tessellate(mesh, &report);
-      const Index n = t.node_count();
-      REQUIRE(t.order.size() == n);
-      REQUIRE(t.tied.size() == n);
-      std::vector<Rational> values(n);
-      for (Index i = 0; i < n; ++i) values[i] = exact_value(mesh, t, i);
-      std::uint64_t tied = 0;
-      for (Index r = 0; r < n; ++r) {
-        REQUIRE(t.rank[t.order[r]] == r);
-        if (r == 0) continue;
-        const Index a = t.order[r - 1], b = t.order[r];
-        REQUIRE((values[a] < values[b] || (values[a] == values[b] && a < b)));
-        REQUIRE(t.tied[r] == (values[a] == values[b]));
-        tied += t.tied[r];
-      }
-      REQUIRE(report.size() == 4);
-      const kernel::StageCounts& order = report[3].second;
-      CHECK(report[3].first == "critical_value_order");
-      CHECK(order.calls == n - 1);
-      CHECK(order.symbolic == tied);
-      CHECK(report[0].second.calls == mesh.edge_count());
-      ties += tied;
-      climbs += order.interval + order.exact;
-    }
+    for (const Surface& s : surfaces()) sum += require_exact_order(random_field(s, d, family));
   }
-  CHECK(ties > 1000);
-  CHECK(climbs > 0);
+  CHECK(sum.symbolic > 1000);
+  CHECK(sum.interval + sum.exact > 0);
+}
+
+TEST_CASE("tiles: the order of quantised values, on a grid and off it") {
+  const Surface s = torus_surface(9, 8);
+  const auto field = [&](Draw& d, int levels, double step, double first) {
+    const auto value = [&] { return step * d.integer(0, levels - 1); };
+    std::vector<double> values(s.points.size());
+    for (double& x : values) x = value();
+    values[0] = first;
+    const QuadraticMesh linear(s.points, s.triangles, values);
+    std::vector<double> edges(linear.edge_count());
+    for (double& x : edges) x = value();
+    return QuadraticMesh(s.points, s.triangles, values, midsides(linear, edges));
+  };
+  Draw d(715);
+  for (int i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    for (const auto& [levels, step] : {std::pair{3, 1.0}, {16, 0x1p-4}, {256, 1.0}, {1024, 0.5}}) {
+      const auto on_grid = require_exact_order(field(d, levels, step, 0));
+      CHECK(on_grid.integer + on_grid.symbolic == on_grid.calls);
+      CHECK(on_grid.integer > 0);
+      CHECK(on_grid.symbolic > 0);
+    }
+    // One value off the grid, decimal steps, too many steps.
+    const kernel::StageCounts off_grid[] = {require_exact_order(field(d, 3, 1, 1.0 / 3)),
+                                            require_exact_order(field(d, 16, 0.1, 0)),
+                                            require_exact_order(field(d, 5000, 1, 0))};
+    for (const auto& counts : off_grid) CHECK(counts.integer == 0);
+    CHECK(off_grid[0].symbolic > 100);
+    CHECK(off_grid[1].symbolic > 10);
+    CHECK(off_grid[1].exact > 0);
+  }
 }
 
 TEST_CASE("tiles: many exact ties between critical values are resolved by number") {
