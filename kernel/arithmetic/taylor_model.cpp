@@ -11,86 +11,8 @@ TaylorModel<Order> TaylorModel<Order>::linear(double at0, double at1, double at2
   m.c[1] = (at2 - at0) * (2.0 / 3);
   m.c[2] = (at1 - at0) * (2.0 / 3);
   const double size = std::fabs(at0) + std::fabs(at1) + std::fabs(at2);
-  m.radius = grow(error + 16 * kUnit * size);
+  m.radius = grow(error + 16 * Kernels::kUnit * size);
   return m;
-}
-
-template <int Order>
-std::array<double, Order + 1> TaylorModel<Order>::by_degree() const {
-  std::array<double, Order + 1> sums{};
-  for (std::size_t m = 0; m < kCount; ++m)
-    sums[static_cast<std::size_t>(kWeights.degree[m])] += kWeights.of[m] * std::fabs(c[m]);
-  return sums;
-}
-
-template <int Order>
-double TaylorModel<Order>::magnitude() const {
-  double sum = 0;
-  for (const double x : by_degree()) sum += x;
-  return grow(sum + radius);
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::sum(const TaylorModel& b, double sign) const {
-  TaylorModel r;
-  double size = 0;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    r.c[m] = c[m] + sign * b.c[m];
-    size += std::fabs(r.c[m]);
-  }
-  // A rounded sum errs by at most u times itself.
-  r.radius = grow(radius + b.radius + kUnit * size);
-  return r;
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::scaled(double s) const {
-  TaylorModel r;
-  double size = 0;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    r.c[m] = s * c[m];
-    size += std::fabs(r.c[m]);
-  }
-  r.radius = grow(std::fabs(s) * radius + kUnit * size);
-  return r;
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::divided(double s) const {
-  TaylorModel r;
-  double size = 0;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    r.c[m] = c[m] / s;
-    size += std::fabs(r.c[m]);
-  }
-  r.radius = grow(radius / std::fabs(s) + kUnit * size);
-  return r;
-}
-
-template <int Order>
-bool TaylorModel<Order>::is_flat() const {
-  bool flat = true;
-  for (std::size_t m = 1; m < kCount; ++m) flat = flat && c[m] == 0;
-  return flat;
-}
-
-template <int Order>
-TaylorModel<Order> TaylorModel<Order>::product(const TaylorModel& b) const {
-  TaylorModel r;
-  for (const auto& [i, j, k] : kTable.products) r.c[k] += c[i] * b.c[j];
-  const auto da = by_degree(), db = b.by_degree();
-  double sum_a = 0, sum_b = 0, beyond = 0, tail = 0;
-  for (std::size_t d = 0; d <= Order; ++d) {
-    sum_a += da[d];
-    sum_b += db[d];
-    // tail = sum of db over degrees above Order - d.
-    beyond += da[d] * tail;
-    tail += db[Order - d];
-  }
-  // (b) with |c| in place of w |c|: w >= 2^-(Order / 2), and Order is at most 5.
-  const double rounding = 1.02 * 4 * 4 * (kCount + 1) * kUnit * sum_a * sum_b;
-  r.radius = grow(beyond + rounding + sum_a * b.radius + sum_b * radius + radius * b.radius);
-  return r;
 }
 
 /// f(c0 + h) = t0 + h (t1 + h (...)) with h this model without its constant.
@@ -109,61 +31,86 @@ TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(dou
   return r;
 }
 
-template <int Order>
-Range TaylorModel<Order>::range_of_rows(std::uint64_t rows) const {
-  const auto& table = taylor::kBernstein<Order>.of;
-  double low = HUGE_VAL, high = -HUGE_VAL, size = 0;
-  for (const double x : c) size += std::fabs(x);
-  for (std::size_t row = 0; row < kCount; ++row) {
-    if ((rows >> row & 1) == 0) continue;
-    double b = 0;
-    for (std::size_t m = 0; m < kCount; ++m) b += table[row][m] * c[m];
-    low = std::fmin(low, b);
-    high = std::fmax(high, b);
-  }
-  const double slack = grow(radius + (kCount + 6) * kUnit * size);
-  // NaN spreads: fmin drops it, so the size is asked.
-  if (!(size + slack < HUGE_VAL)) return {-HUGE_VAL, HUGE_VAL};
-  return {low - slack - std::fabs(low) * 0x1p-52, high + slack + std::fabs(high) * 0x1p-52};
-}
-
 namespace {
 
-/// The Bernstein coefficients l0^a0 l1^a1 l2^a2 without the corners of the bits `without`: of the
-/// triangle, an edge (they are those of the function on it) or a corner (its value there).
-template <int Order>
-constexpr std::uint64_t rows_without(unsigned without) {
-  constexpr Monomials<2, Order> kTable;  // its exponents are a1 and a2
-  std::uint64_t rows = 0;
-  for (std::size_t row = 0; row < kTable.kCount; ++row) {
-    const int a1 = kTable.exponents[row][0], a2 = kTable.exponents[row][1];
-    const bool has[3] = {a1 + a2<Order, a1> 0, a2 > 0};
-    bool keep = true;
-    for (unsigned i = 0; i < 3; ++i) keep = keep && !(has[i] && (without >> i & 1) != 0);
-    if (keep) rows |= std::uint64_t{1} << row;
+using taylor::Pair;
+
+/// The Bernstein coefficients without those that hold a corner of the bits `without`: of the
+/// triangle, of an edge (they are those of the function on it) or of a corner (its value).
+template <int Order, unsigned Without>
+constexpr int count_rows() {
+  int count = 0;
+  for (const auto& [a1, a2] : Monomials<2, Order>{}.exponents)
+    count += ((Without & 1) == 0 || a1 + a2 == Order) && ((Without & 2) == 0 || a1 == 0) &&
+                     ((Without & 4) == 0 || a2 == 0)
+                 ? 1
+                 : 0;
+  return count;
+}
+
+/// The rows by pairs, the last one repeated if they are odd in number: [monomial][pair].
+template <int Order, unsigned Without>
+constexpr auto pair_rows() {
+  constexpr std::size_t kPairs = (count_rows<Order, Without>() + 1) / 2;
+  const Monomials<2, Order> table;
+  const taylor::BernsteinTable<Order> bernstein;
+  std::array<std::array<std::array<double, 2>, kPairs>, table.kCount> pairs{};
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < table.kCount; ++row) {
+    const int a1 = table.exponents[row][0], a2 = table.exponents[row][1];
+    if (((Without & 1) != 0 && a1 + a2 < Order) || ((Without & 2) != 0 && a1 > 0) ||
+        ((Without & 4) != 0 && a2 > 0))
+      continue;
+    for (std::size_t m = 0; m < table.kCount; ++m) {
+      pairs[m][next / 2][next % 2] = bernstein.of[row][m];
+      if (next % 2 == 0) pairs[m][next / 2][1] = bernstein.of[row][m];
+    }
+    ++next;
   }
-  return rows;
+  return pairs;
+}
+
+// Entries err by one unit, a row's sum has at most N terms: N + 2 units of sum |c| bound its error.
+template <int Order, unsigned Without>
+Range range_of_rows(const TaylorModel<Order>& f) {
+  static constexpr auto kRows = pair_rows<Order, Without>();
+  constexpr std::size_t kPairs = kRows[0].size();
+  Pair values[kPairs];
+  for (Pair& x : values) x = Pair{f.c[0], f.c[0]};
+  for (std::size_t m = 1; m < f.c.size(); ++m)
+    for (std::size_t p = 0; p < kPairs; ++p)
+      values[p] += Pair{f.c[m], f.c[m]} * Pair{kRows[m][p][0], kRows[m][p][1]};
+  Pair low = values[0], high = values[0];
+  for (std::size_t p = 1; p < kPairs; ++p) {
+    low = values[p] < low ? values[p] : low;
+    high = values[p] > high ? values[p] : high;
+  }
+  const double least = low[0] < low[1] ? low[0] : low[1];
+  const double most = high[0] > high[1] ? high[0] : high[1];
+  const double size = TaylorModel<Order>::Kernels::size(f.c);
+  const double slack = grow(f.radius + (f.kCount + 6) * TaylorModel<Order>::Kernels::kUnit * size);
+  // A comparison with NaN drops it; the size keeps it.
+  if (!(size + slack < HUGE_VAL)) return {-HUGE_VAL, HUGE_VAL};
+  return {least - slack - std::fabs(least) * 0x1p-52, most + slack + std::fabs(most) * 0x1p-52};
 }
 
 }  // namespace
 
 template <int Order>
 Range TaylorModel<Order>::range() const {
-  return range_of_rows(rows_without<Order>(0));
+  return range_of_rows<Order, 0>(*this);
 }
 
 template <int Order>
 Range TaylorModel<Order>::range_on_edge(int i) const {
-  constexpr std::uint64_t kRows[3] = {rows_without<Order>(4), rows_without<Order>(1),
-                                      rows_without<Order>(2)};
-  return range_of_rows(kRows[i]);
+  if (i == 0) return range_of_rows<Order, 4>(*this);
+  return i == 1 ? range_of_rows<Order, 1>(*this) : range_of_rows<Order, 2>(*this);
 }
 
 template <int Order>
 Range TaylorModel<Order>::at_corner(int i) const {
-  constexpr std::uint64_t kRows[3] = {rows_without<Order>(6), rows_without<Order>(5),
-                                      rows_without<Order>(3)};
-  return range_of_rows(kRows[i]);
+  if (i == 0) return range_of_rows<Order, 6>(*this);
+  return i == 1 ? range_of_rows<Order, 5>(*this) : range_of_rows<Order, 3>(*this);
 }
 
 template class TaylorModel<3>;

@@ -14,9 +14,10 @@
 //     are positive u + v <= 1/2, elsewhere one of them is within 1/2 of zero. w(i + k, j + l) <=
 //     w(i, j) w(k, l), so with A_d = sum of w |a_ij| over i + j = d the product's terms beyond
 //     degree n are at most the sum of A_d B_e over d + e > n.
-// (b) A coefficient of a product is a sum of at most N terms; in floating point each term carries
-//     at most N + 1 factors (1 + d), |d| <= u = 2^-53. So all coefficients together err by at most
-//     1.01 (N + 1) u (sum |a|) (sum |b|), N <= 36.
+// (b) A coefficient of a product is a sum of at most N = 6, 9, 12 terms (order 3, 4, 5); in
+// floating
+//     point each term carries at most N factors (1 + d), |d| <= u = 2^-53. So all coefficients
+//     together err by at most 1.01 N u (sum |a|) (sum |b|), and |a| <= 2^(Order / 2) w |a|.
 // (c) A non-negative number computed from non-negative ones in at most 2^8 operations is at least
 //     (1 - u)^(2^8) > 1 - 2^-44 times the exact one; grow() makes up for that, and its 2^-1000 for
 //     products that underflow (each loses at most 2^-1075).
@@ -25,25 +26,11 @@
 // If anything overflows the radius is infinite or NaN, and nothing is certain any more.
 #include <array>
 #include <cmath>
-#include <cstdint>
 
-#include "kernel/arithmetic/sign.hpp"
-#include "kernel/arithmetic/taylor_series.hpp"
+#include "kernel/arithmetic/range.hpp"
+#include "kernel/arithmetic/taylor_kernels.hpp"
 
 namespace crest::kernel {
-
-/// low <= f <= high. Not finite: nothing known.
-struct Range {
-  double low, high;
-  bool contains(double x) const { return low <= x && x <= high; }
-};
-/// The sign of every number in the range, or nothing.
-inline MaybeSign certain_sign(const Range& r) {
-  if (r.low > 0 && r.high >= r.low) return Sign::positive;
-  if (r.high < 0 && r.low <= r.high) return Sign::negative;
-  if (r.low == 0 && r.high == 0) return Sign::zero;
-  return std::nullopt;
-}
 
 /// Order: 3 to 5. Coefficients in the order of Monomials<2, Order>: 1, v, u, v^2, u v, u^2, ...
 template <int Order>
@@ -51,7 +38,7 @@ class TaylorModel {
  public:
   static constexpr int kCount = monomial_count(2, Order);
   static constexpr Monomials<2, Order> kTable{};
-  static constexpr taylor::Weights<Order> kWeights{};
+  using Kernels = taylor::Kernels<Order>;
 
   std::array<double, kCount> c{};
   double radius = 0;
@@ -73,21 +60,59 @@ class TaylorModel {
   Range range_on_edge(int i) const;
   Range at_corner(int i) const;
   /// The polynomial is a constant: nothing but c[0] and the radius.
-  bool is_flat() const;
+  bool is_flat() const {
+    bool flat = true;
+    for (std::size_t m = 1; m < kCount; ++m) flat = flat && c[m] == 0;
+    return flat;
+  }
   /// A cheap upper bound of |f|: the sum of w |c|, and the radius.
-  double magnitude() const;
+  double magnitude() const { return grow(Kernels::sizes(c, c).a + radius); }
 
   TaylorModel operator-() const {
     TaylorModel r = *this;
     for (double& x : r.c) x = -x;
     return r;
   }
-  friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) { return a.sum(b, 1); }
-  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) { return a.sum(b, -1); }
-  friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) { return a.product(b); }
-  friend TaylorModel operator*(double s, const TaylorModel& a) { return a.scaled(s); }
-  friend TaylorModel operator*(const TaylorModel& a, double s) { return a.scaled(s); }
-  friend TaylorModel operator/(const TaylorModel& a, double s) { return a.divided(s); }
+  friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel r;
+    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] + b.c[m];
+    return r.rounded(a.radius + b.radius);
+  }
+  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
+    TaylorModel r;
+    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] - b.c[m];
+    return r.rounded(a.radius + b.radius);
+  }
+  friend TaylorModel operator*(double s, const TaylorModel& a) { return a * s; }
+  friend TaylorModel operator*(const TaylorModel& a, double s) {
+    TaylorModel r;
+    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] * s;
+    return r.rounded(std::fabs(s) * a.radius);
+  }
+  friend TaylorModel operator/(const TaylorModel& a, double s) {
+    TaylorModel r;
+    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] / s;
+    return r.rounded(a.radius / std::fabs(s));
+  }
+  friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
+    if (a.seems_flat() && a.is_flat()) return b.times_flat(a);
+    if (b.seems_flat() && b.is_flat()) return a.times_flat(b);
+    TaylorModel r;
+    r.c = Kernels::product(a.c, b.c);
+    r.radius = grow(Kernels::left_out(a.c, a.radius, b.c, b.radius));
+    return r;
+  }
+  /// sum += a b (see jet_tables.hpp).
+  friend void add_product(TaylorModel& sum, const TaylorModel& a, const TaylorModel& b) {
+    if ((a.seems_flat() && a.is_flat()) || (b.seems_flat() && b.is_flat())) {
+      sum = sum + a * b;
+      return;
+    }
+    const auto product = Kernels::product(a.c, b.c);
+    const double radius = Kernels::left_out(a.c, a.radius, b.c, b.radius);
+    for (std::size_t m = 0; m < kCount; ++m) sum.c[m] += product[m];
+    sum = sum.rounded(sum.radius + radius);
+  }
   friend TaylorModel operator/(const TaylorModel& a, const TaylorModel& b) {
     return a * inverse(b);
   }
@@ -99,16 +124,19 @@ class TaylorModel {
   friend TaylorModel cos(const TaylorModel& a) { return a.compose(taylor::cos_series); }
 
  private:
-  static constexpr double kUnit = 0x1p-53;
-
-  /// Least and greatest of the Bernstein coefficients in `rows`, opened by radius and rounding.
-  Range range_of_rows(std::uint64_t rows) const;
-  TaylorModel sum(const TaylorModel& b, double sign) const;
-  TaylorModel product(const TaylorModel& b) const;
-  TaylorModel scaled(double s) const;
-  TaylorModel divided(double s) const;
-  /// Plain sums of w |c| by degree.
-  std::array<double, Order + 1> by_degree() const;
+  /// This, its coefficients rounded once each: an error of at most u times themselves.
+  TaylorModel rounded(double error) const {
+    TaylorModel r = *this;
+    r.radius = grow(error + Kernels::kUnit * Kernels::size(c));
+    return r;
+  }
+  /// Seldom true of a model that is not flat.
+  bool seems_flat() const { return c[1] == 0 && c[2] == 0; }
+  TaylorModel times_flat(const TaylorModel& flat) const {
+    TaylorModel r = *this * flat.c[0];
+    if (flat.radius != 0) r.radius = grow(r.radius + flat.radius * magnitude());
+    return r;
+  }
   TaylorModel compose(taylor::Series (*make_series)(double c, double rho, int order)) const;
 };
 

@@ -63,18 +63,6 @@ Series circular(double c, int order, int start) {
   return s;
 }
 
-/// A homogeneous polynomial in l0, l1, l2; [a1][a2] is the coefficient of l1^a1 l2^a2 times the
-/// missing power of l0. Exact: at order 5 the coefficients stay below 4^5.
-using Homogeneous = std::array<std::array<double, 6>, 6>;
-
-Homogeneous times(const Homogeneous& p, double c0, double c1, double c2) {
-  Homogeneous r{};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j)
-      r[i][j] = c0 * p[i][j] + (i > 0 ? c1 * p[i - 1][j] : 0) + (j > 0 ? c2 * p[i][j - 1] : 0);
-  return r;
-}
-
 }  // namespace
 
 Series inverse_series(double c, double rho, int order) {
@@ -137,30 +125,5 @@ Series sin_series(double c, double rho, int order) {
 Series cos_series(double c, double rho, int order) {
   return std::isfinite(c) && std::isfinite(rho) ? circular(c, order, 1) : not_analytic();
 }
-
-// u = (2 l1 - l0 - l2) / 2, v = (2 l2 - l0 - l1) / 2, 1 = l0 + l1 + l2: u^i v^j as a homogeneous
-// polynomial of degree Order; its coefficients over the multinomial ones.
-template <int Order>
-BernsteinTable<Order>::BernsteinTable() {
-  const Monomials<2, Order> table;
-  for (std::size_t m = 0; m < kCount; ++m) {
-    Homogeneous p{};
-    p[0][0] = 1;
-    int left = Order;
-    for (int n = table.exponents[m][0]; n > 0; --n, --left) p = times(p, -0.5, 1, -0.5);
-    for (int n = table.exponents[m][1]; n > 0; --n, --left) p = times(p, -0.5, -0.5, 1);
-    for (; left > 0; --left) p = times(p, 1, 1, 1);
-    for (std::size_t row = 0; row < kCount; ++row) {
-      const auto [a1, a2] = table.exponents[row];
-      const double multinomial =
-          factorial(Order) / (factorial(a1) * factorial(a2) * factorial(Order - a1 - a2));
-      of[row][m] = p[a1][a2] / multinomial;
-    }
-  }
-}
-
-template struct BernsteinTable<3>;
-template struct BernsteinTable<4>;
-template struct BernsteinTable<5>;
 
 }  // namespace crest::kernel::taylor

@@ -31,19 +31,6 @@ Series log_series(double c, double rho, int order);
 Series sin_series(double c, double rho, int order);
 Series cos_series(double c, double rho, int order);
 
-/// Bernstein coefficients of the monomials, row by row; entries err by at most 4 units roundoff.
-template <int Order>
-struct BernsteinTable {
-  static constexpr int kCount = monomial_count(2, Order);
-  std::array<std::array<double, kCount>, kCount> of{};  ///< [coefficient][monomial]
-  BernsteinTable();
-};
-extern template struct BernsteinTable<3>;
-extern template struct BernsteinTable<4>;
-extern template struct BernsteinTable<5>;
-template <int Order>
-inline const BernsteinTable<Order> kBernstein{};
-
 constexpr double weight(int i, int j) {
   double w = 1;
   for (int k = 0; k < i && k < j; ++k) w /= 2;
@@ -61,6 +48,47 @@ struct Weights {
       degree[m] = table.exponents[m][0] + table.exponents[m][1];
     }
   }
+};
+
+/// Bernstein coefficients of the monomials on the triangle; entries err by at most 1 unit roundoff.
+/// Row (i, j) belongs to l0^(Order - i - j) l1^i l2^j, (i, j) as in Monomials.
+template <int Order>
+struct BernsteinTable {
+  static constexpr int kCount = monomial_count(2, Order);
+  std::array<std::array<double, kCount>, kCount> of{};  ///< [row][monomial]
+
+  // u = (2 l1 - l0 - l2) / 2, v = (2 l2 - l0 - l1) / 2, 1 = l0 + l1 + l2: u^i v^j as a homogeneous
+  // polynomial of degree Order; its coefficients over the multinomial ones.
+  constexpr BernsteinTable() {
+    const Monomials<2, Order> table;
+    for (std::size_t m = 0; m < kCount; ++m) {
+      Homogeneous p{};
+      p[0][0] = 1;
+      const int i = table.exponents[m][0], j = table.exponents[m][1];
+      for (int n = 0; n < i; ++n) p = times(p, -0.5, 1, -0.5);
+      for (int n = 0; n < j; ++n) p = times(p, -0.5, -0.5, 1);
+      for (int n = i + j; n < Order; ++n) p = times(p, 1, 1, 1);
+      for (std::size_t row = 0; row < kCount; ++row) {
+        const int a1 = table.exponents[row][0], a2 = table.exponents[row][1];
+        const double multinomial =
+            factorial(Order) / (factorial(a1) * factorial(a2) * factorial(Order - a1 - a2));
+        of[row][m] = p[static_cast<std::size_t>(a1)][static_cast<std::size_t>(a2)] / multinomial;
+      }
+    }
+  }
+
+ private:
+  /// Homogeneous in l0, l1, l2; [a1][a2] is the coefficient of l1^a1 l2^a2 times the missing power
+  /// of l0. Exact: multiples of 2^-5 below 4^5.
+  using Homogeneous = std::array<std::array<double, Order + 1>, Order + 1>;
+  static constexpr Homogeneous times(const Homogeneous& p, double c0, double c1, double c2) {
+    Homogeneous r{};
+    for (std::size_t i = 0; i <= Order; ++i)
+      for (std::size_t j = 0; j <= Order; ++j)
+        r[i][j] = c0 * p[i][j] + (i > 0 ? c1 * p[i - 1][j] : 0) + (j > 0 ? c2 * p[i][j - 1] : 0);
+    return r;
+  }
+  static constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 };
 
 }  // namespace taylor
