@@ -2,51 +2,16 @@
 // Taylor models hold the exact result: random functions, points of the triangle, all operations.
 #include "kernel/arithmetic/taylor_model.hpp"
 
-#include <mpfr.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "kernel/arithmetic/rational.hpp"
-#include "tests/support/degenerate_families.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/kernel/triangle_points.hpp"
 
 namespace {
 
 using namespace crest::kernel;
-using crest::tests::Draw;
-using crest::tests::scaled;
-
-struct Point {
-  Rational u, v;
-};
-
-double between(Draw& d, double low, double high) {
-  return low + (high - low) * (d.uniform() + 1) / 2;
-}
-
-// Corners, edges and the inside of the triangle.
-Point draw_point(Draw& d) {
-  int l[3] = {d.integer(0, 40), d.integer(0, 40), d.integer(0, 40)};
-  if (d.integer(0, 3) == 0) l[d.integer(0, 2)] = 0;
-  if (l[0] + l[1] + l[2] == 0) l[0] = 1;
-  const Rational sum = l[0] + l[1] + l[2];
-  return {Rational(2 * l[1] - l[0] - l[2]) / (2 * sum),
-          Rational(2 * l[2] - l[0] - l[1]) / (2 * sum)};
-}
-
-template <int N>
-Rational polynomial(const TaylorModel<N>& m, const Point& at) {
-  Rational sum = 0;
-  for (std::size_t k = 0; k < TaylorModel<N>::kCount; ++k) {
-    Rational term = m.c[k];
-    for (int i = 0; i < m.kTable.exponents[k][0]; ++i) term *= at.u;
-    for (int i = 0; i < m.kTable.exponents[k][1]; ++i) term *= at.v;
-    sum += term;
-  }
-  return sum;
-}
+using namespace crest::tests;
 
 /// A model and the value at a point of one of the functions it encloses.
 template <int N>
@@ -56,7 +21,7 @@ struct Sample {
 };
 
 template <int N>
-Sample<N> draw_sample(Draw& d, const Point& at, double constant, double size) {
+Sample<N> draw_sample(Draw& d, const TrianglePoint& at, double constant, double size) {
   Sample<N> s;
   for (double& x : s.model.c)
     x = d.integer(0, 5) == 0 ? 0 : size * between(d, -1, 1) * std::exp2(d.integer(-20, 0));
@@ -67,19 +32,8 @@ Sample<N> draw_sample(Draw& d, const Point& at, double constant, double size) {
 }
 
 template <int N>
-bool encloses(const TaylorModel<N>& m, const Point& at, const Rational& value) {
-  if (!std::isfinite(m.radius)) return true;
-  const Rational off = value - polynomial(m, at);
-  return (off < 0 ? Rational(-off) : off) <= m.radius;
-}
-
-bool encloses(const Range& r, const Rational& value) {
-  return (std::isinf(r.low) || value >= r.low) && (std::isinf(r.high) || value <= r.high);
-}
-
-template <int N>
 void check_ring_operations(Draw& d) {
-  const Point at = draw_point(d);
+  const TrianglePoint at = draw_triangle_point(d);
   const double size = std::exp2(d.integer(-60, 60));
   const auto a = draw_sample<N>(d, at, size * between(d, -2, 2), size);
   const auto b = draw_sample<N>(d, at, 0, std::exp2(d.integer(-60, 60)));
@@ -95,6 +49,19 @@ void check_ring_operations(Draw& d) {
   TaylorModel<N> self = a.model;
   self = self * self + self;
   REQUIRE(encloses(self, at, a.value * a.value + a.value));
+  REQUIRE(encloses(a.model / s, at, a.value / Rational(s)));
+  // Flat factors; sums of products.
+  const auto flat = TaylorModel<N>::around(s, d.coin() ? 0 : 0x1p-20);
+  const Rational flat_value = Rational(s) + Rational(flat.radius) * Rational(d.integer(-4, 4)) / 4;
+  REQUIRE(flat.is_flat());
+  REQUIRE(encloses(flat * a.model, at, flat_value * a.value));
+  REQUIRE(encloses(a.model * flat, at, a.value * flat_value));
+  TaylorModel<N> sum = b.model;
+  add_product(sum, a.model, b.model);
+  add_product(sum, flat, a.model);
+  REQUIRE(encloses(sum, at, b.value + a.value * b.value + flat_value * a.value));
+  add_product(sum, sum, a.model);
+  REQUIRE(encloses(sum, at, (b.value + a.value * b.value + flat_value * a.value) * (1 + a.value)));
   const Range range = a.model.range();
   REQUIRE(encloses(range, a.value));
   REQUIRE(std::fmax(-range.low, range.high) <= 4 * a.model.magnitude());
@@ -104,7 +71,7 @@ void check_ring_operations(Draw& d) {
 /// Nothing but rounding to absorb: linear functions, constants, no radius.
 template <int N>
 void check_rounding(Draw& d) {
-  const Point at = draw_point(d);
+  const TrianglePoint at = draw_triangle_point(d);
   const auto linear = [&] {
     TaylorModel<N> m;
     for (std::size_t k = 0; k < 3; ++k) m.c[k] = d.uniform();
@@ -121,23 +88,9 @@ void check_rounding(Draw& d) {
                        l2 * Rational(corners[2])));
 }
 
-using MpfrFunction = int (*)(mpfr_t, mpfr_srcptr, mpfr_rnd_t);
-
-/// f(x) to 300 bits, as a rational.
-Rational precise(MpfrFunction f, const Rational& x) {
-  mpfr_t y;
-  mpfr_init2(y, 300);
-  mpfr_set_q(y, x.backend().data(), MPFR_RNDN);
-  f(y, y, MPFR_RNDN);
-  Rational result;
-  mpfr_get_q(result.backend().data(), y);
-  mpfr_clear(y);
-  return result;
-}
-
 template <int N>
 void check_functions(Draw& d) {
-  const Point at = draw_point(d);
+  const TrianglePoint at = draw_triangle_point(d);
   const double share = std::exp2(d.integer(-12, -3));
   const double c = between(d, 0.2, 4) * (d.integer(0, 3) == 0 ? 100 : 1);
   // Without a size only the coefficients' own errors are left.
@@ -200,6 +153,31 @@ TEST_CASE("Taylor models: Bernstein ranges are sharp at the corners") {
   const Model t = Model::linear(0, 1, 0), p = t * (Model(1) - t);
   CHECK(p.range().high < 0.34);
   CHECK(p.range().low > -1e-13);
+}
+
+TEST_CASE("Taylor models: ranges on edges and at corners hold the values there") {
+  Draw d(910);
+  const auto check_order = [&](auto order) {
+    constexpr int kOrder = decltype(order)::value;
+    for (int i = 0; i < 3; ++i) {
+      const TrianglePoint at = draw_edge_point(d, i);
+      const auto s = draw_sample<kOrder>(d, at, d.uniform(), 1);
+      const Range edge = s.model.range_on_edge(i), all = s.model.range();
+      REQUIRE(encloses(edge, s.value));
+      REQUIRE((all.low <= edge.low && edge.high <= all.high));
+      const TrianglePoint corner = point_of_weights(i == 0, i == 1, i == 2);
+      const auto t = draw_sample<kOrder>(d, corner, d.uniform(), 1);
+      const Range there = t.model.at_corner(i), before = t.model.range_on_edge((i + 2) % 3);
+      REQUIRE(encloses(there, t.value));
+      REQUIRE(there.high - there.low <= 2 * t.model.radius + 1e-13);
+      REQUIRE((before.low <= there.low && there.high <= before.high));
+    }
+  };
+  for (std::uint64_t n = 0; n < scaled(500); ++n) {
+    check_order(std::integral_constant<int, 3>{});
+    check_order(std::integral_constant<int, 4>{});
+    check_order(std::integral_constant<int, 5>{});
+  }
 }
 
 TEST_CASE("Taylor models: what overflows or is not analytic is not certain") {
