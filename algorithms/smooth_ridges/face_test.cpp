@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/smooth_ridges/face_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/smooth_ridges/directions.hpp"
+#include "algorithms/smooth_ridges/forms.hpp"
+
+namespace crest::smooth_ridges {
+namespace {
+
+using Model = kernel::TaylorModel<3>;
+template <int K>
+using Field = kernel::Jet<Model, 2, K>;
+using Corners = std::array<Vertex, 3>;
+
+bool holds_zero(const kernel::Range& r) {
+  return !(r.low > 0 || r.high < 0);
+}
+int sign_of(const kernel::Range& r) {
+  return r.low > 0 ? 1 : r.high < 0 ? -1 : 0;
+}
+
+/// E1 and E2 on the face with K derivatives, and the principal vectors.
+template <int K>
+struct Extremalities {
+  std::array<Field<K>, 2> e;
+  std::array<Pair<Field<K>>, 2> v;
+};
+
+/// A model's polynomial on edge i at s in [0, 1].
+double on_edge(const Model& f, std::size_t edge, double s) {
+  constexpr double u[] = {-0.5, 1, -0.5}, v[] = {-0.5, -0.5, 1};
+  const std::size_t next = (edge + 1) % 3;
+  const double x = u[edge] + s * (u[next] - u[edge]), y = v[edge] + s * (v[next] - v[edge]);
+  double sum = 0;
+  for (std::size_t k = 0; k < Model::kCount; ++k) {
+    const auto& e = Model::kTable.exponents[k];
+    sum += f.c[k] * std::pow(x, e[0]) * std::pow(y, e[1]);
+  }
+  return sum;
+}
+
+/// The zero on a crossed edge by bisection.
+double zero_on_edge(const Model& f, std::size_t edge) {
+  double low = 0, high = 1;
+  const bool rising = on_edge(f, edge, 0) < 0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    ((on_edge(f, edge, middle) < 0) == rising ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+struct FaceTest::State {
+  explicit State(const Surface& surface) : implicit(surface.is_implicit()), charts(surface) {
+    if (implicit) {
+      f3.emplace(surface), f4.emplace(surface), f5.emplace(surface);
+    } else {
+      x3.emplace(surface), x4.emplace(surface), x5.emplace(surface);
+    }
+  }
+
+  template <class Map>
+  static auto unit(Map& map, const Chart<Model>& chart) {
+    return map(std::array<Model, 2>{chart.x[0], chart.x[1]});
+  }
+
+  FaceResult run(const Corners& c) {
+    FaceResult r;
+    auto chart = charts(c);
+    if (!chart) return r;
+    Extremalities<0> values;
+    r.status = plain(*chart, values, r);
+    if (r.status != FaceStatus::proven) return r;
+    for (std::size_t j = 0; j < 2; ++j) r.colour[j].no_zero = !holds_zero(values.e[j][0].range());
+    if (!r.colour[0].no_zero || !r.colour[1].no_zero) r.status = ridges(*chart, c, r);
+    return r;
+  }
+
+  /// Stage without derivatives: axis, w, (R), values.
+  FaceStatus plain(Chart<Model>& chart, Extremalities<0>& values, FaceResult& r) {
+    if (!implicit) return measure<0>(MapGeometry<Model, 3>{unit(*x3, chart)}, values, r, true);
+    const auto f = (*f3)(chart.x);
+    r.axis = steepest(f);
+    const int sign = slope_sign(f, r.axis);
+    if (sign == 0) return FaceStatus::chart;
+    return measure<0>(GraphGeometry<Model, 3>{GraphJet<Model, 3>::of(f, r.axis), sign}, values, r,
+                      true);
+  }
+
+  /// The same with K derivatives along the surface; implicit: and the chart's tangents.
+  template <int K>
+  FaceStatus derived(Chart<Model>& chart, const Corners& c, Extremalities<K>& out, FaceResult& r) {
+    static_assert(K == 1 || K == 2);
+    if (!implicit) {
+      if constexpr (K == 1)
+        return measure<K>(MapGeometry<Model, 4>{unit(*x4, chart)}, out, r, false);
+      else
+        return measure<K>(MapGeometry<Model, 5>{unit(*x5, chart)}, out, r, false);
+    }
+    const auto f = [&] {
+      if constexpr (K == 1)
+        return (*f4)(chart.x);
+      else
+        return (*f5)(chart.x);
+    }();
+    if constexpr (K == 1)
+      Charts<Model>::tangents(
+          chart, c, {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)});
+    const int sign = slope_sign(f, r.axis);
+    return measure<K>(GraphGeometry<Model, K + 3>{GraphJet<Model, K + 3>::of(f, r.axis), sign}, out,
+                      r, false);
+  }
+
+  template <class Jet>
+  static const Model& gradient(const Jet& f, std::size_t axis) {
+    return axis == 0   ? f.coefficient(1, 0, 0)
+           : axis == 1 ? f.coefficient(0, 1, 0)
+                       : f.coefficient(0, 0, 1);
+  }
+  template <class Jet>
+  static std::uint8_t steepest(const Jet& f) {
+    std::uint8_t best = 0;
+    for (std::uint8_t k = 1; k < 3; ++k)
+      if (std::fabs(gradient(f, k).c[0]) > std::fabs(gradient(f, best).c[0])) best = k;
+    return best;
+  }
+  template <class Jet>
+  static int slope_sign(const Jet& f, std::size_t axis) {
+    return sign_of(gradient(f, axis).range());
+  }
+
+  template <int K, class Geometry>
+  static FaceStatus measure(const Geometry& geometry, Extremalities<K>& out, FaceResult& r,
+                            bool choose) {
+    const auto forms = forms_of<K>(geometry);
+    const auto shape = shape_of(forms.i, forms.l);
+    const auto squared = squared_sigma(shape);
+    if (!(squared[0].range().low > 0)) return FaceStatus::regular;
+    const auto sigma = sqrt(squared);
+    if (!std::isfinite(sigma[0].radius)) return FaceStatus::regular;
+    if (choose) r.w = principal_at_centre(shape, sigma[0].c[0]);
+    const auto w = direction(r.w);
+    const auto aw = times(shape, w);
+    if (!(transverse(forms.i, aw, w)[0].range().low > 0)) return FaceStatus::regular;
+    out.v[0] = first_principal(aw, sigma, w);
+    out.v[1] = second_principal(forms.i, out.v[0]);
+    for (std::size_t j = 0; j < 2; ++j) out.e[j] = extremality(forms, out.v[j]);
+    return FaceStatus::proven;
+  }
+
+  template <class F>
+  static std::uint8_t principal_at_centre(const Shape<F>& s, double sigma) {
+    const double a = s.a[0].c[0], b = s.b[0].c[0], c = s.c[0].c[0];
+    return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
+  }
+
+  FaceStatus ridges(Chart<Model>& chart, const Corners& c, FaceResult& r) {
+    Extremalities<1> x;
+    const FaceStatus status = derived<1>(chart, c, x, r);
+    if (status != FaceStatus::proven) return status;
+    for (std::size_t j = 0; j < 2; ++j)
+      if (!r.colour[j].no_zero && !monotone(x.e[j], r.colour[j])) return FaceStatus::ridge;
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (r.colour[j].no_zero) continue;
+      decide_edges(chart, x.e[j], r, r.colour[j]);
+      if (is_crossed(r.colour[j]) && !type(chart, c, x, j, r)) return FaceStatus::type;
+    }
+    if (is_crossed(r.colour[0]) && is_crossed(r.colour[1]) && !purple(x, r))
+      return FaceStatus::purple;
+    return FaceStatus::proven;
+  }
+
+  static bool is_crossed(const ColourResult& colour) {
+    return colour.crossed[0] || colour.crossed[1] || colour.crossed[2];
+  }
+
+  /// The direction c, and certain signs at the corners.
+  static bool monotone(const Field<1>& e, ColourResult& colour) {
+    const Model &e1 = e.coefficient(1, 0), &e2 = e.coefficient(0, 1);
+    if (e1.c[0] == 0 && e2.c[0] == 0) return false;
+    colour.monotone = nearest_direction(e1.c[0], e2.c[0]);
+    const auto c = direction(colour.monotone);
+    if (holds_zero((e1 * c[0] + e2 * c[1]).range())) return false;
+    std::array<int, 3> signs;
+    for (int k = 0; k < 3; ++k) {
+      signs[static_cast<std::size_t>(k)] = sign_of(e[0].at_corner(k));
+      if (signs[static_cast<std::size_t>(k)] == 0) return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      colour.crossed[k] = signs[k] != signs[(k + 1) % 3];
+      if (colour.crossed[k]) colour.at[k] = zero_on_edge(e[0], k);
+    }
+    return true;
+  }
+
+  /// Which edges have as many zeros as the signs at their ends say, provably in this face.
+  void decide_edges(const Chart<Model>& chart, const Field<1>& e, const FaceResult& r,
+                    ColourResult& colour) const {
+    const std::array<std::size_t, 2> axes =
+        implicit ? plane_axes(r.axis) : std::array<std::size_t, 2>{0, 1};
+    std::array<Model, 2> by;  // derivatives by l1 and l2
+    for (std::size_t i = 0; i < 2; ++i)
+      by[i] =
+          e.coefficient(1, 0) * chart.dx[i][axes[0]] + e.coefficient(0, 1) * chart.dx[i][axes[1]];
+    const std::array<Model, 3> along = {by[0], by[1] - by[0], by[1]};
+    for (int k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      colour.edge_decided[i] = !holds_zero(along[i].range_on_edge(k)) ||
+                               (!colour.crossed[i] && !holds_zero(e[0].range_on_edge(k)));
+    }
+  }
+
+  bool type(Chart<Model>& chart, const Corners& c, const Extremalities<1>& x, std::size_t j,
+            FaceResult& r) {
+    ColourResult& colour = r.colour[j];
+    const Model g =
+        x.v[j][0][0] * x.e[j].coefficient(1, 0) + x.v[j][1][0] * x.e[j].coefficient(0, 1);
+    const int sign = sign_of(g.range());
+    if (sign != 0) {
+      colour.type = (sign < 0) == (j == 0) ? ArcType::elliptic : ArcType::hyperbolic;
+      return true;
+    }
+    Extremalities<2> y;
+    if (derived<2>(chart, c, y, r) != FaceStatus::proven) return false;
+    const auto e1 = partial<1>(y.e[j], 1, 0), e2 = partial<1>(y.e[j], 0, 1);
+    const auto along = partial<1>(y.v[j][0], 0, 0) * e1 + partial<1>(y.v[j][1], 0, 0) * e2;
+    const Model det = e1[0] * along.coefficient(0, 1) - e2[0] * along.coefficient(1, 0);
+    if (holds_zero(det.range())) return false;
+    int product = 1;
+    for (int k = 0; k < 3; ++k)
+      if (colour.crossed[static_cast<std::size_t>(k)])
+        product *= sign_of(along[0].range_on_edge(k));
+    colour.type = ArcType::turning;
+    return product < 0;
+  }
+
+  /// Whether the two arcs cross; false if that is not decided.
+  static bool purple(const Extremalities<1>& x, FaceResult& r) {
+    const Model det = x.e[0].coefficient(1, 0) * x.e[1].coefficient(0, 1) -
+                      x.e[0].coefficient(0, 1) * x.e[1].coefficient(1, 0);
+    if (holds_zero(det.range())) return false;
+    int product = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!r.colour[0].crossed[k]) continue;
+      const Model& red = x.e[1][0];
+      int sign = sign_of(red.at_corner(static_cast<int>(k)));
+      if (r.colour[1].crossed[k]) {
+        const double blue_at = r.colour[0].at[k], red_at = r.colour[1].at[k];
+        const double between = 0.5 * (blue_at + red_at);
+        for (const Extremalities<1>* both = &x; const auto& e : both->e)
+          if (!(std::fabs(on_edge(e[0], k, between)) > 2 * e[0].radius)) return false;
+        if (blue_at > red_at) sign = -sign;
+      }
+      product *= sign;
+    }
+    r.purple = product < 0;
+    return true;
+  }
+
+  bool implicit;
+  Charts<Model> charts;
+  std::optional<ImplicitMap<Model, 3>> f3;
+  std::optional<ImplicitMap<Model, 4>> f4;
+  std::optional<ImplicitMap<Model, 5>> f5;
+  std::optional<ParametricMap<Model, 3>> x3;
+  std::optional<ParametricMap<Model, 4>> x4;
+  std::optional<ParametricMap<Model, 5>> x5;
+};
+
+FaceTest::FaceTest(const Surface& surface) : state_(std::make_unique<State>(surface)) {}
+FaceTest::~FaceTest() = default;
+FaceTest::FaceTest(FaceTest&&) noexcept = default;
+
+FaceResult FaceTest::operator()(const Corners& corners) {
+  return state_->run(corners);
+}
+
+std::optional<std::array<kernel::Range, 3>> FaceTest::image(const Corners& corners) {
+  const auto chart = state_->charts(corners);
+  if (!chart) return std::nullopt;
+  return std::array{chart->x[0].range(), chart->x[1].range(), chart->x[2].range()};
+}
+
+}  // namespace crest::smooth_ridges

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The conditions on one face (certify/SPEC.md, claim 4, Faces outside patches; paper 002, section
+// 6).
+#include <memory>
+
+#include "algorithms/smooth_ridges/chart.hpp"
+
+namespace crest::smooth_ridges {
+
+/// What stopped a proof.
+enum class FaceStatus : std::uint8_t {
+  proven,
+  chart,    ///< the map to the surface: too coarse, or the surface is singular
+  regular,  ///< (R): near an umbilic, or too coarse
+  ridge,    ///< an extremality is neither free of zeros nor monotone
+  type,     ///< elliptic or hyperbolic is not decided
+  purple    ///< the order of a blue and a red arc is not decided
+};
+
+enum class ArcType : std::uint8_t { none, elliptic, hyperbolic, turning };
+
+struct ColourResult {
+  bool no_zero = false;
+  std::uint8_t monotone = 0;           ///< direction number if not no_zero
+  std::array<bool, 3> crossed{};       ///< edge i from corner i to corner i + 1
+  std::array<bool, 3> edge_decided{};  ///< exactly as many zeros as `crossed` says
+  std::array<double, 3> at{};          ///< where on a crossed edge, in [0, 1] from its corner i
+  ArcType type = ArcType::none;
+};
+
+struct FaceResult {
+  FaceStatus status = FaceStatus::chart;
+  std::uint8_t axis = 0, w = 0;
+  std::array<ColourResult, 2> colour;  ///< blue, red
+  bool purple = false;
+};
+
+/// Not for two threads at a time.
+class FaceTest {
+ public:
+  explicit FaceTest(const Surface& surface);
+  ~FaceTest();
+  FaceTest(FaceTest&&) noexcept;
+
+  FaceResult operator()(const std::array<Vertex, 3>& corners);
+  /// Enclosures of the image (implicit: of x, y, z; parametric: lifted U, V), or nothing if the
+  /// chart is not proven.
+  std::optional<std::array<kernel::Range, 3>> image(const std::array<Vertex, 3>& corners);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace crest::smooth_ridges

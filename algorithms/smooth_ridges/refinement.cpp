@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/smooth_ridges/refinement.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/smooth_ridges/patches.hpp"
+
+namespace crest::smooth_ridges {
+namespace {
+
+double distance(const Vec3& a, const Vec3& b) {
+  return length(step(a, -1, b));
+}
+
+class Refinement {
+ public:
+  Refinement(const Surface& surface, Triangulation start, const RefinementOptions& options)
+      : surface_(surface),
+        options_(options),
+        places_(surface),
+        tests_([&surface] { return FaceTest(surface); }) {
+    out_.mesh = std::move(start);
+  }
+
+  RefinedSurface run() {
+    for (;; ++out_.rounds) {
+      test_new_faces();
+      seek_umbilics();
+      std::vector<Index> marks = place_patches();
+      mark_failures(marks);
+      if (options_.progress) options_.progress(out_.rounds, count(), marks.size());
+      if (marks.empty()) break;
+      if (out_.rounds >= options_.max_depth || count() + marks.size() > options_.max_faces) {
+        list_uncertified(marks);
+        break;
+      }
+      out_.mesh.refine(marks);
+    }
+    sort_patches();
+    return std::move(out_);
+  }
+
+ private:
+  std::size_t count() const { return out_.mesh.faces().size(); }
+
+  void test_new_faces() {
+    std::vector<Index> fresh;
+    known_.resize(count(), UINT64_MAX);
+    out_.faces.resize(count());
+    for (Index f = 0; f < count(); ++f)
+      if (known_[f] != out_.mesh.ids()[f]) fresh.push_back(f);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 16), [&](const auto& range) {
+      FaceTest& test = tests_.local();
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        out_.faces[fresh[i]] = test(out_.mesh.corners(fresh[i]));
+    });
+    for (const Index f : fresh) known_[f] = out_.mesh.ids()[f];
+    out_.tests += fresh.size();
+    fresh_ = std::move(fresh);
+  }
+
+  /// Newton's method from the new faces that are not regular; a new umbilic is proven at once.
+  void seek_umbilics() {
+    for (const Index f : fresh_) {
+      if (out_.faces[f].status != FaceStatus::regular) continue;
+      const auto corners = out_.mesh.corners(f);
+      const double size = longest(corners);
+      const SurfacePoint start = middle(corners);
+      auto found = find_umbilic(surface_, start, surface_.is_implicit() ? 3 * size : 0.25);
+      if (!found || !bring_inside(*found)) continue;
+      const Vec3 place = point(*found);
+      if (std::any_of(seen_.begin(), seen_.end(), [&](const Vec3& other) {
+            return distance(place, other) < 1e-9 * (1 + length(place));
+          }))
+        continue;
+      seen_.push_back(place);
+      if (auto proven = prove_umbilic(surface_, *found, largest_radius(*found)))
+        out_.patches.push_back({*proven, {}});
+    }
+  }
+
+  SurfacePoint middle(const std::array<Vertex, 3>& c) const {
+    Vertex m{};
+    for (std::size_t k = 0; k < 6; ++k) m[k] = (c[0][k] + c[1][k] + c[2][k]) / 3;
+    SurfacePoint p;
+    if (!surface_.is_implicit()) {
+      p.z = {m[0], m[1]};
+      return p;
+    }
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (std::fabs(m[3 + k]) > std::fabs(m[3 + axis])) axis = k;
+    const auto [i, j] = plane_axes(axis);
+    p = {axis, {m[i], m[j]}, m[axis]};
+    return p;
+  }
+
+  Vec3 point(const SurfacePoint& p) {
+    if (surface_.is_implicit()) return in_space(p);
+    return places_({p.z[0], p.z[1]});
+  }
+
+  /// Brings unit coordinates back into the period; false outside the domain or the box.
+  bool bring_inside(SurfacePoint& p) const {
+    if (surface_.is_implicit()) {
+      const Vec3 x = in_space(p);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (x[k] < surface_.box()[2 * k] || x[k] > surface_.box()[2 * k + 1]) return false;
+      return true;
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (surface_.periodic(d)) p.z[d] -= std::floor(p.z[d]);
+      if (!(p.z[d] > 0 && p.z[d] < 1)) return false;
+    }
+    return true;
+  }
+  /// Q must stay in the domain.
+  double largest_radius(const SurfacePoint& p) const {
+    if (surface_.is_implicit()) {
+      double size = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        size = std::max(size, surface_.box()[2 * k + 1] - surface_.box()[2 * k]);
+      return size / 16;
+    }
+    double r = 0.25;
+    for (std::size_t d = 0; d < 2; ++d)
+      if (!surface_.periodic(d)) r = std::min({r, 0.9 * p.z[d], 0.9 * (1 - p.z[d])});
+    return r;
+  }
+
+  std::vector<Index> place_patches() {
+    std::vector<Index> marks;
+    out_.patch_of.assign(count(), kNone);
+    for (std::size_t k = 0; k < out_.patches.size(); ++k) {
+      UmbilicPatch& patch = out_.patches[k];
+      PatchSearch search = find_patch(surface_, out_.mesh, patch.umbilic, tests_.local());
+      patch.faces = std::move(search.faces);
+      if (!search.too_large.empty()) patch.faces.clear();
+      marks.insert(marks.end(), search.too_large.begin(), search.too_large.end());
+      for (const Index f : patch.faces) {
+        if (out_.patch_of[f] != kNone) marks.push_back(f);
+        out_.patch_of[f] = static_cast<Index>(k);
+      }
+    }
+    return marks;
+  }
+
+  void mark_failures(std::vector<Index>& marks) {
+    for (Index f = 0; f < count(); ++f) {
+      if (out_.patch_of[f] != kNone) continue;
+      if (out_.faces[f].status != FaceStatus::proven) {
+        marks.push_back(f);
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!edge_decided(f, k)) marks.push_back(f);
+    }
+    // Crossings at a patch's border must be its branches.
+    for (const UmbilicPatch& patch : out_.patches)
+      if (!border_agrees(patch)) marks.insert(marks.end(), patch.faces.begin(), patch.faces.end());
+    std::sort(marks.begin(), marks.end());
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+  }
+
+  bool edge_decided(Index f, std::size_t k) const {
+    const Index n = out_.mesh.neighbours()[f][k];
+    const bool outside =
+        n != kNone && out_.patch_of[n] == kNone && out_.faces[n].status == FaceStatus::proven;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto decides = [j](const FaceResult& r, std::size_t edge) {
+        return r.colour[j].no_zero || r.colour[j].edge_decided[edge];
+      };
+      if (decides(out_.faces[f], k)) continue;
+      if (!outside || !decides(out_.faces[n], out_.mesh.edge_towards(n, f))) return false;
+    }
+    return true;
+  }
+
+  bool border_agrees(const UmbilicPatch& patch) const {
+    std::array<int, 2> crossed{};
+    for (const Index f : patch.faces)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index n = out_.mesh.neighbours()[f][k];
+        if (n == kNone) return false;
+        if (out_.patch_of[n] == out_.patch_of[f]) continue;
+        if (out_.patch_of[n] != kNone) return false;
+        const std::size_t edge = out_.mesh.edge_towards(n, f);
+        for (std::size_t j = 0; j < 2; ++j)
+          crossed[j] += out_.faces[n].colour[j].crossed[edge] ? 1 : 0;
+      }
+    return patch.faces.empty() || crossed == patch.umbilic.branches.count;
+  }
+
+  void list_uncertified(const std::vector<Index>& marks) {
+    for (const Index f : marks) {
+      const auto corners = out_.mesh.corners(f);
+      Vertex m{};
+      for (std::size_t k = 0; k < 6; ++k)
+        m[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3;
+      out_.uncertified.push_back({f, out_.faces[f].status, places_(m), longest(corners)});
+    }
+  }
+
+  double longest(const std::array<Vertex, 3>& c) {
+    const std::array<Vec3, 3> x = {places_(c[0]), places_(c[1]), places_(c[2])};
+    return std::max({distance(x[0], x[1]), distance(x[1], x[2]), distance(x[2], x[0])});
+  }
+
+  void sort_patches() {
+    std::erase_if(out_.patches, [](const UmbilicPatch& p) { return p.faces.empty(); });
+    std::sort(out_.patches.begin(), out_.patches.end(),
+              [](const UmbilicPatch& a, const UmbilicPatch& b) { return a.faces[0] < b.faces[0]; });
+    out_.patch_of.assign(count(), kNone);
+    for (std::size_t k = 0; k < out_.patches.size(); ++k)
+      for (const Index f : out_.patches[k].faces) out_.patch_of[f] = static_cast<Index>(k);
+  }
+
+  const Surface& surface_;
+  const RefinementOptions& options_;
+  Places places_;
+  tbb::enumerable_thread_specific<FaceTest> tests_;
+  RefinedSurface out_;
+  std::vector<std::uint64_t> known_;  ///< the id that faces[f] speaks of
+  std::vector<Index> fresh_;
+  std::vector<Vec3> seen_;  ///< umbilics found so far
+};
+
+}  // namespace
+
+RefinedSurface refine(const Surface& surface, Triangulation start,
+                      const RefinementOptions& options) {
+  return Refinement(surface, std::move(start), options).run();
+}
+
+Places::Places(const Surface& surface) {
+  if (!surface.is_implicit()) map_.emplace(surface);
+}
+
+Vec3 Places::operator()(const Vertex& v) {
+  if (!map_) return {v[0], v[1], v[2]};
+  const auto x = (*map_)(std::array<double, 2>{v[0], v[1]});
+  return {x[0][0], x[1][0], x[2][0]};
+}
+
+}  // namespace crest::smooth_ridges

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Refines a triangulation until every condition of certify/SPEC.md, claim 4, that speaks of faces,
+// edges and patches is proven, or the budget is spent.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithms/smooth_ridges/face_test.hpp"
+#include "algorithms/smooth_ridges/umbilics.hpp"
+
+namespace crest::smooth_ridges {
+
+struct RefinementOptions {
+  int max_depth = 60;               ///< rounds of refinement
+  std::size_t max_faces = 2000000;  ///< budget
+  std::function<void(int round, std::size_t faces, std::size_t left)> progress;
+};
+
+/// An umbilic and the disk of faces around it.
+struct UmbilicPatch {
+  Umbilic umbilic;
+  std::vector<Index> faces;  ///< ascending
+};
+
+struct UncertifiedCell {
+  Index face;
+  FaceStatus status;  ///< proven: an edge of it is not decided
+  Vec3 centre;        ///< of its image; implicit: of the flat face
+  double size;        ///< of its longest edge in space
+};
+
+struct RefinedSurface {
+  Triangulation mesh;
+  std::vector<FaceResult> faces;      ///< F
+  std::vector<Index> patch_of;        ///< F: patch, or kNone
+  std::vector<UmbilicPatch> patches;  ///< by ascending first face
+  std::vector<UncertifiedCell> uncertified;
+  int rounds = 0;
+  std::size_t tests = 0;  ///< of faces
+};
+
+RefinedSurface refine(const Surface& surface, Triangulation start,
+                      const RefinementOptions& options);
+
+/// Midpoint, in space, of face's image; parametric: of X at the unit coordinates' mean.
+class Places {
+ public:
+  explicit Places(const Surface& surface);
+  /// The point of space of a vertex (parametric: of unit coordinates).
+  Vec3 operator()(const Vertex& v);
+
+ private:
+  std::optional<ParametricMap<double, 0>> map_;
+};
+
+}  // namespace crest::smooth_ridges
