@@ -23,9 +23,7 @@ struct Plain {
     return r;
   }
   friend Plain operator*(const Plain& a, const Plain& b) {
-    Plain r;
-    for (const auto& [i, j, k] : Model::kTable.products) r.c[k] += a.c[i] * b.c[j];
-    return r;
+    return {Model::Kernels::product(a.c, b.c)};
   }
 };
 

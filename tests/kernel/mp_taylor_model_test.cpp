@@ -81,6 +81,26 @@ TEST_CASE("MPFR Taylor models hold the exact results") {
   check_operations<5>(scaled(10));
 }
 
+TEST_CASE("MPFR Taylor models bound the rest over all the values between") {
+  // Far from the centre the next derivative is another: its value at the centre would not do.
+  const auto check_corner = [](double at0, double at1, double at2) {
+    const auto x = MpTaylorModel<3>::linear(at0, at1, at2);
+    const TrianglePoint corner = point_of_weights(0, 1, 0);
+    CHECK(encloses(exp(x), corner, precise(mpfr_exp, Rational(at1))));
+    CHECK(encloses(sin(x), corner, precise(mpfr_sin, Rational(at1))));
+    CHECK(encloses(cos(x), corner, precise(mpfr_cos, Rational(at1))));
+    if (at0 <= 0 || at1 <= 0) return;
+    CHECK(encloses(inverse(x), corner, 1 / Rational(at1)));
+    CHECK(encloses(sqrt(x), corner, precise(mpfr_sqrt, Rational(at1))));
+    CHECK(encloses(log(x), corner, precise(mpfr_log, Rational(at1))));
+    CHECK(log(x).range().high < 10);
+  };
+  check_corner(-2, 4, -2);
+  check_corner(1, -5, 1);
+  check_corner(2.5, 1, 2.5);
+  check_corner(2.875, 1.25, 2.875);
+}
+
 TEST_CASE("MPFR Taylor models: linear functions, exactness, what is undefined") {
   using Model = MpTaylorModel<3>;
   const Model x = Model::linear(0.25, -1, 2), y = Model::linear(0, 1, 0.5, 0x1p-20);
