@@ -21,9 +21,9 @@ std::optional<Vec3> Projection::newton(Vec3 p, double reach, Direction&& directi
     const double t = -s.value / dot(s.gradient, d), move = std::fabs(t) * length(d);
     gone += move;
     if (!(gone <= reach)) return std::nullopt;
-    // Steps shrink until rounding: then the better of the two points is where one came from.
-    if (i > 3 && move >= last) return p;
     p = step(p, t, d);
+    // Nothing but rounding is left.
+    if (move <= 0x1p-52 * length(p) || (i > 3 && move >= last)) return p;
     last = move;
   }
   return std::nullopt;

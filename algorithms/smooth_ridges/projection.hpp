@@ -12,13 +12,14 @@ namespace crest::smooth_ridges {
 /// Not for two threads at a time.
 class Projection {
  public:
-  explicit Projection(const Surface& surface) : f_(surface) {}
+  explicit Projection(const Surface& surface) : value_(surface), f_(surface) {}
 
   struct Sample {
     double value;
     Vec3 gradient;
   };
   Sample sample(const Vec3& p);
+  double value(const Vec3& p) { return value_(p)[0]; }
 
   /// A zero of F near p by Newton's method along grad F, to rounding; nothing if it does not
   /// converge in steps that together stay within `reach`.
@@ -33,6 +34,7 @@ class Projection {
   template <class Direction>
   std::optional<Vec3> newton(Vec3 p, double reach, Direction&& direction);
 
+  ImplicitMap<double, 0> value_;
   ImplicitMap<double, 1> f_;
 };
 

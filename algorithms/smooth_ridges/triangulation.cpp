@@ -23,22 +23,7 @@ double unit_coordinate(double x) {
 
 }  // namespace
 
-Triangulation::Triangulation(std::vector<Vertex> vertices, std::vector<Triangle> faces,
-                             std::vector<std::uint8_t> lifts, EdgeRules rules)
-    : vertices_(std::move(vertices)),
-      faces_(std::move(faces)),
-      lifts_(std::move(lifts)),
-      rules_(std::move(rules)) {
-  pair_edges();
-  longest_.resize(faces_.size());
-  ids_.resize(faces_.size());
-  for (Index f = 0; f < faces_.size(); ++f) {
-    choose_longest(f);
-    ids_[f] = next_id_++;
-  }
-}
-
-void Triangulation::pair_edges() {
+std::vector<std::array<Index, 3>> pair_edges(const std::vector<Triangle>& faces) {
   struct Half {
     Index low, high;
     Index face;
@@ -46,16 +31,16 @@ void Triangulation::pair_edges() {
     bool ascending;
   };
   std::vector<Half> halves;
-  halves.reserve(3 * faces_.size());
-  for (Index f = 0; f < faces_.size(); ++f)
+  halves.reserve(3 * faces.size());
+  for (Index f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = faces_[f][k], b = faces_[f][next(k)];
+      const Index a = faces[f][k], b = faces[f][next(k)];
       halves.push_back({std::min(a, b), std::max(a, b), f, static_cast<std::uint8_t>(k), a < b});
     }
   std::sort(halves.begin(), halves.end(), [](const Half& x, const Half& y) {
     return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
   });
-  neighbours_.assign(faces_.size(), {kNone, kNone, kNone});
+  std::vector<std::array<Index, 3>> neighbours(faces.size(), {kNone, kNone, kNone});
   const auto same = [&](std::size_t i, std::size_t j) {
     return j < halves.size() && halves[i].low == halves[j].low && halves[i].high == halves[j].high;
   };
@@ -66,9 +51,25 @@ void Triangulation::pair_edges() {
       throw std::invalid_argument(
           "an edge of the triangulation is in more than two faces, or in "
           "two that are oriented differently");
-    neighbours_[x.face][x.edge] = y.face;
-    neighbours_[y.face][y.edge] = x.face;
+    neighbours[x.face][x.edge] = y.face;
+    neighbours[y.face][y.edge] = x.face;
     ++i;
+  }
+  return neighbours;
+}
+
+Triangulation::Triangulation(std::vector<Vertex> vertices, std::vector<Triangle> faces,
+                             std::vector<std::uint8_t> lifts, EdgeRules rules)
+    : vertices_(std::move(vertices)),
+      faces_(std::move(faces)),
+      lifts_(std::move(lifts)),
+      rules_(std::move(rules)) {
+  neighbours_ = pair_edges(faces_);
+  longest_.resize(faces_.size());
+  ids_.resize(faces_.size());
+  for (Index f = 0; f < faces_.size(); ++f) {
+    choose_longest(f);
+    ids_[f] = next_id_++;
   }
 }
 

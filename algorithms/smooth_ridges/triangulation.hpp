@@ -33,6 +33,10 @@ struct EdgeRules {
   std::array<bool, 2> periodic{};                                  ///< parametric
 };
 
+/// For each face the faces across its edges (edge i from corner i to corner i + 1), or kNone.
+/// Throws: std::invalid_argument for an edge in more than two faces, or twice in one direction.
+std::vector<std::array<Index, 3>> pair_edges(const std::vector<Triangle>& faces);
+
 class Triangulation {
  public:
   Triangulation() = default;
@@ -70,7 +74,6 @@ class Triangulation {
   int euler_characteristic() const;
 
  private:
-  void pair_edges();
   void choose_longest(Index face);
   void bisect(Index face);
   Index add_midpoint(Index face, std::size_t edge);
