@@ -108,8 +108,9 @@ class BlowUp {
     if (!all.regular || !centre.regular) return false;
     const double half = (Interval(t1) - Interval(t0)).sup();
     std::array<State, 2> states;
+    std::array<Interval, 2> slopes;
     for (std::size_t j = 0; j < 2; ++j) {
-      const Interval slope = derivative_by_t(all, j);
+      const Interval slope = slopes[j] = derivative_by_t(all, j);
       const Interval e = value(centre, j) + slope * Interval(-half, half);
       states[j].free = !holds_zero(e);
       const Interval& sure = states[j].free ? e : slope;
@@ -118,7 +119,7 @@ class BlowUp {
       if (!states[j].free && holds_zero(along_line(all, j, slope))) return false;
     }
     // Blue and red branches stay apart: no purple point.
-    if (!states[0].free && !states[1].free) return false;
+    if (!states[0].free && !states[1].free && !apart(centre, slopes, half)) return false;
     // Frames are compared where two intervals meet: E changes sign with w.
     const int turned = directions_.empty() ? 1 : same_side(directions_.back(), w, all.i);
     if (turned == 0) return false;
@@ -128,6 +129,13 @@ class BlowUp {
     directions_.push_back(w);
     states_.push_back(states);
     return true;
+  }
+
+  /// A combination of E1 and E2 nearly constant in t has no zero.
+  bool apart(const Cell& centre, const std::array<Interval, 2>& slopes, double half) const {
+    const Interval k0(1 / middle(slopes[0])), k1(1 / middle(slopes[1]));
+    return !holds_zero(value(centre, 0) * k0 - value(centre, 1) * k1 +
+                       (slopes[0] * k0 - slopes[1] * k1) * Interval(-half, half));
   }
 
   /// 1 if v1 of one direction is that of the other, -1 if its opposite, 0 if not certain.

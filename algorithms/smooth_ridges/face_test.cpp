@@ -231,19 +231,34 @@ struct FaceTest::State {
     const auto along = partial<1>(y.v[j][0], 0, 0) * e1 + partial<1>(y.v[j][1], 0, 0) * e2;
     const Model det = e1[0] * along.coefficient(0, 1) - e2[0] * along.coefficient(1, 0);
     if (holds_zero(det.range())) return false;
-    int product = 1;
-    for (int k = 0; k < 3; ++k)
-      if (colour.crossed[static_cast<std::size_t>(k)])
-        product *= sign_of(along[0].range_on_edge(k));
+    // The curve G = 0 leaves the face through a crossed edge: what counts is G at the crossings.
+    double product = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!colour.crossed[k]) continue;
+      const double at = on_edge(along[0], k, colour.at[k]);
+      if (!(std::fabs(at) > 4 * along[0].radius)) return false;
+      product *= at > 0 ? 1 : -1;
+    }
     colour.type = ArcType::turning;
     return product < 0;
+  }
+
+  /// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.
+  static bool apart(const Extremalities<1>& x) {
+    std::array<double, 2> slope;
+    for (std::size_t j = 0; j < 2; ++j)
+      slope[j] = std::hypot(x.e[j].coefficient(1, 0).c[0], x.e[j].coefficient(0, 1).c[0]);
+    const double along = x.e[0].coefficient(1, 0).c[0] * x.e[1].coefficient(1, 0).c[0] +
+                         x.e[0].coefficient(0, 1).c[0] * x.e[1].coefficient(0, 1).c[0];
+    const Model combined = x.e[0][0] * slope[1] - x.e[1][0] * (along > 0 ? slope[0] : -slope[0]);
+    return !holds_zero(combined.range());
   }
 
   /// Whether the two arcs cross; false if that is not decided.
   static bool purple(const Extremalities<1>& x, FaceResult& r) {
     const Model det = x.e[0].coefficient(1, 0) * x.e[1].coefficient(0, 1) -
                       x.e[0].coefficient(0, 1) * x.e[1].coefficient(1, 0);
-    if (holds_zero(det.range())) return false;
+    if (holds_zero(det.range())) return apart(x);
     int product = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!r.colour[0].crossed[k]) continue;

@@ -139,8 +139,9 @@ class Refinement {
     for (std::size_t k = 0; k < out_.patches.size(); ++k) {
       UmbilicPatch& patch = out_.patches[k];
       PatchSearch search = find_patch(surface_, out_.mesh, patch.umbilic, tests_.local());
+      // Faces within Q wait for the others: refining them would only cost.
       patch.faces = std::move(search.faces);
-      if (!search.too_large.empty()) patch.faces.clear();
+      patch.complete = search.too_large.empty();
       marks.insert(marks.end(), search.too_large.begin(), search.too_large.end());
       for (const Index f : patch.faces) {
         if (out_.patch_of[f] != kNone) marks.push_back(f);
@@ -162,7 +163,8 @@ class Refinement {
     }
     // Crossings at a patch's border must be its branches.
     for (const UmbilicPatch& patch : out_.patches)
-      if (!border_agrees(patch)) marks.insert(marks.end(), patch.faces.begin(), patch.faces.end());
+      if (patch.complete && !border_agrees(patch))
+        marks.insert(marks.end(), patch.faces.begin(), patch.faces.end());
     std::sort(marks.begin(), marks.end());
     marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
   }
@@ -193,7 +195,7 @@ class Refinement {
         for (std::size_t j = 0; j < 2; ++j)
           crossed[j] += out_.faces[n].colour[j].crossed[edge] ? 1 : 0;
       }
-    return patch.faces.empty() || crossed == patch.umbilic.branches.count;
+    return crossed == patch.umbilic.branches.count;
   }
 
   void list_uncertified(const std::vector<Index>& marks) {
@@ -212,7 +214,7 @@ class Refinement {
   }
 
   void sort_patches() {
-    std::erase_if(out_.patches, [](const UmbilicPatch& p) { return p.faces.empty(); });
+    std::erase_if(out_.patches, [](const UmbilicPatch& p) { return !p.complete; });
     std::sort(out_.patches.begin(), out_.patches.end(),
               [](const UmbilicPatch& a, const UmbilicPatch& b) { return a.faces[0] < b.faces[0]; });
     out_.patch_of.assign(count(), kNone);

@@ -22,6 +22,7 @@ struct RefinementOptions {
 struct UmbilicPatch {
   Umbilic umbilic;
   std::vector<Index> faces;  ///< ascending
+  bool complete = false;     ///< they are a disk
 };
 
 struct UncertifiedCell {
