@@ -222,7 +222,7 @@ struct FaceTest::State {
         x.v[j][0][0] * x.e[j].coefficient(1, 0) + x.v[j][1][0] * x.e[j].coefficient(0, 1);
     const int sign = sign_of(g.range());
     if (sign != 0) {
-      colour.type = (sign < 0) == (j == 0) ? ArcType::elliptic : ArcType::hyperbolic;
+      colour.type = arc_type(sign, j);
       return true;
     }
     Extremalities<2> y;
@@ -232,15 +232,19 @@ struct FaceTest::State {
     const Model det = e1[0] * along.coefficient(0, 1) - e2[0] * along.coefficient(1, 0);
     if (holds_zero(det.range())) return false;
     // The curve G = 0 leaves the face through a crossed edge: what counts is G at the crossings.
-    double product = 1;
+    int sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!colour.crossed[k]) continue;
       const double at = on_edge(along[0], k, colour.at[k]);
       if (!(std::fabs(at) > 4 * along[0].radius)) return false;
-      product *= at > 0 ? 1 : -1;
+      sum += at > 0 ? 1 : -1;
     }
-    colour.type = ArcType::turning;
-    return product < 0;
+    colour.type = sum == 0 ? ArcType::turning : arc_type(sum, j);
+    return true;
+  }
+  /// Lemma 5: of the sign of G.
+  static ArcType arc_type(int sign, std::size_t j) {
+    return (sign < 0) == (j == 0) ? ArcType::elliptic : ArcType::hyperbolic;
   }
 
   /// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.
