@@ -51,7 +51,8 @@ void add_reeb_options(CLI::App& app, ReebOptions& o) {
       "--field", o.field, "scalar point field of a .vtu, .msh or .vtp (default: its only one)");
   field->type_name("NAME");
   app.add_option("--expression", o.expression,
-                 "function of x, y, z instead of a field, sampled at vertices and edge midpoints")
+                 "function of x, y, z instead of a field, sampled at vertices and, unless it is "
+                 "linear, edge midpoints")
       ->type_name("E")
       ->excludes(field);
   app.add_flag("--linear", o.linear, "linear on each face: ignore the midpoints");
@@ -166,29 +167,36 @@ std::vector<io::TreeLines> trees_of(const ReebOptions& o, const reeb::TileComple
 }
 
 /// The graph that is written, with the arcs of the tile complex's nodes and of the tiles (that of
-/// the contour just above a tile's middle node).
+/// the contour just above a tile's middle node) where something is drawn.
 struct WrittenGraph {
   reeb::ReebGraph graph;
   std::vector<Index> arc_of_node, arc_of_tile;
   bool changed = false;
 };
 
-WrittenGraph written_graph(const ReebOptions& o, const reeb::TileComplex& tiles,
-                           const std::vector<reeb::NodePlace>& places,
-                           const reeb::ReebGraph& graph) {
+void label(const ReebOptions& o, const reeb::TileComplex& tiles, WrittenGraph& w) {
   const reeb::OrderedComplex complex = reeb::ordered(tiles);
-  WrittenGraph w{graph, {}, {}, false};
-  if (o.segmentation) {
-    reeb::Segmentation segmentation = reeb::segmentation(complex, graph);
-    w.arc_of_node = std::move(segmentation.arc_of_vertex);
-    for (const reeb::TriangleArcs& arcs : segmentation.triangles) {
-      w.arc_of_tile.push_back(arcs.middle);
-    }
-  } else {
-    w.arc_of_node = reeb::arc_of_vertices(complex, graph);
+  if (!o.segmentation) {
+    w.arc_of_node = reeb::arc_of_vertices(complex, w.graph);
+    return;
   }
+  reeb::Segmentation segmentation = reeb::segmentation(complex, w.graph);
+  w.arc_of_node = std::move(segmentation.arc_of_vertex);
+  for (const reeb::TriangleArcs& arcs : segmentation.triangles) {
+    w.arc_of_tile.push_back(arcs.middle);
+  }
+}
+
+bool to_simplify(const ReebOptions& o) {
+  return o.contract || o.persistence_given->count() > 0;
+}
+
+void simplify(const ReebOptions& o, const reeb::TileComplex& tiles,
+              const std::vector<reeb::NodePlace>& places, WrittenGraph& w) {
   const auto replace = [&](const auto& next) {
-    w = {next.graph, reeb::relabel_vertices(w.arc_of_node, w.graph, next),
+    const bool labelled = !w.arc_of_node.empty();
+    w = {next.graph,
+         labelled ? reeb::relabel_vertices(w.arc_of_node, w.graph, next) : std::vector<Index>(),
          reeb::relabel_arcs(w.arc_of_tile, next.arc_of_arc), true};
   };
   if (o.contract) replace(reeb::contract(w.graph, tiles.rank, tiles.tied));
@@ -197,7 +205,6 @@ WrittenGraph written_graph(const ReebOptions& o, const reeb::TileComplex& tiles,
     for (const reeb::NodePlace& place : places) values.push_back(place.value);
     replace(reeb::simplify(w.graph, values, o.persistence, o.cancel_loops));
   }
-  return w;
 }
 
 std::vector<LevelCount> count_lines(const std::vector<io::LevelLines>& lines) {
@@ -290,6 +297,24 @@ void write_scenes(const Extraction& x, const Shown& shown, Outputs& outputs) {
   });
 }
 
+Shown compute_shown(const ReebOptions& o, const Extraction& x, Steps& step, bool drawn) {
+  Shown shown;
+  shown.trees = step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
+  shown.levels = step("levels", "drawing level lines",
+                      [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
+  if (!drawn && !to_simplify(o)) return shown;
+  shown.written.graph = x.graph;
+  if (drawn || o.persistence_given->count() > 0) {
+    shown.places =
+        step("places", "placing nodes", [&] { return reeb::node_places(x.file.mesh, x.tiles); });
+  }
+  if (drawn) step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
+  if (to_simplify(o)) {
+    step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
+  }
+  return shown;
+}
+
 void check_options(const ReebOptions& o) {
   for (const double level : o.levels) {
     if (!std::isfinite(level)) throw UsageError("--level: give a finite number");
@@ -312,17 +337,8 @@ int run_reeb(const ReebOptions& o) {
   kernel::require_sound_floating_point();
 
   const Extraction x = extract(o, source, step, report, outputs);
-  Shown shown;
-  shown.trees = step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
-  shown.levels = step("levels", "drawing level lines",
-                      [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
   const bool drawn = outputs.wanted("-o") || outputs.wanted("--picture");
-  if (drawn || o.contract || o.persistence_given->count() > 0) {
-    step("simplify", "simplifying", [&] {
-      shown.places = reeb::node_places(x.file.mesh, x.tiles);
-      shown.written = written_graph(o, x.tiles, shown.places, x.graph);
-    });
-  }
+  const Shown shown = compute_shown(o, x, step, drawn);
   if (drawn) step("write", "writing", [&] { write_scenes(x, shown, outputs); });
   const std::vector<LevelCount> counts = count_lines(shown.levels);
   const ReebRun run{x.file.mesh,

@@ -36,7 +36,10 @@ class Builder {
       : file_(file), faces_(proper_faces(file.soup)) {
     if (!source.linear) midside_ = file.midside;
     if (source.expression) expression_.emplace(kernel::double_evaluator(*source.expression));
-    sampled_middles_ = source.expression && !source.linear;
+    // Of an expression that is linear on every face, samples in the middle would add nothing but
+    // their rounding, and with it critical points where its values all but agree.
+    const bool linear = midside_.empty() && source.expression && source.expression->affine();
+    sampled_middles_ = source.expression && !source.linear && !linear;
   }
 
   QuadraticFile build() {

@@ -14,8 +14,8 @@ namespace crest::io {
 /// Where the values come from.
 struct FunctionSource {
   std::string field = {};  ///< a scalar point field; empty: the file's only one
-  /// In x, y, z; instead of a field: sampled at the nodes, on linear meshes at the vertices and the
-  /// edges' midpoints.
+  /// In x, y, z; instead of a field: sampled at the nodes, on linear meshes at the vertices and,
+  /// unless it is affine and so linear on every face, at the edges' midpoints.
   std::optional<kernel::Expression> expression = {};
   bool linear = false;  ///< without midpoints: the function linear between the corners' values
 };

@@ -297,4 +297,28 @@ bool Expression::rational() const {
                      [](const Constant& c) { return c.kind == Constant::Kind::number; });
 }
 
+bool Expression::affine() const {
+  std::vector<int> degrees;  // 2: more than one, or no polynomial
+  for (const Operation& o : program_) {
+    if (o.code == Code::constant || o.code == Code::variable) {
+      degrees.push_back(o.code == Code::variable ? 1 : 0);
+    } else if (o.code >= Code::add && o.code <= Code::divide) {
+      const int b = degrees.back();
+      degrees.pop_back();
+      int& a = degrees.back();
+      if (o.code == Code::multiply)
+        a = std::min(a + b, 2);
+      else if (o.code == Code::divide)
+        a = b > 0 ? 2 : a;
+      else
+        a = std::max(a, b);
+    } else if (o.code != Code::negate) {
+      int& a = degrees.back();
+      const bool same = o.code == Code::power && o.argument == 1;
+      if (a > 0 && !same) a = 2;
+    }
+  }
+  return degrees.back() < 2;
+}
+
 }  // namespace crest::kernel

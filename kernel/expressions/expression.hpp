@@ -76,6 +76,9 @@ class Expression {
   std::size_t stack_depth() const { return stack_depth_; }
   /// No constants pi and e, no functions: rationals give rationals.
   bool rational() const;
+  /// Of degree 0 or 1 in the variables as it is written: sums and multiples of them. (x*y - x*y + x
+  /// is not.)
+  bool affine() const;
 
  private:
   std::string text_;

@@ -65,14 +65,16 @@ TEST_CASE("crest reeb: outputs, report and an accepted certificate, the same byt
        {"line_critical", "face_critical", "boundary_saddle", "critical_value_order"}) {
     INFO(rule);
     REQUIRE(report["predicates"].contains(rule));
-    for (const char* key : {"calls", "interval", "exact", "symbolic"}) {
+    for (const char* key : {"calls", "interval", "integer", "exact", "symbolic"}) {
       CHECK(report["predicates"][rule].contains(key));
     }
   }
   CHECK(report["predicates"]["line_critical"]["calls"] > 0);
-  for (const char* phase : {"read", "tessellate", "graph", "certificate", "write", "total"}) {
+  for (const char* phase :
+       {"read", "tessellate", "graph", "certificate", "places", "labels", "write", "total"}) {
     CHECK(report["seconds"].contains(phase));
   }
+  CHECK_FALSE(report["seconds"].contains("simplify"));
   CHECK(report["function"] == "T");
   CHECK(report["euler_characteristic"] == 0);
   CHECK(report["boundary_loops"] == 0);
@@ -233,10 +235,11 @@ TEST_CASE("crest reeb reads Gmsh files and one-sided surfaces, and takes express
     REQUIRE(run.exit_code == 0);
     return read_json(folder / "s.json");
   };
-  const auto quadratic = counts("--expression 'x + y/8'");
+  const auto quadratic = counts("--expression 'x + y*y/8'");
   CHECK(quadratic["degree"] == 2);
   CHECK(quadratic["graph"]["loops"] == 1);
-  const auto linear = counts("--expression 'x + y/8' --linear");
+  CHECK(counts("--expression 'x + y/8'")["degree"] == 1);
+  const auto linear = counts("--expression 'x + y*y/8' --linear");
   CHECK(linear["degree"] == 1);
   CHECK(linear["tiles"] == linear["faces"]);
   CHECK(linear["graph"]["loops"] == 1);

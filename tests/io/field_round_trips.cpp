@@ -101,7 +101,17 @@ TEST_CASE("expressions are sampled at vertices and midpoints of any triangle mes
     FunctionSource linear = expression("x^2 + y - z");
     linear.linear = true;
     CHECK(read_quadratic_mesh(folder / name, linear).mesh.linear());
+    // Linear on every face: no samples in between, whose rounding would show.
+    CHECK(read_quadratic_mesh(folder / name, expression("0.1*x + y/3 - z")).mesh.linear());
   }
+  // On curved faces it is quadratic, and beside them its value in the middle is theirs.
+  QuadraticGrid grid{
+      {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {1, 0.5, 0}, {1, 1, 0}, {0, 1, 0}},
+      {{0, 1, 2, 4, 5, 6}, {1, 3, 2, kNone, kNone, kNone}},
+      {0, 0, 0, 0, 0, 0, 0}};
+  const QuadraticMesh mixed =
+      read_quadratic_mesh_bytes("a.vtu", vtu_text(grid), expression("x + 2*y")).mesh;
+  CHECK(mixed.edge_values() == std::vector<double>{2, 2, 3, 4, 5});
 }
 
 TEST_CASE("faces need not be oriented alike, nor the surface be orientable", "[io]") {

@@ -113,3 +113,17 @@ TEST_CASE("random strings give an expression or an error, never more") {
   }
   CHECK(parsed > trials / 200);
 }
+
+TEST_CASE("expressions: which are affine as they are written") {
+  const auto affine = [](const char* text) { return Expression::parse(text, {"x", "y"}).affine(); };
+  for (const char* text : {"0", "x", "-x", "x + 0.1*y - 3", "(x - y)/7", "x*2", "2*x*3", "x^1",
+                           "3^2*x", "sin(1)*x + pi", "-(x/(2 - e))", "x^(1)^1", "2^2^3", "x - x"}) {
+    CAPTURE(text);
+    CHECK(affine(text));
+  }
+  for (const char* text : {"x*y", "x^2", "1/x", "x/y", "sin(x)", "sqrt(x)", "x*(y + 1)", "x^0",
+                           "x^-1", "x + y*y", "x*y - x*y + x", "2 + exp(y)", "(x*y)*0"}) {
+    CAPTURE(text);
+    CHECK_FALSE(affine(text));
+  }
+}
