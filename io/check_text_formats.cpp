@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of OFF, OBJ and STL before CGAL reads them.
+// Checks of OBJ and STL before CGAL reads them; OFF is read by its check.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,21 +58,28 @@ OffCounts off_header(std::string_view text, LineScanner& scanner) {
   return {static_cast<std::size_t>(value[0]), static_cast<std::size_t>(value[1])};
 }
 
-void check_off_face(const std::vector<std::string_view>& words, std::size_t vertices,
-                    const std::string& element) {
+template <class Name>
+Corners off_face(const std::vector<std::string_view>& words, std::size_t vertices,
+                 const Name& element) {
   const auto corners = integer_of(words[0]);
-  if (!corners) fail(element, "does not start with a number of vertices", "correct it");
-  check_corner_count(*corners, element);
-  if (words.size() < 4) fail(element, "has fewer indices than it announces", "correct it");
-  for (std::size_t k = 1; k < 4; ++k) {
-    const auto index = integer_of(words[k]);
-    const std::string quoted(words[k].substr(0, 40));
-    if (!index) fail(element, "index '" + quoted + "' is not an integer", "correct it");
+  if (!corners) fail(element(), "does not start with a number of vertices", "correct it");
+  if (*corners != 3) check_corner_count(*corners, element());
+  if (words.size() < 4) fail(element(), "has fewer indices than it announces", "correct it");
+  Corners face;
+  face.resize(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto index = integer_of(words[k + 1]);
+    if (!index) {
+      fail(element(), "index '" + std::string(words[k + 1].substr(0, 40)) + "' is not an integer",
+           "correct it");
+    }
     if (*index < 0 || *index >= static_cast<std::int64_t>(vertices)) {
-      fail(element, fmt::format("vertex {} does not exist", *index),
+      fail(element(), fmt::format("vertex {} does not exist", *index),
            fmt::format("the file has {} vertices, numbered from 0", vertices));
     }
+    face[k] = *index;
   }
+  return face;
 }
 
 [[noreturn]] void fail_truncated(const char* what, std::size_t index) {
@@ -82,47 +89,48 @@ void check_off_face(const std::vector<std::string_view>& words, std::size_t vert
 
 }  // namespace
 
-void check_off(std::string& text) {
+PolygonSoup parse_off(std::string_view text) {
   check_text(text);
   LineScanner scanner(text);
   const OffCounts counts = off_header(text, scanner);
-  const std::size_t data = scanner.offset() + scanner.line().size();
+  PolygonSoup soup;
+  soup.points.reserve(counts.vertices);
+  soup.faces.reserve(counts.faces);
   for (std::size_t v = 0; v < counts.vertices; ++v) {
     if (!scanner.next('#')) fail_truncated("vertex", v);
-    check_coordinates(scanner.words(), 0, numbered("vertex", v, scanner.number()));
+    const auto [x, y, z] =
+        coordinates(scanner.words(), 0, [&] { return numbered("vertex", v, scanner.number()); });
+    soup.points.emplace_back(x, y, z);
   }
   for (std::size_t f = 0; f < counts.faces; ++f) {
     if (!scanner.next('#')) fail_truncated("face", f);
-    check_off_face(scanner.words(), counts.vertices, numbered("face", f, scanner.number()));
+    soup.faces.push_back(off_face(scanner.words(), counts.vertices,
+                                  [&] { return numbered("face", f, scanner.number()); }));
   }
-  // CGAL has ways of its own with comments and headers; leave it a plain OFF, in which it skips
-  // normals and colours as it does any surplus number of a line.
-  for (std::size_t at = text.find('#', data); at != std::string::npos; at = text.find('#', at)) {
-    blank(text, at, std::min(text.find('\n', at), text.size()) - at);
-  }
-  text.replace(0, data, fmt::format("OFF\n{} {} 0", counts.vertices, counts.faces));
+  return soup;
 }
 
 namespace {
 
 /// Counts corners up to a comment; each starts with an index that fits 32 bits.
+template <class Name>
 void check_obj_face(const std::vector<std::string_view>& words, std::size_t vertices,
-                    const std::string& element) {
+                    const Name& element) {
   std::int64_t corners = 0;
   for (std::size_t k = 1; k < words.size() && words[k][0] != '#'; ++k, ++corners) {
     const std::string_view word = words[k].substr(0, words[k].find('/'));
     const auto index = integer_of(word);
     if (!index) {
-      fail(element, "index '" + std::string(words[k].substr(0, 40)) + "' is not an integer",
+      fail(element(), "index '" + std::string(words[k].substr(0, 40)) + "' is not an integer",
            "correct it");
     }
-    if (*index == 0) fail(element, "index 0 does not exist", "OBJ counts from 1");
+    if (*index == 0) fail(element(), "index 0 does not exist", "OBJ counts from 1");
     const auto limit = static_cast<std::int64_t>(vertices);
     if (*index > 0x7fffffff || *index < -limit) {
-      fail(element, fmt::format("index {} is out of range", *index), "correct it");
+      fail(element(), fmt::format("index {} is out of range", *index), "correct it");
     }
   }
-  check_corner_count(corners, element);
+  if (corners != 3) check_corner_count(corners, element());
 }
 
 }  // namespace
@@ -141,9 +149,11 @@ void check_obj(std::string& text) {
   while (scanner.next()) {
     const auto& words = scanner.words();
     if (words[0] == "v") {
-      check_coordinates(words, 1, numbered("vertex", vertices++, scanner.number()));
+      coordinates(words, 1, [&] { return numbered("vertex", vertices, scanner.number()); });
+      ++vertices;
     } else if (words[0] == "f") {
-      check_obj_face(words, vertices, numbered("face", faces++, scanner.number()));
+      check_obj_face(words, vertices, [&] { return numbered("face", faces, scanner.number()); });
+      ++faces;
     } else {
       blank(text, scanner.offset(), scanner.line().size());
     }
@@ -191,11 +201,11 @@ void check_text_stl(std::string& text) {
       text.replace(scanner.offset(), 5, "facet");
     } else if (words[0] == "vertex") {
       if (!open) fail(face(), "vertex outside of a facet", "correct the file");
-      check_coordinates(words, 1, face());
+      coordinates(words, 1, face);
       ++corners;
     } else if (words[0] == "endfacet") {
       if (!open) fail(face(), "'endfacet' without 'facet'", "correct the file");
-      check_corner_count(static_cast<std::int64_t>(corners), face());
+      if (corners != 3) check_corner_count(static_cast<std::int64_t>(corners), face());
       open = false;
       ++faces;
     }

@@ -89,12 +89,13 @@ class MshReader {
   }
 
   void add_node(std::int64_t tag, std::size_t first) {
-    check_coordinates(scan_.words(), first, fmt::format("node {} ({})", tag, line()));
+    const auto name = [&] { return fmt::format("node {} ({})", tag, line()); };
+    const auto [x, y, z] = coordinates(scan_.words(), first, name);
     auto& points = result_.soup.points;
     if (!node_.emplace(tag, static_cast<Index>(points.size())).second) {
-      fail(fmt::format("node {} ({})", tag, line()), "is there twice", kRepair);
+      fail(name(), "is there twice", kRepair);
     }
-    points.emplace_back(number(first), number(first + 1), number(first + 2));
+    points.emplace_back(x, y, z);
     result_.soup.point_tags.push_back(tag);
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's readers of polygon soups, each behind its check.
+// Readers of polygon soups: CGAL's, each behind its check, and our own of OFF.
 #include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 
@@ -26,10 +25,9 @@ PolygonSoup read_checked(std::string bytes, const char* format, Read&& read) {
 }  // namespace
 
 PolygonSoup read_off(std::string bytes) {
-  check_off(bytes);
-  return read_checked(std::move(bytes), "OFF", [](auto& stream, auto& points, auto& faces) {
-    return CGAL::IO::read_OFF(stream, points, faces, CGAL::parameters::verbose(false));
-  });
+  PolygonSoup soup = parse_off(bytes);
+  if (soup.faces.empty()) fail("faces", "there are none", "export the mesh with its faces");
+  return soup;
 }
 
 PolygonSoup read_obj(std::string bytes) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 
 #include "io/polygon_soup.hpp"
@@ -74,20 +73,19 @@ std::string numbered(const char* what, std::size_t index, std::size_t line) {
   return fmt::format("{} {} (line {})", what, index, line);
 }
 
-void check_coordinates(const std::vector<std::string_view>& words, std::size_t first,
-                       const std::string& element) {
+void fail_coordinates(const std::vector<std::string_view>& words, std::size_t first,
+                      const std::string& element) {
   if (words.size() < first + 3) {
     fail(element, fmt::format("has {} coordinates", words.size() - std::min(first, words.size())),
          "give x y z");
   }
-  for (std::size_t k = first; k < first + 3; ++k) {
-    const auto value = number_of(words[k]);
-    const std::string quoted(words[k].substr(0, 40));
-    if (!value) fail(element, "coordinate '" + quoted + "' is not a number", "correct it");
-    if (!std::isfinite(*value)) {
-      fail(element, "coordinate '" + quoted + "' is not finite", "remove or repair the vertex");
-    }
+  std::size_t k = first;
+  while (k + 1 < first + 3 && number_of(words[k]) && std::isfinite(*number_of(words[k]))) ++k;
+  const std::string quoted(words[k].substr(0, 40));
+  if (!number_of(words[k])) {
+    fail(element, "coordinate '" + quoted + "' is not a number", "correct it");
   }
+  fail(element, "coordinate '" + quoted + "' is not finite", "remove or repair the vertex");
 }
 
 void check_corner_count(std::int64_t corners, const std::string& element) {

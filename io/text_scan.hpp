@@ -2,6 +2,8 @@
 #pragma once
 
 // Lines and words of text formats, for the checks that name a faulty element.
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,9 +36,25 @@ std::optional<std::int64_t> integer_of(std::string_view word);
 /// "vertex 7 (line 12)".
 std::string numbered(const char* what, std::size_t index, std::size_t line);
 
-/// Checks that words[first], .. [first + 2] are finite coordinates of `element`.
-void check_coordinates(const std::vector<std::string_view>& words, std::size_t first,
-                       const std::string& element);
+/// Says which of words[first], .. [first + 2] is no finite coordinate.
+[[noreturn]] void fail_coordinates(const std::vector<std::string_view>& words, std::size_t first,
+                                   const std::string& element);
+
+/// words[first], .. [first + 2], which must be finite coordinates of `element`, a function that is
+/// called for its name only where they are not.
+template <class Name>
+std::array<double, 3> coordinates(const std::vector<std::string_view>& words, std::size_t first,
+                                  const Name& element) {
+  std::array<double, 3> result{};
+  bool good = words.size() >= first + 3;
+  for (std::size_t k = 0; good && k < 3; ++k) {
+    const auto value = number_of(words[first + k]);
+    good = value && std::isfinite(*value);
+    if (good) result[k] = *value;
+  }
+  if (!good) fail_coordinates(words, first, element());
+  return result;
+}
 
 /// Throws for a face whose number of corners is not 3.
 void check_corner_count(std::int64_t corners, const std::string& element);
