@@ -53,8 +53,7 @@ bool jacobian_is_positive(const Corners& c, double h) {
 template <class Model>
 Charts<Model>::Charts(const Surface& surface) {
   if (!surface.is_implicit()) return;
-  value_.emplace(surface);
-  slope_.emplace(surface);
+  value_.emplace(kernel::double_evaluator(surface.functions()[0]));
   value_model_.emplace(surface);
   gradient_model_.emplace(surface);
 }
@@ -67,17 +66,20 @@ double Charts<Model>::guess_reach(const Corners& c) {
     centre[k] = (c[0][k] + c[1][k] + c[2][k]) / 3;
     mean[k] = (c[0][3 + k] + c[1][3 + k] + c[2][3 + k]) / 3;
   }
-  const auto f = (*slope_)(centre);
-  const Vec3 gradient = {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
-  double largest = std::fabs(f[0]);
+  double size = 0, edge = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    size += std::fabs(centre[k]);
+    edge += std::fabs(c[1][k] - c[0][k]);
+  }
+  const double value = (*value_)(centre), d = 0x1p-10 * edge;
+  const double slope = ((*value_)(step(centre, d, mean)) - value) / d;
+  double largest = std::fabs(value);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex &a = c[i], &b = c[(i + 1) % 3];
     const Vec3 middle = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-    largest = std::max(largest, std::fabs((*value_)(middle)[0]));
+    largest = std::max(largest, std::fabs((*value_)(middle)));
   }
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) size += std::fabs(centre[k]) + std::fabs(c[1][k] - c[0][k]);
-  return 2.5 * largest / std::fabs(dot(gradient, mean)) + 1e-14 * size;
+  return 2.5 * largest / std::fabs(slope) + 1e-14 * (size + edge);
 }
 
 template <class Model>

@@ -50,8 +50,7 @@ class Charts {
   double guess_reach(const std::array<Vertex, 3>& corners);
   bool solve_fibres(Chart<Model>& chart, const Models& p);
 
-  std::optional<ImplicitMap<double, 0>> value_;
-  std::optional<ImplicitMap<double, 1>> slope_;
+  std::optional<kernel::Evaluator<double>> value_;
   std::optional<ImplicitMap<Model, 0>> value_model_;
   std::optional<ImplicitMap<Model, 1>> gradient_model_;
 };
