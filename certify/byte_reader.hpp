@@ -33,8 +33,9 @@ class ByteReader {
   }
 
   /// Fills a list of integers or doubles.
-  template <class Word>
-  void words(std::vector<Word>& out, std::size_t count) {
+  template <class List>
+  void words(List& out, std::size_t count) {
+    using Word = typename List::value_type;
     if (count > left_.size() / sizeof(Word)) throw Malformed("section ends early");
     out.resize(count);
     const auto piece = take(count * sizeof(Word));
@@ -48,8 +49,9 @@ class ByteReader {
   }
 
   /// Fills trivially copyable rows of little-endian words.
-  template <class Row>
-  void rows(std::vector<Row>& out, std::size_t count) {
+  template <class List>
+  void rows(List& out, std::size_t count) {
+    using Row = typename List::value_type;
     using Word = typename Row::value_type;
     if (count > left_.size() / sizeof(Row)) throw Malformed("section ends early");
     out.resize(count);

@@ -9,25 +9,35 @@
 namespace crest::certify {
 namespace {
 
-std::span<const std::uint8_t> all(const Bytes& bytes) {
-  return {bytes.data(), bytes.size()};
-}
-
 /// Neither infinite, NaN nor -0, by bits: independent of flags and of the rounding mode.
-bool is_plain(double x) {
+bool is_plain(std::uint64_t bits) {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63, kExponent = std::uint64_t{0x7ff} << 52;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  return (bits & kExponent) != kExponent && bits != kSign;
+  return ((bits & kExponent) != kExponent) & (bits != kSign);
+}
+bool is_plain(double x) {
+  return is_plain(std::bit_cast<std::uint64_t>(x));
 }
 
 template <class Row>
 void require_plain_numbers(const std::vector<Row>& rows, const char* what) {
   bool good = true;
-  for (const Row& row : rows) {
-    if constexpr (std::is_same_v<Row, double>)
-      good = is_plain(row) && good;
-    else
-      for (const double x : row) good = is_plain(x) && good;
+  for (const Row& row : rows)
+    for (const double x : row) good = is_plain(x) && good;
+  if (!good) throw Malformed(std::string(what) + ": a number is infinite, NaN or -0");
+}
+
+/// Of doubles as they stand in the bytes.
+void require_plain_bytes(std::span<const std::uint8_t> bytes, const char* what) {
+  bool good = true;
+  if constexpr (std::endian::native == std::endian::little) {
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(double)) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, bytes.data() + i, sizeof bits);
+      good &= is_plain(bits);
+    }
+  } else {
+    for (ByteReader reader(bytes); reader.left() != 0;)
+      good &= is_plain(reader.integer<std::uint64_t>());
   }
   if (!good) throw Malformed(std::string(what) + ": a number is infinite, NaN or -0");
 }
@@ -79,9 +89,9 @@ Digest Container::seal() const {
   return sha256({header, claims});
 }
 
-Container open_container(const Bytes& bytes) {
+Container open_container(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeaderSize + kSealSize) throw Malformed("shorter than a header and a seal");
-  ByteReader reader(all(bytes));
+  ByteReader reader(bytes);
   const auto magic = reader.take(kMagic.size());
   if (!std::equal(magic.begin(), magic.end(), kMagic.begin()))
     throw Malformed("not a certificate (magic)");
@@ -93,7 +103,7 @@ Container open_container(const Bytes& bytes) {
   const auto data = reader.integer<std::uint64_t>(), claims = reader.integer<std::uint64_t>();
   const std::uint64_t room = bytes.size() - kHeaderSize - kSealSize;
   if (data > room || claims != room - data) throw Malformed("section lengths do not fit the file");
-  c.header = all(bytes).first(kHeaderSize);
+  c.header = bytes.first(kHeaderSize);
   c.data = reader.take(static_cast<std::size_t>(data));
   c.claims = reader.take(static_cast<std::size_t>(claims));
   const auto seal = reader.take(kSealSize);
@@ -180,9 +190,9 @@ FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
   return c;
 }
 
-ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
-                            std::span<const std::uint8_t> claims) {
-  ReebCertificate c;
+namespace {
+
+void read_reeb_data(std::span<const std::uint8_t> data, ReebContents& c) {
   ByteReader reader(data);
   const std::uint64_t vertices = reader.integer<std::uint32_t>();
   const std::uint64_t faces = reader.integer<std::uint32_t>();
@@ -195,39 +205,66 @@ ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
     throw Malformed("data section: vertex and face counts do not fit its length");
   if (vertices < 3 || faces < 1) throw Malformed("data section: no mesh");
   if (3 * faces > 0xfffffffeU) throw Malformed("data section: more faces than the format numbers");
+  c.vertices = vertices;
   reader.rows(c.faces, faces);
-  reader.rows(c.positions, vertices);
-  reader.words(c.values, vertices);
-  reader.words(c.edge_values, rest / sizeof(double));
-  require_plain_numbers(c.positions, "positions");
-  require_plain_numbers(c.values, "values");
-  require_plain_numbers(c.edge_values, "midpoint values");
+  c.positions = reader.take(vertices * 3 * sizeof(double));
+  const auto values = reader.take(vertices * sizeof(double)), edges = reader.take(rest);
+  require_plain_bytes(c.positions, "positions");
+  require_plain_bytes(values, "values");
+  require_plain_bytes(edges, "midpoint values");
+  ByteReader(values).words(c.values, vertices);
+  ByteReader(edges).words(c.edge_values, rest / sizeof(double));
+}
 
-  reader = ByteReader(claims);
+template <class Pairs>
+void read_pairs(ByteReader& reader, Pairs& pairs, const char* too_long) {
+  const std::size_t count = reader.integer<std::uint32_t>();
+  if (count > reader.left() / 8) throw Malformed(too_long);
+  pairs.resize(count);
+  for (auto& [first, second] : pairs) {
+    first = reader.integer<std::uint32_t>();
+    second = reader.integer<std::uint32_t>();
+  }
+}
+
+}  // namespace
+
+ReebContents open_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims) {
+  ReebContents c;
+  read_reeb_data(data, c);
+  ByteReader reader(claims);
   c.euler_characteristic = reader.integer<std::int32_t>();
-  std::uint64_t nodes = vertices;
   for (auto* number : {&c.boundary_loops, &c.components, &c.line_critical, &c.face_critical,
                        &c.tiles, &c.minima, &c.saddles, &c.maxima})
     *number = reader.integer<std::uint32_t>();
-  nodes += std::uint64_t{c.line_critical} + c.face_critical;
+  const std::uint64_t nodes = c.vertices + std::uint64_t{c.line_critical} + c.face_critical;
   if (nodes > reader.left() / 4) throw Malformed("order: longer than its bytes");
   reader.words(c.order, nodes);
   reader.words(c.critical_nodes, reader.integer<std::uint32_t>());
-  const std::size_t arcs = reader.integer<std::uint32_t>();
-  if (arcs > reader.left() / 8) throw Malformed("arcs: longer than their bytes");
-  c.arcs.resize(arcs);
-  for (ArcRecord& arc : c.arcs) {
-    arc.lower = reader.integer<std::uint32_t>();
-    arc.upper = reader.integer<std::uint32_t>();
-  }
-  const std::size_t cuts = reader.integer<std::uint32_t>();
-  if (cuts > reader.left() / 8) throw Malformed("cuts: longer than their bytes");
-  c.cuts.resize(cuts);
-  for (CutRecord& cut : c.cuts) {
-    cut.arc = reader.integer<std::uint32_t>();
-    cut.node = reader.integer<std::uint32_t>();
-  }
+  read_pairs(reader, c.arcs, "arcs: longer than their bytes");
+  read_pairs(reader, c.cuts, "cuts: longer than their bytes");
   if (reader.left() != 0) throw Malformed("claim section: bytes left over");
+  return c;
+}
+
+ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
+                            std::span<const std::uint8_t> claims) {
+  const ReebContents from = open_reeb(data, claims);
+  const auto copy = [](const auto& list, auto& to) { to.assign(list.begin(), list.end()); };
+  ReebCertificate c;
+  copy(from.faces, c.faces);
+  ByteReader(from.positions).rows(c.positions, from.vertices);
+  copy(from.values, c.values);
+  copy(from.edge_values, c.edge_values);
+  c.euler_characteristic = from.euler_characteristic;
+  c.boundary_loops = from.boundary_loops, c.components = from.components;
+  c.line_critical = from.line_critical, c.face_critical = from.face_critical;
+  c.tiles = from.tiles;
+  c.minima = from.minima, c.saddles = from.saddles, c.maxima = from.maxima;
+  copy(from.order, c.order);
+  copy(from.critical_nodes, c.critical_nodes);
+  copy(from.arcs, c.arcs);
+  copy(from.cuts, c.cuts);
   return c;
 }
 

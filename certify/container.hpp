@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "certify/buffer.hpp"
 #include "certify/certificate.hpp"
 
 namespace crest::certify {
@@ -33,9 +34,12 @@ struct Container {
   Digest seal() const;
 };
 
+/// A file for verify(); certify/certificate.hpp's read_file without touching the memory twice.
+Buffer<std::uint8_t> read_buffer(const std::string& path);
+
 /// Throws Malformed if the magic is another or the lengths do not add up to the bytes. Reads
 /// neither section.
-Container open_container(const Bytes& bytes);
+Container open_container(std::span<const std::uint8_t> bytes);
 
 /// The data section alone, and the claim section of claim 1 into `certificate` (data untouched).
 /// Every length is compared with the bytes left before anything is allocated.
@@ -47,8 +51,24 @@ void decode_claims(std::span<const std::uint8_t> claims, RidgesMeshCertificate& 
 FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
                                              std::span<const std::uint8_t> claims);
 
+/// A ReebCertificate for checking: the positions, on which nothing depends, stay in the bytes.
+struct ReebContents {
+  std::size_t vertices = 0;
+  std::span<const std::uint8_t> positions;
+  Buffer<std::array<std::uint32_t, 3>> faces;
+  Buffer<double> values, edge_values;
+  std::int32_t euler_characteristic = 0;
+  std::uint32_t boundary_loops = 0, components = 0;
+  std::uint32_t line_critical = 0, face_critical = 0, tiles = 0;
+  std::uint32_t minima = 0, saddles = 0, maxima = 0;
+  Buffer<std::uint32_t> order, critical_nodes;
+  Buffer<ArcRecord> arcs;
+  Buffer<CutRecord> cuts;
+};
 /// Both sections of claim 3. Throws Malformed. The number of midpoint values is what the data
 /// section's length leaves: whether it is the number of edges is a check of step 1.
+ReebContents open_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims);
+/// The same as the producer's struct.
 ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
                             std::span<const std::uint8_t> claims);
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "certify/certificate.hpp"
+#include "certify/container.hpp"
 
 namespace crest::certify {
 namespace {
@@ -20,6 +20,30 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 [[noreturn]] void fail(const std::string& path, const char* action) {
   throw std::runtime_error(fmt::format("{}: cannot {}: {}", path, action, std::strerror(errno)));
+}
+
+template <class List>
+List read_all(const std::string& path) {
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) fail(path, "open");
+  List bytes;
+  // The size is only a hint (pipes have none); the loop reads to the end whatever it says.
+  std::size_t chunk = std::size_t{1} << 16;
+  if (std::fseek(file.get(), 0, SEEK_END) == 0) {
+    if (const long size = std::ftell(file.get()); size > 0 && size < (1L << 40))
+      chunk = static_cast<std::size_t>(size) + 1;
+    std::rewind(file.get());
+  }
+  std::size_t used = 0;
+  while (true) {
+    bytes.resize(used + chunk);
+    const std::size_t got = std::fread(bytes.data() + used, 1, chunk, file.get());
+    used += got;
+    if (got < chunk) break;
+  }
+  if (std::ferror(file.get())) fail(path, "read");
+  bytes.resize(used);
+  return bytes;
 }
 
 }  // namespace
@@ -38,26 +62,11 @@ void write_file(const std::string& path, const Bytes& bytes) {
 }
 
 Bytes read_file(const std::string& path) {
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail(path, "open");
-  Bytes bytes;
-  // The size is only a hint (pipes have none); the loop reads to the end whatever it says.
-  std::size_t chunk = std::size_t{1} << 16;
-  if (std::fseek(file.get(), 0, SEEK_END) == 0) {
-    if (const long size = std::ftell(file.get()); size > 0 && size < (1L << 40))
-      chunk = static_cast<std::size_t>(size) + 1;
-    std::rewind(file.get());
-  }
-  std::size_t used = 0;
-  while (true) {
-    bytes.resize(used + chunk);
-    const std::size_t got = std::fread(bytes.data() + used, 1, chunk, file.get());
-    used += got;
-    if (got < chunk) break;
-  }
-  if (std::ferror(file.get())) fail(path, "read");
-  bytes.resize(used);
-  return bytes;
+  return read_all<Bytes>(path);
+}
+
+Buffer<std::uint8_t> read_buffer(const std::string& path) {
+  return read_all<Buffer<std::uint8_t>>(path);
 }
 
 }  // namespace crest::certify

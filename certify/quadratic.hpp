@@ -11,7 +11,7 @@ namespace crest::certify::reeb {
 struct EdgeValues {
   double a, b, m;
 };
-inline EdgeValues values_on_edge(const ReebCertificate& c, const Gluing& mesh, std::uint32_t e) {
+inline EdgeValues values_on_edge(const ReebContents& c, const Gluing& mesh, std::uint32_t e) {
   return {c.values[mesh.edges[e][0]], c.values[mesh.edges[e][1]], c.edge_values[e]};
 }
 
@@ -29,7 +29,7 @@ auto end_slope(const Lift& lift, const EdgeValues& e) {
 struct FaceValues {
   std::array<double, 3> f, m;
 };
-inline FaceValues values_in_face(const ReebCertificate& c, const Gluing& mesh, std::uint32_t face) {
+inline FaceValues values_in_face(const ReebContents& c, const Gluing& mesh, std::uint32_t face) {
   FaceValues v;
   for (std::size_t i = 0; i < 3; ++i) {
     v.f[i] = c.values[c.faces[face][i]];

@@ -14,14 +14,14 @@ void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&.
 }
 
 /// Steps 1 and 2.
-reeb::SurfaceFacts prove_surface(const ReebCertificate& c, const reeb::Gluing& mesh,
+reeb::SurfaceFacts prove_surface(const ReebContents& c, const reeb::Gluing& mesh,
                                  Verdict& verdict) {
   const bool quadratic = !c.edge_values.empty();
-  const auto facts = reeb::check_surface(c.faces, mesh, c.positions.size());
+  const auto facts = reeb::check_surface(c.faces, mesh, c.vertices);
   require(!quadratic || c.edge_values.size() == mesh.edge_count,
           "data: {} midpoint values for {} edges", c.edge_values.size(), mesh.edge_count);
   prove(verdict, "data: a surface of {} vertices, {} faces, a {} function; digests match",
-        c.positions.size(), c.faces.size(), quadratic ? "quadratic" : "linear");
+        c.vertices, c.faces.size(), quadratic ? "quadratic" : "linear");
   require_equal(c.euler_characteristic, facts.euler_characteristic, "Euler characteristic");
   require_equal(c.boundary_loops, facts.boundary_loops, "boundary loops");
   require_equal(c.components, facts.components, "components");
@@ -32,7 +32,7 @@ reeb::SurfaceFacts prove_surface(const ReebCertificate& c, const reeb::Gluing& m
 }
 
 /// Step 3. With degree 1 the tiles are the faces: nothing is built.
-reeb::Tiling prove_tiles(const ReebCertificate& c, const reeb::Gluing& mesh, SignLadder& sign,
+reeb::Tiling prove_tiles(const ReebContents& c, const reeb::Gluing& mesh, SignLadder& sign,
                          Verdict& verdict) {
   reeb::Tiling tiling;
   if (!c.edge_values.empty()) tiling = reeb::tessellate(c, mesh, sign);
@@ -46,12 +46,12 @@ reeb::Tiling prove_tiles(const ReebCertificate& c, const reeb::Gluing& mesh, Sig
 }
 
 /// The first Betti number of the graph.
-std::int64_t loops_of(const ReebCertificate& c) {
+std::int64_t loops_of(const ReebContents& c) {
   return std::int64_t{c.components} + static_cast<std::int64_t>(c.arcs.size()) -
          static_cast<std::int64_t>(c.critical_nodes.size());
 }
 
-void prove_graph(const ReebCertificate& c, const reeb::SurfaceFacts& facts, bool simple,
+void prove_graph(const ReebContents& c, const reeb::SurfaceFacts& facts, bool simple,
                  Verdict& verdict) {
   std::string beside;
   if (facts.boundary_loops == 0 && facts.orientable) {
@@ -69,14 +69,14 @@ void prove_graph(const ReebCertificate& c, const reeb::SurfaceFacts& facts, bool
 
 void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                  const VerifyOptions& options, Verdict& verdict) {
-  const ReebCertificate c = decode_reeb(data, claims);
+  const ReebContents c = open_reeb(data, claims);
   if (options.input)
     throw TieUnavailable(*options.input +
                          ": --input cannot compare the values of a Reeb graph's function; compare "
                          "the data digest with the one in the output");
   SignLadder sign(options.arithmetic);
   const bool quadratic = !c.edge_values.empty();
-  reeb::Gluing mesh = reeb::glue(c.faces, c.positions.size(), quadratic);
+  const reeb::Gluing mesh = reeb::glue(c.faces, c.vertices, quadratic);
   const auto facts = prove_surface(c, mesh, verdict);
   const reeb::Tiling tiling = prove_tiles(c, mesh, sign, verdict);
 
@@ -88,15 +88,13 @@ void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_
   verdict.signs.interval += comparisons.interval;
   verdict.signs.exact += comparisons.exact;
 
-  // A subdivision of the mesh: a surface with it, and its edges are in two tiles at most.
-  if (quadratic) mesh = reeb::glue(tiling.tiles, rank.size(), false);
-  const reeb::Complex k{quadratic ? tiling.tiles : c.faces, mesh.twin, rank};
+  const reeb::Complex k{c.faces, mesh, facts, tiling, rank};
   const reeb::NodeTypes types = reeb::check_types(c, k);
   prove(verdict,
         "nodes: {} minima, {} saddles with multiplicity, {} maxima; indices sum to the Euler "
         "characteristic",
         types.minima, types.saddles, types.maxima);
-  const reeb::Cuts cuts = reeb::check_cuts(c, k, types);
+  const reeb::Cuts cuts = reeb::check_cuts(c, k);
   prove(verdict, "cuts: {} contours across {} edges, none twice", c.cuts.size(),
         cuts.crossings.size());
   reeb::check_trees(c, k, types, cuts);

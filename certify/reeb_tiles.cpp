@@ -8,8 +8,6 @@
 namespace crest::certify::reeb {
 namespace {
 
-using u8 = std::uint8_t;
-using u32 = std::uint32_t;
 using kernel::Sign;
 
 bool has_line_node(const EdgeValues& e, SignLadder& sign) {
@@ -35,8 +33,6 @@ bool is_boundary_saddle(const FaceValues& f, unsigned side, SignLadder& sign) {
   if (w != Sign::zero) return w == Sign::positive;
   return sign([&](auto lift) { return quadratic(lift, f).hessian(); }) == Sign::negative;
 }
-
-using Corners = std::array<u32, 3>;
 
 /// The two sides with nodes are j + 1 = B C (node on_bc) and j + 2 = C A (node on_ca).
 void two_line_nodes(Triangles& tiles, const Corners& face, const FaceValues& f, unsigned j,
@@ -87,20 +83,17 @@ void cut_face(Triangles& tiles, const Corners& face, const Corners& line, const 
   }
 }
 
-/// The node of each edge, kNone without one; appends to line_edges.
-std::vector<u32> number_line_nodes(const ReebCertificate& c, const Gluing& mesh, Tiling& out,
-                                   SignLadder& sign) {
+void number_line_nodes(const ReebContents& c, const Gluing& mesh, Tiling& out, SignLadder& sign) {
   const auto vertices = static_cast<u32>(c.values.size());
-  std::vector<u32> line_node(mesh.edges.size(), kNone);
+  out.line_node.assign(mesh.edges.size(), kNone);
   for (u32 e = 0; e < mesh.edges.size(); ++e) {
     if (!has_line_node(values_on_edge(c, mesh, e), sign)) continue;
-    line_node[e] = vertices + static_cast<u32>(out.line_edges.size());
+    out.line_node[e] = vertices + static_cast<u32>(out.line_edges.size());
     out.line_edges.push_back(e);
   }
-  return line_node;
 }
 
-Corners line_nodes_of(const Gluing& mesh, const std::vector<u32>& line_node, u32 f) {
+Corners line_nodes_of(const Gluing& mesh, const Buffer<u32>& line_node, u32 f) {
   return {line_node[mesh.edge_of[3 * f]], line_node[mesh.edge_of[3 * f + 1]],
           line_node[mesh.edge_of[3 * f + 2]]};
 }
@@ -108,16 +101,15 @@ Corners line_nodes_of(const Gluing& mesh, const std::vector<u32>& line_node, u32
 /// The node of each face; a face without line-critical nodes has none (section 4 of the paper,
 /// case <1,0>: an ellipse grows inside until it touches a side; two asymptotes meet the three
 /// closed sides in four points, so one side twice).
-std::vector<u32> number_face_nodes(const ReebCertificate& c, const Gluing& mesh,
-                                   const std::vector<u32>& line_node, Tiling& out,
-                                   SignLadder& sign) {
+Buffer<u32> number_face_nodes(const ReebContents& c, const Gluing& mesh, Tiling& out,
+                              SignLadder& sign) {
   struct Keyed {
     Corners corners;
     u32 face;
   };
   std::vector<Keyed> keyed;
   for (u32 f = 0; f < c.faces.size(); ++f) {
-    if (line_nodes_of(mesh, line_node, f) == Corners{kNone, kNone, kNone}) continue;
+    if (line_nodes_of(mesh, out.line_node, f) == Corners{kNone, kNone, kNone}) continue;
     if (!has_face_node(values_in_face(c, mesh, f), sign)) continue;
     Corners sorted = c.faces[f];
     std::sort(sorted.begin(), sorted.end());
@@ -125,7 +117,7 @@ std::vector<u32> number_face_nodes(const ReebCertificate& c, const Gluing& mesh,
   }
   std::sort(keyed.begin(), keyed.end(),
             [](const Keyed& a, const Keyed& b) { return a.corners < b.corners; });
-  std::vector<u32> face_node(c.faces.size(), kNone);
+  Buffer<u32> face_node(c.faces.size(), kNone);
   auto number = static_cast<u32>(c.values.size() + out.line_edges.size());
   for (const Keyed& k : keyed) {
     face_node[k.face] = number++;
@@ -136,23 +128,26 @@ std::vector<u32> number_face_nodes(const ReebCertificate& c, const Gluing& mesh,
 
 }  // namespace
 
-Tiling tessellate(const ReebCertificate& c, const Gluing& mesh, SignLadder& sign) {
+Tiling tessellate(const ReebContents& c, const Gluing& mesh, SignLadder& sign) {
   require(c.edge_values.size() == mesh.edges.size(), "data: {} midpoint values for {} edges",
           c.edge_values.size(), mesh.edges.size());
   require(
       c.values.size() + mesh.edges.size() + c.faces.size() < kNone && c.faces.size() < kNone / 18,
       "data: more tiles than the format numbers");
   Tiling out;
-  const auto line_node = number_line_nodes(c, mesh, out, sign);
-  const auto face_node = number_face_nodes(c, mesh, line_node, out, sign);
+  number_line_nodes(c, mesh, out, sign);
+  const auto face_node = number_face_nodes(c, mesh, out, sign);
+  out.first.resize(c.faces.size() + 1);
   out.tiles.reserve(c.faces.size() + 2 * out.line_edges.size() + 3 * out.critical_faces.size());
   for (u32 f = 0; f < c.faces.size(); ++f) {
-    const Corners line = line_nodes_of(mesh, line_node, f);
+    const Corners line = line_nodes_of(mesh, out.line_node, f);
+    out.first[f] = static_cast<u32>(out.tiles.size());
     if (face_node[f] != kNone)
       fan(out.tiles, c.faces[f], line, face_node[f]);
     else
       cut_face(out.tiles, c.faces[f], line, values_in_face(c, mesh, f), sign);
   }
+  out.first.back() = static_cast<u32>(out.tiles.size());
   return out;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
+#include <vector>
 
 #include "certify/reeb_checks.hpp"
 #include "certify/reject.hpp"
@@ -8,100 +10,166 @@
 namespace crest::certify::reeb {
 namespace {
 
-using u32 = std::uint32_t;
-
-/// The critical nodes of K'' in ascending order: after the critical node v, for each cut just
-/// above it, the maximum below the cut and then the minimum above it.
-struct Sequence {
-  std::vector<u32> of_critical, of_cut;  ///< positions; of_cut: of the maximum, the minimum follows
-  std::vector<u32> critical, cut;        ///< at a position: one of the two, the other kNone
-  bool is_minimum(u32 s) const { return of_cut[cut[s]] != s; }
-};
-
-Sequence make_sequence(const ReebCertificate& c) {
-  Sequence q;
-  const auto add = [&](u32 critical, u32 cut) {
-    q.critical.push_back(critical);
-    q.cut.push_back(cut);
-    return static_cast<u32>(q.critical.size() - 1);
-  };
-  u32 k = 0;
-  for (u32 i = 0; i < c.critical_nodes.size(); ++i) {
-    q.of_critical.push_back(add(i, kNone));
-    for (; k < c.cuts.size() && c.arcs[c.cuts[k].arc].lower == i; ++k) {
-      q.of_cut.push_back(add(kNone, k));
-      add(kNone, k);
-    }
-  }
-  return q;
-}
-
-/// Arcs of G by their upper or lower end.
-struct ArcsAt {
-  std::vector<u32> start, arcs;
-};
-template <class End>
-ArcsAt arcs_by(const ReebCertificate& c, const End& end) {
-  ArcsAt at;
-  at.start.assign(c.critical_nodes.size() + 1, 0);
-  for (const ArcRecord& arc : c.arcs) ++at.start[end(arc) + 1];
-  std::partial_sum(at.start.begin(), at.start.end(), at.start.begin());
-  at.arcs.resize(c.arcs.size());
-  std::vector<u32> fill(at.start.begin(), at.start.end() - 1);
-  for (u32 a = 0; a < c.arcs.size(); ++a) at.arcs[fill[end(c.arcs[a])]++] = a;
-  return at;
-}
-
 enum class Direction { up, down };
 
-/// One sweep over K'' and G'': upwards for the join trees, downwards for the split trees. As long
-/// as every node joins the same components in both, one union-find serves both.
-class Sweep {
+/// The components of a growing forest at any time, each named by one of the leaves it began with:
+/// union by size without shortening, so that every merge stays readable. Cost: log n a question.
+class Merges {
  public:
-  Sweep(const ReebCertificate& c, const Complex& k, const NodeTypes& types, const Cuts& cuts,
-        const Sequence& q, Direction direction)
-      : c_(c), k_(k), types_(types), cuts_(cuts), q_(q), up_(direction == Direction::up) {
-    arcs_ = up_ ? arcs_by(c, [](const ArcRecord& a) { return a.upper; })
-                : arcs_by(c, [](const ArcRecord& a) { return a.lower; });
-    arc_cut_.assign(c.arcs.size(), kNone);
-    for (u32 k_cut = 0; k_cut < c.cuts.size(); ++k_cut) arc_cut_[c.cuts[k_cut].arc] = k_cut;
-    component_.resize(q.critical.size());
-    std::iota(component_.begin(), component_.end(), u32{0});
-    size_.assign(q.critical.size(), 1);
+  explicit Merges(std::size_t leaves) : into_(leaves), size_(leaves, 1) {
+    for (u32 leaf = 0; leaf < leaves; ++leaf) into_[leaf] = {leaf, kNone};
   }
-
-  void run() {
-    reached_.assign(k_.rank.size(), kNone);
-    look_along_sides();
-    const auto size = static_cast<u32>(q_.critical.size());
-    for (u32 i = 0; i < size; ++i) visit(up_ ? i : size - 1 - i);
+  /// Before `time`.
+  u32 find(u32 leaf, u32 time) const {
+    while (into_[leaf].time < time) leaf = into_[leaf].leaf;
+    return leaf;
   }
-  /// The component. Comparing roots compares the last nodes that joined: each has one.
-  u32 find(u32 s) {
-    while (component_[s] != s) s = component_[s] = component_[component_[s]];
-    return s;
+  /// Of the components a and b, which must be current; returns the name of both.
+  u32 join(u32 a, u32 b, u32 time) {
+    if (size_[a] < size_[b]) std::swap(a, b);
+    size_[a] += size_[b];
+    into_[b] = {a, time};
+    return a;
   }
+  /// When the leaf lost its name to another; kNone if it has it still.
+  u32 time(u32 leaf) const { return into_[leaf].time; }
 
  private:
-  /// The smaller of the two components below the root of the larger one: short ways to the root.
-  void attach(u32 s, u32 root) {
-    s = find(s);
-    if (size_[s] > size_[root]) std::swap(s, root);
-    component_[s] = root;
-    size_[root] += size_[s];
+  struct Into {
+    u32 leaf, time;
+  };
+  Buffer<Into> into_;
+  Buffer<u32> size_;
+};
+
+/// One sweep over G'', upwards for its join tree, downwards for its split tree; then K'' is
+/// compared with it, node by node in the order of the mesh, where neighbours are near in memory.
+///
+/// The nodes of K'' keep their numbers in K; cut k adds the maximum N + 2 k below it and the
+/// minimum N + 2 k + 1 above it. A node's time is its rank, downwards counted from above. Its label
+/// is the component it is in as soon as it has been met.
+class Sweep {
+ public:
+  Sweep(const ReebContents& c, const Complex& k, const NodeTypes& types, const Cuts& cuts,
+        Direction direction)
+      : c_(c),
+        k_(k),
+        types_(types),
+        cuts_(cuts),
+        up_(direction == Direction::up),
+        neighbours_(up_ ? types.lower : types.upper),
+        label_(k.nodes() + 2 * c.cuts.size(), kNone),
+        merges_(name_leaves()) {}
+
+  void run() {
+    collect_arcs();
+    reached_.resize(k_.nodes());
+    for (u32 v = 0; v < k_.nodes(); ++v) reached_[v] = types_.critical(v) ? v : kNone;
+    sweep_graph();
+    compare();
+  }
+  /// The component as far as the sweep has come.
+  u32 component(u32 node) const { return merges_.find(label_[node], kNone); }
+
+ private:
+  u32 lower_end(u32 cut) const { return c_.arcs[c_.cuts[cut].arc].lower; }
+  u32 maximum_below(u32 cut) const { return static_cast<u32>(k_.nodes()) + 2 * cut; }
+  u32 minimum_above(u32 cut) const { return maximum_below(cut) + 1; }
+  u32 end_at(u32 cut) const { return up_ ? minimum_above(cut) : maximum_below(cut); }
+  u32 time(u32 v) const { return up_ ? k_.rank[v] : static_cast<u32>(k_.nodes()) - 1 - k_.rank[v]; }
+
+  /// Labels K's minima or maxima and the ends of cuts, where components begin; returns how many.
+  std::size_t name_leaves() {
+    u32 leaves = 0;
+    for (u32 v = 0; v < k_.nodes(); ++v)
+      if ((up_ ? types_.nodes[v].down : types_.nodes[v].up) == kNone) label_[v] = leaves++;
+    for (u32 cut = 0; cut < c_.cuts.size(); ++cut) label_[end_at(cut)] = leaves++;
+    return leaves;
   }
 
-  /// The node of K'' in which the part of an edge next to its later end ends; kNone if that is the
-  /// edge's other end.
-  u32 at_cut(u32 side) const {
-    const u32 cut = up_ ? cuts_.highest(k_, side) : cuts_.lowest(k_, side);
-    return cut == kNone ? kNone : q_.of_cut[cut] + (up_ ? 1 : 0);
+  /// G'' by the later ends of its arcs: the nodes of K'' at their earlier ends.
+  void collect_arcs() {
+    arc_start_.assign(c_.critical_nodes.size() + 2, 0);
+    for (const ArcRecord& arc : c_.arcs) ++arc_start_[(up_ ? arc.upper : arc.lower) + 2];
+    std::partial_sum(arc_start_.begin(), arc_start_.end(), arc_start_.begin());
+    arc_end_.resize(c_.arcs.size());
+    u32 cut = 0;
+    for (u32 a = 0; a < c_.arcs.size(); ++a) {
+      const ArcRecord& arc = c_.arcs[a];
+      u32& end = arc_end_[arc_start_[(up_ ? arc.upper : arc.lower) + 1]++];
+      const bool is_cut = cut < c_.cuts.size() && c_.cuts[cut].arc == a;
+      end = is_cut ? end_at(cut++) : c_.critical_nodes[up_ ? arc.lower : arc.upper];
+    }
   }
-  u32 before(u32 side) {
-    const u32 end = at_cut(side);
-    if (end != kNone) return end;
-    const auto [low, high] = k_.ends(side);
-    return reach(up_ ? low : high);
+
+  void sweep_graph() {
+    const auto nodes = static_cast<u32>(c_.critical_nodes.size());
+    auto cut = up_ ? u32{0} : static_cast<u32>(c_.cuts.size());
+    for (u32 step = 0; step < nodes; ++step) {
+      const u32 i = up_ ? step : nodes - 1 - step;
+      // The order is random: nothing else tells the processor in time what is read next.
+      constexpr u32 kAhead = 16;
+      if (nodes - step > kAhead) fetch(up_ ? i + kAhead : i - kAhead);
+      // The cuts just above a node, whose arcs begin there, come after it upwards.
+      if (up_) visit(i);
+      for (; up_ && cut < c_.cuts.size() && lower_end(cut) == i; ++cut) visit_cut(cut);
+      for (; !up_ && cut > 0 && lower_end(cut - 1) == i; --cut) visit_cut(cut - 1);
+      if (!up_) visit(i);
+    }
+  }
+  void fetch(u32 i) const {
+    __builtin_prefetch(&label_[c_.critical_nodes[i]]);
+    if (arc_start_[i + 1] - arc_start_[i] > 1) __builtin_prefetch(&k_.rank[c_.critical_nodes[i]]);
+    for (u32 arc = arc_start_[i]; arc < arc_start_[i + 1]; ++arc)
+      __builtin_prefetch(&label_[arc_end_[arc]]);
+  }
+
+  void visit(u32 i) {
+    const u32 v = c_.critical_nodes[i], first = arc_start_[i], end = arc_start_[i + 1];
+    if (first == end) return require_same(label_[v] != kNone, v);
+    require_same(label_[v] == kNone, v);
+    u32 all = component(arc_end_[first]);
+    for (u32 arc = first + 1; arc < end; ++arc) {
+      const u32 found = component(arc_end_[arc]);
+      require(found != all, "graph: a loop without cut {} node {}", up_ ? "below" : "above", v);
+      all = merges_.join(all, found, time(v));
+    }
+    label_[v] = all;
+  }
+  void require_same(bool same, u32 v) const {
+    require(same, "graph: {} node {} other components meet than in the surface",
+            up_ ? "below" : "above", v);
+  }
+
+  /// Of the two new nodes of a cut one ends what comes along its arc; with the other a component
+  /// begins.
+  void visit_cut(u32 cut) {
+    const ArcRecord& arc = c_.arcs[c_.cuts[cut].arc];
+    const u32 low = c_.critical_nodes[arc.lower];
+    // Upwards the edge v w leads down to v, downwards up to the next cut across it or to w.
+    const u32 found = component(up_ ? low : above(cut, low));
+    require(found == component(up_ ? low : c_.critical_nodes[arc.upper]),
+            "cut {}: its arc leads to another component", cut);
+    label_[up_ ? maximum_below(cut) : minimum_above(cut)] = found;
+  }
+  u32 above(u32 cut, u32 v) {
+    const auto cuts = cuts_.across(v, c_.cuts[cut].node);
+    const auto next =
+        std::upper_bound(cuts.begin(), cuts.end(), cut,
+                         [](u32 to, const Cuts::Crossing& crossing) { return to < crossing.cut; });
+    return next != cuts.end() ? maximum_below(next->cut) : reach(c_.cuts[cut].node);
+  }
+
+  /// The node of K'' in which the part of the edge v w next to its later end v ends; kNone if that
+  /// is w.
+  u32 at_cut(u32 v, u32 w) const {
+    const auto cuts = up_ ? cuts_.across(w, v) : cuts_.across(v, w);
+    if (cuts.empty()) return kNone;
+    return end_at(up_ ? cuts.back().cut : cuts.front().cut);
+  }
+  u32 before(u32 v, u32 w) {
+    const u32 end = at_cut(v, w);
+    return end != kNone ? end : reach(w);
   }
 
   /// The critical node of K'' at the end of a monotone path from v; kept for all of the path. A
@@ -109,113 +177,97 @@ class Sweep {
   u32 reach(u32 v) {
     path_.clear();
     u32 end = kNone;
-    while (end == kNone) {
-      const auto& node = types_.nodes[v];
-      if (node.critical != kNone) {
-        end = q_.of_critical[node.critical];
-      } else if (reached_[v] != kNone) {
-        end = reached_[v];
-      } else {
-        path_.push_back(v);
-        const u32 side = up_ ? node.down : node.up;
-        end = at_cut(side);
-        const auto [low, high] = k_.ends(side);
-        v = up_ ? low : high;
-      }
+    while (end == kNone && (end = reached_[v]) == kNone) {
+      path_.push_back(v);
+      const u32 w = up_ ? types_.nodes[v].down : types_.nodes[v].up;
+      end = at_cut(v, w);
+      v = w;
     }
-    for (const u32 w : path_) reached_[w] = end;
+    for (const u32 node : path_) reached_[node] = end;
     return end;
   }
 
-  /// In the order of the mesh, where neighbours are near in memory; the sweep's order is random.
-  void look_along_sides() {
-    const auto& sides = up_ ? types_.lower : types_.upper;
-    target_.assign(sides.size(), kNone);
-    for (const auto& node : types_.nodes) {
-      if (node.critical == kNone) continue;
-      for (u32 at = types_.start[node.critical]; at < types_.start[node.critical + 1]; ++at)
-        if (sides[at] != kNone) target_[at] = before(sides[at]);
+  /// The components in which the runs of a node's link end are among those that its arcs come from:
+  /// its label's, and those that merged at its time. All of them are met if as many are as there
+  /// are arcs in all.
+  void compare() {
+    std::size_t met = 0;
+    std::vector<u32> found;
+    for (u32 v = 0; v < k_.nodes(); ++v) {
+      const u32 first = types_.start[v], last = types_.start[v + 1];
+      if (first == last || neighbours_[first] == kNone) continue;
+      const u32 now = time(v);
+      found.clear();
+      u32 end = kNone;
+      for (u32 at = first; at < last; ++at) {
+        const u32 previous = end;
+        end = before(v, neighbours_[at]);
+        if (end == previous) continue;
+        const u32 leaf = merges_.find(label_[end], now);
+        require_same(leaf == label_[v] || merges_.time(leaf) == now, v);
+        if (found.empty() || found.back() != leaf) found.push_back(leaf);
+      }
+      if (found.size() > 1) std::sort(found.begin(), found.end());
+      met += static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
     }
+    require(met == c_.arcs.size(), "graph: {} nodes components meet that do not in the surface",
+            up_ ? "below" : "above");
   }
 
-  void visit(u32 s) {
-    if (q_.critical[s] == kNone) return visit_cut(s);
-    surface_.clear();
-    graph_.clear();
-    const u32 i = q_.critical[s];
-    for (u32 at = types_.start[i]; at < types_.start[i + 1]; ++at)
-      if (target_[at] != kNone) surface_.push_back(find(target_[at]));
-    for (u32 at = arcs_.start[i]; at < arcs_.start[i + 1]; ++at)
-      graph_.push_back(find(graph_end(arcs_.arcs[at])));
-    std::sort(surface_.begin(), surface_.end());
-    surface_.erase(std::unique(surface_.begin(), surface_.end()), surface_.end());
-    std::sort(graph_.begin(), graph_.end());
-    require(std::adjacent_find(graph_.begin(), graph_.end()) == graph_.end(),
-            "graph: a loop without cut {} node {}", up_ ? "below" : "above", c_.critical_nodes[i]);
-    require(surface_ == graph_, "graph: {} node {} other components meet than in the surface",
-            up_ ? "below" : "above", c_.critical_nodes[i]);
-    for (const u32 found : surface_) attach(s, found);
-  }
-
-  /// Of the two new nodes of a cut one ends what comes along its arc; with the other a component
-  /// begins.
-  void visit_cut(u32 s) {
-    if (q_.is_minimum(s) == up_) return;
-    const u32 cut = q_.cut[s];
-    const ArcRecord& arc = c_.arcs[c_.cuts[cut].arc];
-    // Upwards the edge v w leads down to v, downwards up to the next cut across it or to w.
-    const u32 next = cuts_.next_above(k_, cut);
-    const u32 end = up_             ? q_.of_critical[arc.lower]
-                    : next != kNone ? q_.of_cut[next]
-                                    : reach(c_.cuts[cut].node);
-    const u32 found = find(end);
-    require(found == find(q_.of_critical[up_ ? arc.lower : arc.upper]),
-            "cut {}: its arc leads to another component", cut);
-    attach(s, found);
-  }
-  u32 graph_end(u32 arc) const {
-    const u32 cut = arc_cut_[arc];
-    if (cut != kNone) return q_.of_cut[cut] + (up_ ? 1 : 0);
-    return q_.of_critical[up_ ? c_.arcs[arc].lower : c_.arcs[arc].upper];
-  }
-
-  const ReebCertificate& c_;
+  const ReebContents& c_;
   const Complex& k_;
   const NodeTypes& types_;
   const Cuts& cuts_;
-  const Sequence& q_;
   bool up_;
-  ArcsAt arcs_;
-  std::vector<u32> arc_cut_, component_, size_, reached_, path_, target_, surface_, graph_;
+  const Buffer<u32>& neighbours_;
+  Buffer<u32> label_, arc_start_, arc_end_, reached_;
+  Merges merges_;
+  std::vector<u32> path_;
 };
 
 /// Theorem 6's hypothesis. `join` has swept upwards: its components are those of K''.
-void check_components(const NodeTypes& types, const Cuts& cuts, const Sequence& q, Sweep& join) {
-  const auto size = static_cast<u32>(q.critical.size());
-  std::vector<std::int64_t> euler(size, 0);
-  std::vector<u32> saddles(size, 0);
-  for (u32 s = 0; s < size; ++s) {
-    const u32 component = join.find(s), i = q.critical[s];
-    // A cone over a path adds nothing as a maximum.
-    const int of_cut = i != kNone || q.is_minimum(s) ? 1 : cuts.cycle[q.cut[s]];
-    euler[component] += i != kNone ? types.index[i] : of_cut;
-    saddles[component] += i != kNone && types.saddle[i];
+void check_components(const ReebContents& c, const NodeTypes& types, const Cuts& cuts,
+                      const Sweep& join) {
+  struct Sum {
+    std::int64_t euler = 0;
+    std::uint64_t saddles = 0;
+  };
+  std::unordered_map<u32, Sum> sums;
+  const auto nodes = static_cast<u32>(types.nodes.size());
+  u32 last = kNone;
+  Sum* sum = nullptr;
+  const auto add = [&](u32 node, std::int64_t euler, bool saddle) {
+    const u32 component = join.component(node);
+    if (component != last) sum = &sums[component];
+    last = component;
+    sum->euler += euler;
+    sum->saddles += saddle;
+  };
+  for (u32 v = 0; v < nodes; ++v) {
+    if (!types.critical(v)) continue;
+    const auto [l, u] = runs_of(types.nodes[v]);
+    add(v, index_of(types.nodes[v]), l != 0 && u != 0);
   }
-  for (u32 s = 0; s < size; ++s)
-    require(join.find(s) != s || euler[s] >= 1 || saddles[s] <= 1,
-            "cuts: a component with Euler characteristic {} and {} saddles is left", euler[s],
-            saddles[s]);
+  // A cone over a path adds nothing as a maximum.
+  for (u32 cut = 0; cut < c.cuts.size(); ++cut) {
+    add(nodes + 2 * cut, cuts.cycle[cut], false);
+    add(nodes + 2 * cut + 1, 1, false);
+  }
+  for (const auto& [component, s] : sums)
+    require(s.euler >= 1 || s.saddles <= 1,
+            "cuts: a component with Euler characteristic {} and {} saddles is left", s.euler,
+            s.saddles);
 }
 
 }  // namespace
 
-void check_trees(const ReebCertificate& c, const Complex& k, const NodeTypes& types,
+void check_trees(const ReebContents& c, const Complex& k, const NodeTypes& types,
                  const Cuts& cuts) {
-  const Sequence q = make_sequence(c);
-  Sweep join(c, k, types, cuts, q, Direction::up);
+  require(k.nodes() + 2 * c.cuts.size() < kNone, "cuts: more than the checker numbers");
+  Sweep join(c, k, types, cuts, Direction::up);
   join.run();
-  check_components(types, cuts, q, join);
-  Sweep(c, k, types, cuts, q, Direction::down).run();
+  check_components(c, types, cuts, join);
+  Sweep(c, k, types, cuts, Direction::down).run();
 }
 
 }  // namespace crest::certify::reeb

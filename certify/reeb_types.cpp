@@ -7,129 +7,128 @@
 namespace crest::certify::reeb {
 namespace {
 
-using u8 = std::uint8_t;
-using u32 = std::uint32_t;
-
-/// A tile's node of middle rank: its link's edge there leads from a lower to an upper run.
-struct Middle {
-  u32 corner, to_lower, to_upper;  ///< sides
+/// A tile's nodes by rank.
+struct Sorted {
+  u32 low, middle, high;
 };
-Middle middle_of(const Complex& k, u32 tile) {
-  const auto& [a, b, c] = k.tiles[tile];
-  const u32 ra = k.rank[a], rb = k.rank[b], rc = k.rank[c];
-  const bool ab = ra < rb, bc = rb < rc, ca = rc < ra;
-  // The middle corner is the one between two sides that run the same way.
-  const u32 i = ab == bc ? 1 : bc == ca ? 2 : 0;
-  const bool leaves_upwards = i == 0 ? ab : i == 1 ? bc : ca;
-  const u32 corner = 3 * tile + i, next = corner, previous = previous_corner(corner);
-  return leaves_upwards ? Middle{corner, previous, next} : Middle{corner, next, previous};
+/// Without a branch: in noise every comparison is a coin's toss.
+Sorted sorted(const Corners& tile, const Buffer<u32>& rank) {
+  static constexpr std::uint8_t kOrders[8][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2},
+                                                 {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {0, 1, 2}};
+  const u32 a = rank[tile[0]], b = rank[tile[1]], c = rank[tile[2]];
+  const auto& [low, middle, high] =
+      kOrders[unsigned{a < b} | unsigned{b < c} << 1U | unsigned{c < a} << 2U];
+  return {tile[low], tile[middle], tile[high]};
 }
 
-/// Of every node: 0 in the interior, 4 + the number of lower ends of its link at the boundary.
-using BoundaryEnds = std::vector<u8>;
-
-BoundaryEnds read_links(const Complex& k, NodeTypes& out) {
-  out.nodes.resize(k.rank.size());
-  for (u32 t = 0; t < k.tiles.size(); ++t) {
-    const Middle m = middle_of(k, t);
-    // The side of the middle corner's number leaves it, the other one ends there.
-    const u32 next = k.node(next_corner(m.corner)), previous = k.node(previous_corner(m.corner));
-    const bool upwards = m.to_upper == m.corner;
-    auto& middle = out.nodes[k.node(m.corner)];
-    ++middle.transitions;
-    out.nodes[upwards ? previous : next].up = middle.down = m.to_lower;
-    out.nodes[upwards ? next : previous].down = middle.up = m.to_upper;
+/// A tile is where its middle node's link leads from a lower to an upper node.
+void read_tiles(const Complex& k, Buffer<NodeTypes::Node>& nodes) {
+  for (const auto& tile : k.tiles()) {
+    const auto [low, middle, high] = sorted(tile, k.rank);
+    nodes[low].up = high;
+    nodes[high].down = low;
+    auto& node = nodes[middle];
+    ++node.transitions;
+    node.down = low;
+    node.up = high;
   }
-  BoundaryEnds ends(k.rank.size(), 0);
-  for (u32 c = 0; c < k.twin.size(); ++c) {
-    if (k.twin[c] != kNone) continue;
-    const auto [low, high] = k.ends(c);
-    ends[low] |= 4;
-    ends[high] = static_cast<u8>((ends[high] | 4) + 1);
-  }
-  return ends;
 }
 
-struct Runs {
-  u32 lower, upper;
-};
-/// A cycle with t > 0 transitions has t / 2 runs of each kind, one with none a single run that is
-/// all of it. A path has t + 1 runs; l - u is the number of its ends in lower runs, minus 1.
-Runs runs_of(const NodeTypes::Node& node, u8 ends) {
-  const u32 t = node.transitions;
-  if (ends == 0) {
-    if (t > 0) return {t / 2, t / 2};
-    return node.down == kNone ? Runs{0, 1} : Runs{1, 0};
+void read_boundary(const Complex& k, Buffer<NodeTypes::Node>& nodes) {
+  const auto edge = [&](u32 a, u32 b) {
+    if (k.rank[a] > k.rank[b]) std::swap(a, b);
+    nodes[a].ends |= 4;
+    nodes[b].ends = (nodes[b].ends | 4) + 1;
+  };
+  for (u32 side = 0; side < k.mesh.twin.size(); ++side) {
+    if (k.mesh.twin[side] != kNone) continue;
+    const u32 a = node_of(k.faces, side), b = node_of(k.faces, next_corner(side));
+    const u32 between = k.line_node(side);
+    if (between == kNone) {
+      edge(a, b);
+    } else {
+      edge(a, between);
+      edge(between, b);
+    }
   }
-  const u32 lower = (t + (ends & 3U)) / 2;
-  return {lower, t + 1 - lower};
 }
 
-void classify(const ReebCertificate& c, const BoundaryEnds& ends, NodeTypes& out) {
-  out.start.assign(1, 0);
+/// Counts, and where each critical node's neighbours go: at start[v + 1], which then moves on.
+void classify(const ReebContents& c, NodeTypes& out) {
+  const auto size = static_cast<u32>(out.nodes.size());
+  out.start.resize(size + 1);
+  out.start[0] = 0;
+  std::uint64_t total = 0;
   std::int64_t index_sum = 0;
-  for (const u32 v : c.order) {
-    auto& node = out.nodes[v];
-    const auto [l, u] = runs_of(node, ends[v]);
+  for (u32 v = 0; v < size; ++v) {
+    const auto& node = out.nodes[v];
+    out.start[v + 1] = static_cast<u32>(total);
+    const auto [l, u] = runs_of(node);
     if (l == 1 && u == 1) continue;
-    const u32 position = static_cast<u32>(out.index.size());
-    require(position < c.critical_nodes.size() && c.critical_nodes[position] == v,
-            "node {}: critical and not listed in its place", v);
-    node.critical = position;
-    const bool extremum = l == 0 || u == 0;
-    const u32 multiplicity = extremum ? 0 : std::max(l, u) - 1;
-    const bool whole_cycle = u == 0 && ends[v] == 0;
-    out.index.push_back(whole_cycle ? 1 : 1 - static_cast<std::int32_t>(l));
-    out.saddle.push_back(!extremum);
+    total += std::max(u32{1}, node.transitions);
+    const u32 multiplicity = l == 0 || u == 0 ? 0 : std::max(l, u) - 1;
     out.minima += l == 0;
     out.maxima += u == 0;
     out.saddles += multiplicity;
     out.simple = out.simple && multiplicity <= 1;
-    out.start.push_back(out.start.back() + std::max(u32{1}, node.transitions));
-    index_sum += out.index.back();
+    index_sum += index_of(node);
   }
-  require(out.index.size() == c.critical_nodes.size(), "critical nodes: a regular one is listed");
+  require(total < kNone, "nodes: more runs than the checker numbers");
+  out.lower.resize(total);
+  out.upper.resize(total);
   // Theorem 5 says so for any data: a difference would be an error of the checker.
   if (index_sum != c.euler_characteristic)
     throw std::logic_error("indices and Euler characteristic contradict theorem 5");
 }
 
-/// Every run ends at a transition unless it is the whole link: then any side meets it.
-void collect_sides(const Complex& k, NodeTypes& out) {
-  out.lower.assign(out.start.back(), kNone);
-  out.upper.assign(out.start.back(), kNone);
-  for (u32 v = 0; v < out.nodes.size(); ++v) {
-    const auto& node = out.nodes[v];
-    if (node.critical == kNone) continue;
-    u32 at = out.start[node.critical];
-    if (node.transitions == 0) {
-      out.lower[at] = node.down;
-      out.upper[at] = node.up;
-      continue;
-    }
-    const u32 start = k.node(node.down) == v ? node.down : next_corner(node.down);
-    for_corners_around(k, start, [&](u32 corner) {
-      const Middle m = middle_of(k, corner / 3);
-      if (m.corner != corner || at == out.start[node.critical + 1]) return false;
-      out.lower[at] = m.to_lower;
-      out.upper[at++] = m.to_upper;
-      return false;
-    });
-    // The walk has found what the count over all tiles has.
-    if (at != out.start[node.critical + 1]) throw std::logic_error("a node's star is not a disk");
+/// Every run ends at a transition unless it is the whole link: then any neighbour is in it.
+void collect_neighbours(const Complex& k, NodeTypes& out) {
+  const auto& nodes = out.nodes;
+  const auto add = [&](u32 v, u32 low, u32 high) {
+    u32& at = out.start[v + 1];
+    out.lower[at] = low;
+    out.upper[at++] = high;
+  };
+  for (const auto& tile : k.tiles()) {
+    const auto [low, middle, high] = sorted(tile, k.rank);
+    const auto [l, u] = runs_of(nodes[middle]);
+    if (l != 1 || u != 1) add(middle, low, high);
   }
+  for (u32 v = 0; v < nodes.size(); ++v)
+    if (nodes[v].transitions == 0) add(v, nodes[v].down, nodes[v].up);
+}
+
+/// The listed nodes are critical and ascend, and there are no others.
+void check_list(const ReebContents& c, const Complex& k, const NodeTypes& types) {
+  const auto& list = c.critical_nodes;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    require(list[i] < k.nodes(), "critical nodes: no node {}", list[i]);
+    require(types.critical(list[i]), "node {}: regular and listed", list[i]);
+    require(i == 0 || k.rank[list[i - 1]] < k.rank[list[i]], "node {}: listed out of order",
+            list[i]);
+  }
+  std::size_t critical = 0;
+  for (u32 v = 0; v < k.nodes(); ++v) critical += types.critical(v);
+  if (critical == list.size()) return;
+  std::size_t i = 0;
+  for (const u32 v : c.order)
+    if (types.critical(v))
+      require(i < list.size() && list[i++] == v, "node {}: critical and not listed", v);
 }
 
 }  // namespace
 
-NodeTypes check_types(const ReebCertificate& c, const Complex& k) {
+NodeTypes check_types(const ReebContents& c, const Complex& k) {
   NodeTypes out;
-  const BoundaryEnds ends = read_links(k, out);
-  classify(c, ends, out);
+  out.nodes.assign(k.nodes(), {kNone, kNone, 0, 0});
+  read_tiles(k, out.nodes);
+  read_boundary(k, out.nodes);
+  classify(c, out);
+  collect_neighbours(k, out);
+  check_list(c, k, out);
   require(out.minima == c.minima, "minima: {} stated, {} found", c.minima, out.minima);
   require(out.saddles == c.saddles, "saddles: {} stated, {} found", c.saddles, out.saddles);
   require(out.maxima == c.maxima, "maxima: {} stated, {} found", c.maxima, out.maxima);
-  collect_sides(k, out);
   return out;
 }
 

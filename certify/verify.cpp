@@ -22,7 +22,8 @@ constexpr std::array kCheckers = {ClaimChecker{kRidgesMesh, verify_ridges_mesh},
                                   ClaimChecker{kFeaturesMesh, verify_features_mesh},
                                   ClaimChecker{kReeb, verify_reeb}};
 
-void check_all(const Bytes& certificate, const VerifyOptions& options, Verdict& verdict) {
+void check_all(std::span<const std::uint8_t> certificate, const VerifyOptions& options,
+               Verdict& verdict) {
   const Container container = open_container(certificate);
   require(container.version == kVersion, "version {} is not known", container.version);
   verdict.data = container.data_digest();
@@ -37,7 +38,7 @@ void check_all(const Bytes& certificate, const VerifyOptions& options, Verdict& 
 
 }  // namespace
 
-Verdict verify(const Bytes& certificate, const VerifyOptions& options) {
+Verdict verify(std::span<const std::uint8_t> certificate, const VerifyOptions& options) {
   Verdict verdict;
   try {
     check_all(certificate, options, verdict);

@@ -4,6 +4,7 @@
 // The checker: is the claim of a certificate true of the data it carries? (certify/SPEC.md)
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,6 +57,6 @@ class InputUnreadable : public std::runtime_error {
 /// certificate's content, however hostile.
 /// Throws: TieUnavailable, InputUnreadable, std::bad_alloc.
 /// Cost: linear; about 1 microsecond a face with doubles, 100 with mpfr.
-Verdict verify(const Bytes& certificate, const VerifyOptions& options = {});
+Verdict verify(std::span<const std::uint8_t> certificate, const VerifyOptions& options = {});
 
 }  // namespace crest::certify

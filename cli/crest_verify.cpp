@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/container.hpp"
 #include "certify/verify.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
@@ -43,9 +44,9 @@ int recompute(const std::vector<std::string>& files, void (*seal)(Bytes&)) {
 }
 
 int check(const Arguments& arguments) {
-  Bytes bytes;
+  Buffer<std::uint8_t> bytes;
   try {
-    bytes = read_file(arguments.certificate);
+    bytes = read_buffer(arguments.certificate);
   } catch (const std::runtime_error& problem) {
     return complain(kUnreadable, problem.what());
   }
