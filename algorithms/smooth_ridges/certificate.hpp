@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The certificate of claim ridges-smooth (certify/SPEC.md, claim 4).
+#include "algorithms/smooth_ridges/completeness.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+
+namespace crest::smooth_ridges {
+
+/// `cover`, `sheets`: of an implicit surface. Requires: a refined surface without undecided cells,
+/// its graph assembled.
+certify::RidgesSmoothCertificate make_certificate(const Surface& surface,
+                                                  const RefinedSurface& refined,
+                                                  const SmoothRidges& result, const Cover& cover,
+                                                  const OneSheet& sheets);
+
+}  // namespace crest::smooth_ridges

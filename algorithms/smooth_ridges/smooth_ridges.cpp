@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "algorithms/smooth_ridges/certificate.hpp"
+#include "algorithms/smooth_ridges/completeness.hpp"
+#include "algorithms/smooth_ridges/graph.hpp"
+#include "algorithms/smooth_ridges/initial_mesh.hpp"
+
+namespace crest::smooth_ridges {
+namespace {
+
+/// Runs f and adds its seconds to `sum`.
+template <class F>
+auto timed(double& sum, F&& f) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = f();
+  sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+std::string likely_reason(FaceStatus status) {
+  switch (status) {
+    case FaceStatus::chart:
+      return "the map to the surface is not proven: the surface may be singular here";
+    case FaceStatus::regular:
+      return "k1 - k2 is zero within its enclosure: an umbilic that is not generic, or many";
+    case FaceStatus::ridge:
+      return "an extremality and its derivative are zero within their enclosures: ridges that "
+             "touch "
+             "or end, or a surface of revolution";
+    case FaceStatus::type:
+      return "the type of a ridge is not decided: a turning point that is not generic";
+    case FaceStatus::purple:
+      return "blue and red ridges touch within their enclosures";
+    default:
+      return "a ridge touches an edge, or runs along the boundary";
+  }
+}
+
+class Run {
+ public:
+  Run(const Surface& surface, const Options& options) : surface_(surface), options_(options) {}
+
+  SmoothRidges run() {
+    if (!start()) return std::move(out_);
+    refined_ = timed(out_.seconds.refinement,
+                     [&] { return refine(surface_, std::move(mesh_), options_.refinement); });
+    out_.rounds = refined_.rounds;
+    out_.tests = refined_.tests;
+    describe_mesh();
+    timed(out_.seconds.graph, [&] {
+      assemble_graph(surface_, refined_, out_);
+      return 0;
+    });
+    for (const UncertifiedCell& cell : refined_.uncertified)
+      out_.undecided.push_back({cell.centre, cell.size, likely_reason(cell.status)});
+    if (!out_.undecided.empty()) {
+      out_.obstacles.push_back(std::to_string(out_.undecided.size()) + " of " +
+                               std::to_string(refined_.mesh.faces().size()) +
+                               " cells are not certified");
+      return std::move(out_);
+    }
+    if (close()) {
+      out_.certified = true;
+      out_.certificate = make_certificate(surface_, refined_, out_, cover_, sheets_);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// The first triangulation; implicit: after the box is searched.
+  bool start() {
+    if (surface_.is_implicit()) {
+      const CoverResult covered =
+          timed(out_.seconds.completeness, [&] { return cover_box(surface_); });
+      if (!covered.cover) {
+        out_.obstacles.push_back(covered.failure->text);
+        return false;
+      }
+      cover_ = *covered.cover;
+    }
+    try {
+      mesh_ = timed(out_.seconds.start, [&] {
+        return initial_mesh(surface_, options_.start_faces, cover_.critical_points);
+      });
+    } catch (const MeshError& error) {
+      out_.obstacles.push_back(error.what());
+      return false;
+    }
+    if (surface_.is_implicit())
+      if (const auto box = place_vertices(cover_, mesh_)) {
+        const Vec3& x = cover_.critical_points[*box];
+        out_.obstacles.push_back("the triangulation lacks the component at (" +
+                                 std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " +
+                                 std::to_string(x[2]) + "): start with more faces");
+        return false;
+      }
+    return true;
+  }
+
+  void describe_mesh() {
+    Places places(surface_);
+    const Triangulation& mesh = refined_.mesh;
+    for (const Vertex& v : mesh.vertices()) out_.points.push_back(places(v));
+    out_.faces = mesh.faces();
+    for (const Index p : refined_.patch_of) out_.in_patch.push_back(p != kNone);
+    out_.euler_characteristic = mesh.euler_characteristic();
+    for (const Index c : mesh.face_components())
+      out_.components = std::max<std::size_t>(out_.components, c + 1);
+    out_.boundary_loops = boundary_loops();
+  }
+
+  /// A rectangle has one, an annulus two; implicit surfaces and tori none.
+  std::size_t boundary_loops() const {
+    if (surface_.is_implicit()) return 0;
+    return 1 + (surface_.any_period() ? 1 : 0) -
+           (surface_.periodic(0) && surface_.periodic(1) ? 2 : 0);
+  }
+
+  /// What the faces' proofs leave open.
+  bool close() {
+    if (surface_.is_implicit()) {
+      std::vector<std::uint8_t> skip(out_.in_patch.begin(), out_.in_patch.end());
+      sheets_ = timed(out_.seconds.completeness,
+                      [&] { return one_sheet(surface_, refined_.mesh, skip); });
+      if (sheets_.failed) {
+        out_.obstacles.push_back("no face shows that its component is covered once");
+        return false;
+      }
+    }
+    int sum = 0;
+    for (const UmbilicPoint& u : out_.umbilics) sum += u.twice_index;
+    if (out_.boundary_loops == 0 && sum != 2 * out_.euler_characteristic) {
+      out_.obstacles.push_back("the umbilics' indices do not sum to the Euler characteristic");
+      return false;
+    }
+    return true;
+  }
+
+  const Surface& surface_;
+  const Options& options_;
+  SmoothRidges out_;
+  Cover cover_;
+  Triangulation mesh_;
+  RefinedSurface refined_;
+  OneSheet sheets_;
+};
+
+}  // namespace
+
+SmoothRidges smooth_ridges(const Surface& surface, const Options& options) {
+  if (options.start_faces < 8 || options.start_faces > 10000000)
+    throw std::invalid_argument("start faces: a number from 8 to 10000000 is expected");
+  return Run(surface, options).run();
+}
+
+}  // namespace crest::smooth_ridges
