@@ -12,7 +12,9 @@ namespace crest::certify {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {'C', 'R', 'E', 'S', 'T', 'C', 'R', 'T'};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::uint32_t kRidgesMesh = 1, kFeaturesMesh = 2, kReeb = 3;
+inline constexpr std::uint32_t kRidgesMesh = 1, kFeaturesMesh = 2, kReeb = 3, kRidgesSmooth = 4;
+/// Bytes of an expression.
+inline constexpr std::size_t kLongestText = 65535;
 inline constexpr std::size_t kDigestOffset = 16, kLengthsOffset = 48, kHeaderSize = 64,
                              kSealSize = 32;
 /// Bytes of a face, and of a vertex (position and Monge data).
@@ -71,5 +73,9 @@ ReebContents open_reeb(std::span<const std::uint8_t> data, std::span<const std::
 /// The same as the producer's struct.
 ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
                             std::span<const std::uint8_t> claims);
+
+/// Both sections of claim 4. Throws Malformed, also for codes that have no meaning.
+RidgesSmoothCertificate decode_ridges_smooth(std::span<const std::uint8_t> data,
+                                             std::span<const std::uint8_t> claims);
 
 }  // namespace crest::certify

@@ -8,6 +8,7 @@
 #include "certify/reeb.hpp"
 #include "certify/reject.hpp"
 #include "certify/ridges_mesh.hpp"
+#include "certify/ridges_smooth.hpp"
 
 namespace crest::certify {
 namespace {
@@ -20,7 +21,8 @@ struct ClaimChecker {
 };
 constexpr std::array kCheckers = {ClaimChecker{kRidgesMesh, verify_ridges_mesh},
                                   ClaimChecker{kFeaturesMesh, verify_features_mesh},
-                                  ClaimChecker{kReeb, verify_reeb}};
+                                  ClaimChecker{kReeb, verify_reeb},
+                                  ClaimChecker{kRidgesSmooth, verify_ridges_smooth}};
 
 void check_all(std::span<const std::uint8_t> certificate, const VerifyOptions& options,
                Verdict& verdict) {

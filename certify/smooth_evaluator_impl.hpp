@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// SurfaceEvaluator for the translation units that instantiate it, one a model type.
+#include "certify/smooth_surface.hpp"
+
+namespace crest::certify::smooth {
+
+template <class M>
+M SurfaceEvaluator<M>::value(const Point& x) {
+  if (!value_) {
+    const auto convert = [](const kernel::Constant& c) {
+      return kernel::as_enclosure(c, static_cast<const M*>(nullptr));
+    };
+    value_.emplace(surface_.texts[0], convert, M(1.0));
+  }
+  return (*value_)(x);
+}
+
+template <class M>
+template <int n>
+kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
+  using Jet = kernel::Jet<M, 3, n>;
+  auto& program = std::get<Program<3, n>>(implicit_);
+  if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
+  const std::array<Jet, 3> at = {Jet::variable(0, x[0]), Jet::variable(1, x[1]),
+                                 Jet::variable(2, x[2])};
+  return program[0](at);
+}
+
+template <class M>
+template <int n>
+std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, const M& v) {
+  using Jet = kernel::Jet<M, 2, n>;
+  auto& program = std::get<Program<2, n>>(immersion_);
+  if (program.empty())
+    for (std::size_t k = 0; k < 3; ++k)
+      program.push_back(kernel::jet_evaluator<M, 2, n>(surface_.texts[k]));
+  if (domain_.empty()) {
+    std::array<M, 4> bound;
+    const auto convert = [](const kernel::Constant& c) {
+      return kernel::as_enclosure(c, static_cast<const M*>(nullptr));
+    };
+    for (std::size_t k = 0; k < 4; ++k)
+      bound[k] = kernel::Evaluator<M>(surface_.texts[3 + k], convert, M(1.0))({});
+    domain_ = {bound[0], bound[1] - bound[0], bound[2], bound[3] - bound[2]};
+  }
+  const auto along = [&](int i, const M& t) {
+    const auto k = static_cast<std::size_t>(2 * i);
+    return Jet::constant(domain_[k]) + Jet::constant(domain_[k + 1]) * Jet::variable(i, t);
+  };
+  const std::array<Jet, 2> at = {along(0, u), along(1, v)};
+  return {program[0](at), program[1](at), program[2](at)};
+}
+
+}  // namespace crest::certify::smooth
+
+/// Instantiates everything for the model type M.
+#define CREST_SMOOTH_EVALUATOR(M)                                                           \
+  template M SurfaceEvaluator<M>::value(const Point&);                                      \
+  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&);             \
+  template kernel::Jet<M, 3, 3> SurfaceEvaluator<M>::implicit<3>(const Point&);             \
+  template kernel::Jet<M, 3, 4> SurfaceEvaluator<M>::implicit<4>(const Point&);             \
+  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&);             \
+  template std::array<kernel::Jet<M, 2, 3>, 3> SurfaceEvaluator<M>::immersion<3>(const M&,  \
+                                                                                 const M&); \
+  template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,  \
+                                                                                 const M&); \
+  template std::array<kernel::Jet<M, 2, 5>, 3> SurfaceEvaluator<M>::immersion<5>(const M&, const M&)

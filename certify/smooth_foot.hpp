@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Kind 0: the point of S on each fibre, p + s m with F(p + s m) = 0 (certify/SPEC.md, "Chart
+// conditions"), and S as a graph m = h(p, q) by implicit differentiation.
+#include "certify/smooth_piece.hpp"
+#include "certify/smooth_vector.hpp"
+
+namespace crest::certify::smooth {
+
+/// s encloses the zero that is unique for |s| <= h (F), x = p + s m.
+template <class M>
+struct Foot {
+  std::array<M, 3> x;
+  M s;
+  double h;
+};
+
+template <class Jet>
+auto gradient(const Jet& f) {
+  return std::array{f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
+}
+
+/// Nothing if (F) is undecided. `scale` is a length below which h makes no difference, as a
+/// multiple of m.
+/// Proof. Let t be the polynomial t(l), d > 0 a lower bound of dF/ds = grad F . m for |s| <= h, and
+/// |F(p + t m)| <= R. Then F(p + (t + R/d) m) >= 0 >= F(p + (t - R/d) m): the zero is within
+/// R/d of t, if those are within h; it is the only one.
+template <class M>
+std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<M, 3>& p,
+                                 const std::array<M, 3>& m, double scale) {
+  const auto at_p = surface.template implicit<1>(p);
+  const M slope = dot(gradient(at_p), m);
+  if (!is_positive(slope)) return std::nullopt;
+  const M factor = polynomial(inverse(slope));
+  M s = polynomial(-(at_p[0] * factor));
+  const double h = 2 * s.magnitude() + scale * 0x1p-10;
+  if (!(h < HUGE_VAL)) return std::nullopt;
+  const auto nearby = surface.template implicit<1>(along(p, M::around(0, h), m));
+  const kernel::Range steep = dot(gradient(nearby), m).range();
+  if (!(steep.low > 0)) return std::nullopt;
+  for (int step = 0; step < 2; ++step) s = polynomial(s - surface.value(along(p, s, m)) * factor);
+  const double rest = magnitude(surface.value(along(p, s, m)).range());
+  const double off = rest / steep.low * (1 + 0x1p-50) + 0x1p-1000;
+  if (!(s.magnitude() + off < h * (1 - 0x1p-50))) return std::nullopt;
+  s = s + M::around(0, off);
+  return Foot<M>{along(p, s, m), s, h};
+}
+
+/// The Taylor coefficients of h up to order n, without the constant, from those of F at points of
+/// the graph; axis m, (p, q, m) cyclic.
+/// Theorem. F(p + a, q + b, m + h(a, b)) vanishes identically, so at each degree f_001 h_ij is
+/// minus the coefficient of a^i b^j in the other terms, which hold lower degrees of h only.
+template <class M, int n>
+kernel::SparseArray<M, kernel::monomial_count(2, n)> implicit_function(
+    const kernel::Jet<M, 3, n>& f, std::size_t axis);
+
+}  // namespace crest::certify::smooth
