@@ -10,7 +10,7 @@
 namespace crest::smooth_ridges {
 namespace {
 
-using Model = kernel::TaylorModel<3>;
+using Model = kernel::TaylorModel<4>;
 template <int K>
 using Field = kernel::Jet<Model, 2, K>;
 using Corners = std::array<Vertex, 3>;
@@ -74,7 +74,7 @@ struct FaceTest::State {
     auto chart = charts(c);
     if (!chart) return r;
     Extremalities<0> values;
-    r.status = plain(*chart, values, r);
+    r.status = plain(*chart, c, values, r);
     if (r.status != FaceStatus::proven) return r;
     for (std::size_t j = 0; j < 2; ++j) r.colour[j].no_zero = !holds_zero(values.e[j][0].range());
     if (!r.colour[0].no_zero || !r.colour[1].no_zero) r.status = ridges(*chart, c, r);
@@ -82,14 +82,18 @@ struct FaceTest::State {
   }
 
   /// Stage without derivatives: axis, w, (R), values.
-  FaceStatus plain(Chart<Model>& chart, Extremalities<0>& values, FaceResult& r) {
+  FaceStatus plain(Chart<Model>& chart, const Corners& c, Extremalities<0>& values, FaceResult& r) {
     if (!implicit) return measure<0>(MapGeometry<Model, 3>{unit(*x3, chart)}, values, r, true);
-    const auto f = (*f3)(chart.x);
-    r.axis = steepest(f);
-    const int sign = slope_sign(f, r.axis);
-    if (sign == 0) return FaceStatus::chart;
-    return measure<0>(GraphGeometry<Model, 3>{GraphJet<Model, 3>::of(f, r.axis), sign}, values, r,
-                      true);
+    r.frame = nearest_frame(mean_normal(c));
+    const auto f = f3->along(chart.x, frame_vectors(r.frame));
+    if (!(f.coefficient(0, 0, 1).range().low > 0)) return FaceStatus::chart;
+    return measure<0>(GraphGeometry<Model, 3>{GraphJet<Model, 3>::of(f, 2)}, values, r, true);
+  }
+
+  static Vec3 mean_normal(const Corners& c) {
+    const Vec3 sum = step(step(normal(c[0]), 1, normal(c[1])), 1, normal(c[2]));
+    const double size = length(sum);
+    return {sum[0] / size, sum[1] / size, sum[2] / size};
   }
 
   /// The same with K derivatives along the surface; implicit: and the chart's tangents.
@@ -102,36 +106,25 @@ struct FaceTest::State {
       else
         return measure<K>(MapGeometry<Model, 5>{unit(*x5, chart)}, out, r, false);
     }
+    const auto frame = frame_vectors(r.frame);
     const auto f = [&] {
       if constexpr (K == 1)
-        return (*f4)(chart.x);
+        return f4->along(chart.x, frame);
       else
-        return (*f5)(chart.x);
+        return f5->along(chart.x, frame);
     }();
-    if constexpr (K == 1)
-      Charts<Model>::tangents(
-          chart, c, {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)});
-    const int sign = slope_sign(f, r.axis);
-    return measure<K>(GraphGeometry<Model, K + 3>{GraphJet<Model, K + 3>::of(f, r.axis), sign}, out,
-                      r, false);
+    if constexpr (K == 1) set_tangents(chart, c, frame);
+    return measure<K>(GraphGeometry<Model, K + 3>{GraphJet<Model, K + 3>::of(f, 2)}, out, r, false);
   }
 
-  template <class Jet>
-  static const Model& gradient(const Jet& f, std::size_t axis) {
-    return axis == 0   ? f.coefficient(1, 0, 0)
-           : axis == 1 ? f.coefficient(0, 1, 0)
-                       : f.coefficient(0, 0, 1);
-  }
-  template <class Jet>
-  static std::uint8_t steepest(const Jet& f) {
-    std::uint8_t best = 0;
-    for (std::uint8_t k = 1; k < 3; ++k)
-      if (std::fabs(gradient(f, k).c[0]) > std::fabs(gradient(f, best).c[0])) best = k;
-    return best;
-  }
-  template <class Jet>
-  static int slope_sign(const Jet& f, std::size_t axis) {
-    return sign_of(gradient(f, axis).range());
+  /// chart.dx: in the frame's coordinates, but for the factor n^2.
+  void set_tangents(Chart<Model>& chart, const Corners& c, const std::array<Vec3, 3>& frame) {
+    charts.tangents(chart, c);
+    for (auto& t : chart.dx) {
+      const auto x = t;
+      for (std::size_t k = 0; k < 3; ++k)
+        t[k] = x[0] * frame[k][0] + x[1] * frame[k][1] + x[2] * frame[k][2];
+    }
   }
 
   template <int K, class Geometry>
@@ -167,7 +160,7 @@ struct FaceTest::State {
       if (!r.colour[j].no_zero && !monotone(x.e[j], r.colour[j])) return FaceStatus::ridge;
     for (std::size_t j = 0; j < 2; ++j) {
       if (r.colour[j].no_zero) continue;
-      decide_edges(chart, x.e[j], r, r.colour[j]);
+      decide_edges(chart, x.e[j], r.colour[j]);
       if (is_crossed(r.colour[j]) && !type(chart, c, x, j, r)) return FaceStatus::type;
     }
     if (is_crossed(r.colour[0]) && is_crossed(r.colour[1]) && !purple(x, r))
@@ -199,14 +192,10 @@ struct FaceTest::State {
   }
 
   /// Which edges have as many zeros as the signs at their ends say, provably in this face.
-  void decide_edges(const Chart<Model>& chart, const Field<1>& e, const FaceResult& r,
-                    ColourResult& colour) const {
-    const std::array<std::size_t, 2> axes =
-        implicit ? plane_axes(r.axis) : std::array<std::size_t, 2>{0, 1};
+  static void decide_edges(const Chart<Model>& chart, const Field<1>& e, ColourResult& colour) {
     std::array<Model, 2> by;  // derivatives by l1 and l2
     for (std::size_t i = 0; i < 2; ++i)
-      by[i] =
-          e.coefficient(1, 0) * chart.dx[i][axes[0]] + e.coefficient(0, 1) * chart.dx[i][axes[1]];
+      by[i] = e.coefficient(1, 0) * chart.dx[i][0] + e.coefficient(0, 1) * chart.dx[i][1];
     const std::array<Model, 3> along = {by[0], by[1] - by[0], by[1]};
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);

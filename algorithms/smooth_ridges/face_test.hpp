@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"
+#include "algorithms/smooth_ridges/frame.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -32,7 +33,8 @@ struct ColourResult {
 
 struct FaceResult {
   FaceStatus status = FaceStatus::chart;
-  std::uint8_t axis = 0, w = 0;
+  Frame frame{};  ///< implicit
+  std::uint8_t w = 0;
   std::array<ColourResult, 2> colour;  ///< blue, red
   bool purple = false;
 };

@@ -69,6 +69,17 @@ class ImplicitMap {
                                       Number::variable(2, p[2])};
     return f_(at);
   }
+  /// In the coordinates of a frame: derivatives along its vectors (exact doubles).
+  Number along(const std::array<T, 3>& p, const std::array<Vec3, 3>& frame) {
+    std::array<Number, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = Number::constant(p[i]);
+      // Of degree one the last variable comes first.
+      for (std::size_t k = 0; k < 3; ++k)
+        if (frame[k][i] != 0) at[i].set(3 - k, T(frame[k][i]));
+    }
+    return f_(at);
+  }
 
  private:
   kernel::Evaluator<Number> f_;

@@ -15,18 +15,29 @@ TaylorModel<Order> TaylorModel<Order>::linear(double at0, double at1, double at2
   return m;
 }
 
-/// f(c0 + h) = t0 + h (t1 + h (...)) with h this model without its constant.
+/// f(c + h) = t0 + h (t1 + h (...)), h this model without the constant c.
 template <int Order>
 TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(double, double,
                                                                              int)) const {
+  // Expanded at the middle of the range, so that |h| <= rho is as small as can be.
+  const Range all = range();
+  const double centre = 0.5 * (all.low + all.high);
   TaylorModel h = *this;
-  h.c[0] = 0;
-  const double rho = h.magnitude();
-  const taylor::Series s = make_series(c[0], rho, Order);
-  TaylorModel r = around(s.t[Order], s.error[Order]);
-  for (std::size_t k = Order; k-- > 0;) r = r * h + around(s.t[k], s.error[k]);
+  h.c[0] = c[0] - centre;
+  h.radius = grow(radius + Kernels::kUnit * std::fabs(h.c[0]));
+  const Range off = h.range();
+  const double rho = std::fmax(-off.low, off.high);
+  const taylor::Series s = make_series(centre, rho, Order);
   double power = 1;
   for (int k = 0; k <= Order; ++k) power *= rho;
+  TaylorModel r = around(s.t[Order], s.error[Order]);
+  if (h.is_flat()) {
+    // A constant within rho: no products of models.
+    double bound = s.rest * rho;
+    for (std::size_t k = Order; k > 0; --k) bound = (bound + std::fabs(s.t[k]) + s.error[k]) * rho;
+    return around(s.t[0], grow(s.error[0] + bound));
+  }
+  for (std::size_t k = Order; k-- > 0;) r = r * h + around(s.t[k], s.error[k]);
   r.radius = grow(r.radius + s.rest * power);
   return r;
 }

@@ -90,8 +90,8 @@ Series sqrt_series(double c, double rho, int order) {
     binomial *= (k - 0.5) / (k + 1);
   }
   bound_errors(s, order, 2, 4);
-  // The derivatives decrease: the largest is at c - rho.
-  s.rest = grow(binomial * std::sqrt(nearest) / power(nearest, order + 1));
+  // The sum of |binomial| sqrt(c) (h / c)^k over k > n, the binomials decreasing: a geometric one.
+  s.rest = grow(binomial * std::sqrt(c) / (power(c, order) * nearest));
   return s;
 }
 
@@ -114,7 +114,8 @@ Series log_series(double c, double rho, int order) {
   for (int k = 1; k <= order; ++k)
     s.t[static_cast<std::size_t>(k)] = (k % 2 ? 1 : -1) / (k * power(c, k));
   bound_errors(s, order, 2, 3);
-  s.rest = grow(1 / ((order + 1) * power(nearest, order + 1)));
+  // The sum of (h / c)^k / k over k > n, 1 / k decreasing.
+  s.rest = grow(1 / ((order + 1) * power(c, order) * nearest));
   return s;
 }
 
