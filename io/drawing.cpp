@@ -17,24 +17,8 @@ using ridges::UmbilicKind;
 
 constexpr Colour kGrey = {128, 128, 128};
 
-/// Red under blue; in each colour the hyperbolic ones under the elliptic ones.
-const std::vector<StrokeClass>& palette() {
-  static const std::vector<StrokeClass> classes = {
-      {"red, flat", kGrey, {}},
-      {"red hyperbolic", {250, 208, 20}, {}},
-      {"red turning", {240, 128, 24}, {}},
-      {"red elliptic", {218, 26, 32}, {}},
-      {"blue, flat", kGrey, {}},
-      {"blue hyperbolic", {22, 158, 60}, {}},
-      {"blue turning", {24, 140, 160}, {}},
-      {"blue elliptic", {28, 70, 222}, {}},
-  };
-  return classes;
-}
-
 std::size_t class_of(ridges::Colour colour, RidgeType type) {
-  constexpr std::array<std::size_t, 4> place = {0, 3, 1, 2};  // flat, elliptic, hyperbolic, turning
-  return place[static_cast<std::size_t>(type)] + (colour == ridges::Colour::blue ? 4 : 0);
+  return ridge_class(static_cast<std::size_t>(colour), static_cast<std::size_t>(type));
 }
 
 Colour dot_colour(UmbilicKind kind) {
@@ -50,8 +34,7 @@ class Sight {
         const std::vector<Vec3>& normals)
       : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals), outward_(side(mesh)) {}
 
-  /// Lines lie on the surface; the bias only covers rounding and the patches' polylines.
-  bool free(const Vec3& pixel) const { return surface_.visible(pixel, 0.003 * camera_.width); }
+  bool free(const Vec3& pixel) const { return in_sight(camera_, surface_, pixel); }
 
   /// The back of a closed surface is hidden even where the bias does not tell, at its outline.
   bool faces_eye(kernel::Index v, kernel::Index w) const {
@@ -91,48 +74,9 @@ class Sight {
   double outward_;
 };
 
-/// Collects the visible parts of one ridge, a stroke for each run of one type.
-class StrokeMaker {
- public:
-  StrokeMaker(const Sight& sight, Drawing& drawing) : sight_(sight), drawing_(drawing) {}
-
-  void add(const Vec3& from, const Vec3& to, std::size_t stroke_class) {
-    if (stroke_class != class_) end();
-    class_ = stroke_class;
-    const Vec3 p = sight_.camera().project(from), q = sight_.camera().project(to);
-    const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
-    const int steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, 1e5));
-    const auto at = [&](int i) {
-      const double t = static_cast<double>(i) / steps;
-      return combine(1 - t, p, t, q);
-    };
-    bool before = sight_.free(p);
-    for (int i = 1; i <= steps; ++i) {
-      const bool now = sight_.free(at(i));
-      if (before && now && stroke_.empty()) stroke_.push_back(at(i - 1));
-      if (!now && before && !stroke_.empty()) {
-        stroke_.push_back(at(i - 1));
-        end();
-      }
-      before = now;
-    }
-    if (before && !stroke_.empty()) stroke_.push_back(q);
-  }
-
-  void end() {
-    if (stroke_.size() > 1) drawing_.classes[class_].strokes.push_back(std::move(stroke_));
-    stroke_.clear();
-  }
-
- private:
-  const Sight& sight_;
-  Drawing& drawing_;
-  std::size_t class_ = 0;
-  std::vector<Vec3> stroke_;
-};
-
-void add_strokes(const Sight& sight, const ridges::RidgeGraph& graph, int order, Drawing& drawing) {
-  StrokeMaker maker(sight, drawing);
+void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeGraph& graph,
+                 int order, Drawing& drawing) {
+  StrokeMaker maker(sight.camera(), surface, drawing);
   const auto hidden = [&](const LinePoint& p) {
     return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
   };
@@ -175,31 +119,8 @@ void add_dots(const Sight& sight, const std::vector<ridges::Umbilic>& umbilics, 
   }
 }
 
-/// Sizes grow with the picture and shrink when ink would cover more than its share of it.
-void set_sizes(const Camera& camera, Drawing& drawing) {
-  constexpr double stroke_share = 0.10, dot_share = 0.02, pi = 3.14159;
-  const double area = static_cast<double>(camera.width) * camera.height;
-  double length = 1;
-  for (const StrokeClass& c : drawing.classes) {
-    for (const auto& stroke : c.strokes) {
-      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
-        length += std::hypot(stroke[i + 1][0] - stroke[i][0], stroke[i + 1][1] - stroke[i][1]);
-      }
-    }
-  }
-  const double unit = std::max(camera.width / 1200.0, 0.4);
-  drawing.stroke_width = std::clamp(stroke_share * area / length, 1.2 * unit, 3.2 * unit);
-  drawing.casing_width = 1.4 * drawing.stroke_width;
-  const auto dots = static_cast<double>(drawing.dots.size() + 1);
-  drawing.dot_radius =
-      std::clamp(std::sqrt(dot_share * area / (pi * dots)), 1.8 * unit, 6.6 * unit);
-}
-
 void add_legend(const std::vector<ridges::Umbilic>& umbilics, Drawing& drawing) {
-  // From the top: blue before red, elliptic first.
-  for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c) {
-    if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
-  }
+  add_class_legend(drawing);
   const std::pair<UmbilicKind, const char*> kinds[] = {
       {UmbilicKind::one_ridge, "umbilic, 1-ridge"},
       {UmbilicKind::three_ridge, "umbilic, 3-ridge"},
@@ -232,7 +153,8 @@ const std::map<char, Glyph>& font() {
       {'8', {0x36, 0x49, 0x49, 0x49, 0x36}}, {'9', {0x06, 0x49, 0x49, 0x29, 0x1e}},
       {'.', {0x00, 0x60, 0x60, 0x00, 0x00}}, {'+', {0x08, 0x08, 0x3e, 0x08, 0x08}},
       {'k', {0x7f, 0x10, 0x28, 0x44, 0x00}}, {'s', {0x48, 0x54, 0x54, 0x54, 0x20}},
-      {'v', {0x1c, 0x20, 0x40, 0x20, 0x1c}}, {'x', {0x44, 0x28, 0x10, 0x28, 0x44}}};
+      {'/', {0x60, 0x10, 0x08, 0x04, 0x03}}, {'v', {0x1c, 0x20, 0x40, 0x20, 0x1c}},
+      {'x', {0x44, 0x28, 0x10, 0x28, 0x44}}};
   return glyphs;
 }
 
@@ -245,12 +167,87 @@ Colour casing(Colour colour) {
   return {darker(colour.red), darker(colour.green), darker(colour.blue)};
 }
 
+std::vector<StrokeClass> ridge_classes() {
+  return {
+      {"red, flat", kGrey, {}},
+      {"red hyperbolic", {250, 208, 20}, {}},
+      {"red turning", {240, 128, 24}, {}},
+      {"red elliptic", {218, 26, 32}, {}},
+      {"blue, flat", kGrey, {}},
+      {"blue hyperbolic", {22, 158, 60}, {}},
+      {"blue turning", {24, 140, 160}, {}},
+      {"blue elliptic", {28, 70, 222}, {}},
+  };
+}
+
+std::size_t ridge_class(std::size_t colour, std::size_t type) {
+  constexpr std::array<std::size_t, 4> place = {0, 3, 1, 2};  // flat, elliptic, hyperbolic, turning
+  return place[type] + (colour == 0 ? 4 : 0);
+}
+
+bool in_sight(const Camera& camera, const Canvas& surface, const Vec3& pixel) {
+  return surface.visible(pixel, 0.003 * camera.width);
+}
+
+void StrokeMaker::add(const Vec3& from, const Vec3& to, std::size_t stroke_class) {
+  if (stroke_class != class_) end();
+  class_ = stroke_class;
+  const Vec3 p = camera_.project(from), q = camera_.project(to);
+  const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+  const int steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, 1e5));
+  const auto at = [&](int i) {
+    const double t = static_cast<double>(i) / steps;
+    return combine(1 - t, p, t, q);
+  };
+  bool before = in_sight(camera_, surface_, p);
+  for (int i = 1; i <= steps; ++i) {
+    const bool now = in_sight(camera_, surface_, at(i));
+    if (before && now && stroke_.empty()) stroke_.push_back(at(i - 1));
+    if (!now && before && !stroke_.empty()) {
+      stroke_.push_back(at(i - 1));
+      end();
+    }
+    before = now;
+  }
+  if (before && !stroke_.empty()) stroke_.push_back(q);
+}
+
+void StrokeMaker::end() {
+  if (stroke_.size() > 1) drawing_.classes[class_].strokes.push_back(std::move(stroke_));
+  stroke_.clear();
+}
+
+void set_sizes(const Camera& camera, Drawing& drawing) {
+  constexpr double stroke_share = 0.10, dot_share = 0.02, pi = 3.14159;
+  const double area = static_cast<double>(camera.width) * camera.height;
+  double length = 1;
+  for (const StrokeClass& c : drawing.classes) {
+    for (const auto& stroke : c.strokes) {
+      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+        length += std::hypot(stroke[i + 1][0] - stroke[i][0], stroke[i + 1][1] - stroke[i][1]);
+      }
+    }
+  }
+  const double unit = std::max(camera.width / 1200.0, 0.4);
+  drawing.stroke_width = std::clamp(stroke_share * area / length, 1.2 * unit, 3.2 * unit);
+  drawing.casing_width = 1.4 * drawing.stroke_width;
+  const auto dots = static_cast<double>(drawing.dots.size() + 1);
+  drawing.dot_radius =
+      std::clamp(std::sqrt(dot_share * area / (pi * dots)), 1.8 * unit, 6.6 * unit);
+}
+
+void add_class_legend(Drawing& drawing) {
+  for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c) {
+    if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
+  }
+}
+
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
                      const std::vector<Vec3>& normals, const ridges::RidgeGraph& graph, int order) {
   Drawing drawing{};
-  drawing.classes = palette();
+  drawing.classes = ridge_classes();
   const Sight sight(camera, surface, mesh, normals);
-  add_strokes(sight, graph, order, drawing);
+  add_strokes(sight, surface, graph, order, drawing);
   const std::vector<ridges::Umbilic> umbilics = joined_umbilics(graph);
   add_dots(sight, umbilics, drawing);
   set_sizes(camera, drawing);

@@ -20,6 +20,31 @@ namespace {
 
 constexpr Colour kRim = {0, 0, 0};
 
+/// The corners of a mark that is no disk.
+std::vector<kernel::Vec3> corners_of(Mark mark, const kernel::Vec3& at, double radius) {
+  if (mark == Mark::triangle) {
+    const double dx = 0.866 * radius, dy = 0.5 * radius;
+    return {{at[0], at[1] - radius, 0}, {at[0] + dx, at[1] + dy, 0}, {at[0] - dx, at[1] + dy, 0}};
+  }
+  return {{at[0], at[1] - radius, 0},
+          {at[0] + radius, at[1], 0},
+          {at[0], at[1] + radius, 0},
+          {at[0] - radius, at[1], 0}};
+}
+
+void paint_mark(Canvas& canvas, const Dot& dot, double unit) {
+  const double radius = dot.size * unit;
+  for (const bool rim : {true, false}) {
+    const double r = rim ? radius : 0.7 * radius;
+    const Colour colour = rim ? kRim : dot.colour;
+    if (dot.mark == Mark::disk) {
+      canvas.fill_disk(dot.centre, r, colour);
+    } else {
+      canvas.fill_polygon(corners_of(dot.mark, dot.centre, r), colour);
+    }
+  }
+}
+
 /// Where the legend goes, in pixels, for both media: columns in a band below the surface.
 struct LegendLayout {
   double dot = 1, column = 0, row = 0, top = 0;
@@ -50,8 +75,8 @@ void paint_legend(Canvas& canvas, const Drawing& drawing, const LegendLayout& at
     const LegendEntry& entry = drawing.legend[i];
     const double y = at.y(i), x0 = at.x(i), x1 = x0 + 24 * at.dot;
     if (entry.dot) {
-      canvas.fill_disk({0.5 * (x0 + x1), y, 0}, drawing.dot_radius, kRim);
-      canvas.fill_disk({0.5 * (x0 + x1), y, 0}, 0.7 * drawing.dot_radius, entry.colour);
+      const Dot dot{{0.5 * (x0 + x1), y, 0}, entry.colour, entry.mark, entry.size};
+      paint_mark(canvas, dot, drawing.dot_radius);
     } else {
       canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.casing_width, casing(entry.colour));
       canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.stroke_width, entry.colour);
@@ -72,10 +97,7 @@ void paint(Canvas& canvas, const Drawing& drawing) {
       }
     }
   }
-  for (const Dot& dot : drawing.dots) {
-    canvas.fill_disk(dot.centre, drawing.dot_radius, kRim);
-    canvas.fill_disk(dot.centre, 0.7 * drawing.dot_radius, dot.colour);
-  }
+  for (const Dot& dot : drawing.dots) paint_mark(canvas, dot, drawing.dot_radius);
 }
 
 std::string base64(const std::string& bytes) {
@@ -102,11 +124,24 @@ std::string path_data(const std::vector<std::vector<kernel::Vec3>>& strokes) {
   return data;
 }
 
-std::string svg_dot(double x, double y, double radius, Colour colour) {
-  return fmt::format(
-      "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\" stroke=\"{}\" "
-      "stroke-width=\"{:.2f}\"/>\n",
-      x, y, 0.85 * radius, hex(colour), hex(kRim), 0.3 * radius);
+std::string svg_dot(const Dot& dot, double unit) {
+  const double radius = dot.size * unit;
+  if (dot.mark == Mark::disk) {
+    return fmt::format(
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\" stroke=\"{}\" "
+        "stroke-width=\"{:.2f}\"/>\n",
+        dot.centre[0], dot.centre[1], 0.85 * radius, hex(dot.colour), hex(kRim), 0.3 * radius);
+  }
+  std::string svg;
+  for (const bool rim : {true, false}) {
+    svg += "<polygon points=\"";
+    for (const kernel::Vec3& c : corners_of(dot.mark, dot.centre, rim ? radius : 0.7 * radius)) {
+      svg += fmt::format("{:.2f},{:.2f} ", c[0], c[1]);
+    }
+    svg.back() = '"';
+    svg += fmt::format(" fill=\"{}\"/>\n", hex(rim ? kRim : dot.colour));
+  }
+  return svg;
 }
 
 std::string svg_legend(const Drawing& drawing, const LegendLayout& at) {
@@ -119,7 +154,8 @@ std::string svg_legend(const Drawing& drawing, const LegendLayout& at) {
     const LegendEntry& entry = drawing.legend[i];
     const double y = at.y(i), x0 = at.x(i), x1 = x0 + 24 * at.dot;
     if (entry.dot) {
-      svg += svg_dot(0.5 * (x0 + x1), y, drawing.dot_radius, entry.colour);
+      svg += svg_dot({{0.5 * (x0 + x1), y, 0}, entry.colour, entry.mark, entry.size},
+                     drawing.dot_radius);
     } else {
       for (const bool rim : {true, false}) {
         svg += fmt::format(
@@ -155,14 +191,14 @@ std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& 
     }
   }
   svg += "</g>\n";
-  for (const Dot& dot : drawing.dots) {
-    svg += svg_dot(dot.centre[0], dot.centre[1], drawing.dot_radius, dot.colour);
-  }
+  for (const Dot& dot : drawing.dots) svg += svg_dot(dot, drawing.dot_radius);
   svg += svg_legend(drawing, legend);
   return svg + "</svg>\n";
 }
 
-void check(const std::string& path, const PictureOptions& options) {
+}  // namespace
+
+void check_picture(const std::string& path, const PictureOptions& options) {
   const std::string extension = lower_extension(path);
   if (extension != ".png" && extension != ".svg") {
     throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
@@ -178,8 +214,6 @@ void check(const std::string& path, const PictureOptions& options) {
   }
 }
 
-}  // namespace
-
 void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
                    const Drawing& drawing, bool show_legend) {
   const LegendLayout legend(drawing, camera, show_legend);
@@ -194,7 +228,7 @@ void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas
 
 void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                    const ridges::RidgeGraph& graph, const PictureOptions& options) {
-  check(path, options);
+  check_picture(path, options);
   const std::vector<kernel::Vec3> normals = vertex_normals(mesh);
   const kernel::Vec3 view = options.view ? *options.view : automatic_view(mesh, normals, graph);
   const Camera camera = fit_camera(mesh, view, options.width);

@@ -17,6 +17,10 @@ struct PictureOptions {
   int order = 4;  ///< types by the fourth-order or the third-order rule (3)
 };
 
+/// Throws: kernel::InputError for another extension than .png and .svg, a width outside
+///   [16, 16384], or a zero view.
+void check_picture(const std::string& path, const PictureOptions& options);
+
 /// Writes .png or .svg, by the extension in any case, in the colours of paper 002: blue elliptic
 /// blue, blue hyperbolic green, red elliptic red, red hyperbolic yellow; turning segments in
 /// between, flat ones grey; umbilics at which a

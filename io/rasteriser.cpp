@@ -153,6 +153,26 @@ void Canvas::fill_disk(const Vec3& centre, double radius, Colour colour) {
   draw_stroke(centre, centre, 2 * radius, colour);
 }
 
+void Canvas::fill_polygon(const std::vector<Vec3>& corners, Colour colour) {
+  double low[2] = {corners[0][0], corners[0][1]}, high[2] = {low[0], low[1]};
+  for (const Vec3& c : corners) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
+  }
+  paint(low[0], low[1], high[0], high[1], colour, [&](double x, double y) {
+    bool left = true, right = true;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+      left = left && side >= 0;
+      right = right && side <= 0;
+    }
+    return left || right;
+  });
+}
+
 void Canvas::fill_box(double x0, double y0, double x1, double y1, Colour colour) {
   paint(x0, y0, x1, y1, colour,
         [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });

@@ -35,6 +35,8 @@ class Canvas {
   /// A stroke with round ends, in front of everything.
   void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Colour colour);
   void fill_disk(const kernel::Vec3& centre, double radius, Colour colour);
+  /// Convex; corners in either order.
+  void fill_polygon(const std::vector<kernel::Vec3>& corners, Colour colour);
   /// Axis-parallel, in pixels; clipped.
   void fill_box(double x0, double y0, double x1, double y1, Colour colour);
 

@@ -6,7 +6,6 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -15,11 +14,11 @@
 
 #include <array>
 #include <iterator>
-#include <map>
 
 #include "io/atomic_file.hpp"
 #include "io/formats.hpp"
 #include "io/ridge_lines.hpp"
+#include "io/vtk_columns.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -96,31 +95,6 @@ Table table_of(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
   return table;
 }
 
-/// VTK arrays by name, in the order of their first use.
-class Arrays {
- public:
-  void add(const char* name, int value) { column(name, ints_)->InsertNextValue(value); }
-  void add(const char* name, double value) { column(name, doubles_)->InsertNextValue(value); }
-  void move_to(vtkFieldData& data) {
-    for (const auto& array : order_) data.AddArray(array);
-  }
-
- private:
-  template <class Array>
-  Array* column(const char* name, std::map<std::string, vtkSmartPointer<Array>>& columns) {
-    auto& array = columns[name];
-    if (!array) {
-      array = vtkSmartPointer<Array>::New();
-      array->SetName(name);
-      order_.push_back(array);
-    }
-    return array;
-  }
-  std::map<std::string, vtkSmartPointer<vtkIntArray>> ints_;
-  std::map<std::string, vtkSmartPointer<vtkDoubleArray>> doubles_;
-  std::vector<vtkSmartPointer<vtkAbstractArray>> order_;
-};
-
 int umbilic_id(const ridges::RidgeEnd& end) {
   return end.kind == ridges::EndKind::umbilic ? static_cast<int>(end.umbilic) : -1;
 }
@@ -131,7 +105,7 @@ struct Cell {
   int number = -1;                   ///< the umbilic's
 };
 
-void add_cell(Arrays& cells, const Cell& cell) {
+void add_cell(Columns& cells, const Cell& cell) {
   const Ridge* r = cell.ridge;
   const Umbilic* u = cell.umbilic;
   cells.add("colour", r ? static_cast<int>(r->colour) : -1);
@@ -150,7 +124,7 @@ void add_cell(Arrays& cells, const Cell& cell) {
 }
 
 void add_point_data(vtkPolyData& data, const Table& table) {
-  Arrays points;
+  Columns points;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < kPointCodes.size(); ++i) points.add(kPointCodes[i], row.codes[i]);
     for (std::size_t i = 0; i < kPointNumbers.size(); ++i) {
@@ -179,7 +153,7 @@ std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::strin
   for (const Row& row : table.rows) points->InsertNextPoint(row.point.data());
   data->SetPoints(points);
   vtkNew<vtkCellArray> vertices, lines;
-  Arrays cells;
+  Columns cells;
   for (std::size_t i = 0; i < graph.umbilics.size(); ++i) {
     vertices->InsertNextCell({static_cast<vtkIdType>(i)});
     add_cell(cells, {nullptr, &graph.umbilics[i], static_cast<int>(i)});

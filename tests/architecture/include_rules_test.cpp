@@ -45,6 +45,7 @@ bool is_result_header(const std::string& target) {
          target == "algorithms/curvature/focal.hpp" ||
          target == "algorithms/feature_lines/feature_graph.hpp" ||
          target == "algorithms/reeb/reeb_graph.hpp" ||
+         target == "algorithms/smooth_ridges/smooth_ridges.hpp" ||
          target == "algorithms/reeb/tile_complex.hpp" || target == "algorithms/reeb/contours.hpp";
 }
 
@@ -132,11 +133,13 @@ TEST_CASE("the include rules refuse the arrows that design forbids") {
   CHECK(objection("algorithms/ridges/a.cpp", "certify/verify.hpp") != "");
   CHECK(objection("algorithms/ridges/a.cpp", "io/mesh_reader.hpp") != "");
   CHECK(objection("io/a.cpp", "algorithms/ridges/jet_fit.hpp") != "");
+  CHECK(objection("io/a.cpp", "algorithms/smooth_ridges/refinement.hpp") != "");
   CHECK(objection("io/a.cpp", "certify/certificate.hpp") != "");
   CHECK(objection("cli/crest_verify.cpp", "io/mesh_reader.hpp") != "");
   CHECK(objection("experiments/a/b.cpp", "cli/report.hpp") != "");
   CHECK(objection("algorithms/ridges/a.cpp", "certify/certificate.hpp") == "");
   CHECK(objection("io/a.cpp", "algorithms/ridges/ridge_graph.hpp") == "");
+  CHECK(objection("io/a.cpp", "algorithms/smooth_ridges/smooth_ridges.hpp") == "");
   CHECK(foreign_objection("kernel/geometry/a.cpp", "vtkPolyData.h") != "");
   CHECK(foreign_objection("io/a.cpp", "vtkPolyData.h") == "");
 }
