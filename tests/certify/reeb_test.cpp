@@ -99,6 +99,31 @@ TEST_CASE("values near each other and far from 1 are ordered exactly") {
   CHECK(exact > 0);
 }
 
+TEST_CASE("equal values of quantised data are found in native integers and rationals alike") {
+  Random random(kSeed + 4);
+  const auto surfaces = reeb_surfaces(random);
+  // Small values times an odd number: in the middle one doubles round their products, 128 bits do
+  // not; the last is beyond what 128 bits are proved for.
+  const double factors[] = {1, 0x1p+17 + 1, 0x1p+24 + 1};
+  std::array<std::uint64_t, 3> exact{};
+  for (std::uint64_t round = 0; round < scaled(60); ++round) {
+    const ReebSurface& surface = surfaces[round % surfaces.size()];
+    const ReebCertificate small = reeb_data(surface, 2, Values::small, random);
+    for (std::size_t i = 0; i < 3; ++i) {
+      ReebCertificate data = small;
+      for (auto* list : {&data.values, &data.edge_values})
+        for (double& x : *list) x *= factors[i] * 0x1p-30;
+      const ReferenceReeb reference(data);
+      INFO(surface.name << ", factor " << factors[i]);
+      const Bytes bytes = encode(reference.certificate(random, 0.2));
+      exact[i] += check(bytes, Arithmetic::doubles).signs.exact;
+      check(bytes, Arithmetic::mpfr);
+    }
+  }
+  CHECK(exact[1] > 100);
+  CHECK(exact[2] > 100);
+}
+
 TEST_CASE("a Reeb graph's certificate has one encoding, and --input is refused") {
   Random random(kSeed + 2);
   for (const ReebSurface& surface : reeb_surfaces(random))
