@@ -38,7 +38,7 @@ struct Command {
   /// Adds the options to the command's parser and returns what runs after parsing; its result is
   /// the exit code. Called once, before parsing.
   std::function<int()> (*add)(CLI::App& app);
-  std::vector<std::string> examples;  ///< two command lines that run as they stand
+  std::vector<std::string> examples;  ///< two or more command lines that run as they stand
 };
 
 /// In the order of their names (generated).

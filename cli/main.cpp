@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     CLI::App app("Crest: certified extraction of surface topology", "crest");
     app.set_version_flag("--version", "crest " CREST_VERSION);
     app.require_subcommand(1);
-    app.footer("crest COMMAND --help shows a command's options and two examples.");
+    app.footer("crest COMMAND --help shows a command's options and examples.");
     return parse_and_run(app, argc, argv);
   } catch (const crest::kernel::InputError& error) {
     std::fprintf(stderr, "crest: %s\n", error.what());

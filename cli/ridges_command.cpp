@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crest ridges: ridges and umbilics of a triangle mesh, with a certificate.
+// crest ridges: ridges and umbilics of a triangle mesh or of a smooth surface, with a certificate.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +17,7 @@
 #include "cli/references.hpp"
 #include "cli/report.hpp"
 #include "cli/ridges_report.hpp"
+#include "cli/smooth_ridges_run.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_reader.hpp"
 #include "io/picture.hpp"
@@ -26,8 +27,11 @@
 namespace crest::cli {
 namespace {
 
+constexpr const char* kMeshGroup = "Meshes";
+
 struct RidgesOptions {
   CommonOptions common;
+  SmoothRidgesOptions smooth;
   ridges::FitOptions fit;
   ridges::GraphOptions graph;
   ridges::FilterOptions filter;
@@ -37,6 +41,7 @@ struct RidgesOptions {
 
 void add_ridges_options(CLI::App& app, RidgesOptions& o) {
   const CLI::Range not_negative(0.0, 1e300);
+  app.option_defaults()->group(kMeshGroup);
   auto* rings = app.add_option("--rings", o.fit.rings,
                                "rings of neighbours a fit uses (default: until 30 points)");
   rings->check(CLI::Range(1, 100))->type_name("N");
@@ -66,6 +71,7 @@ void add_ridges_options(CLI::App& app, RidgesOptions& o) {
       ->type_name("L");
   app.add_flag("--crest-only", o.filter.crest_only,
                "keep crest lines: elliptic, and of the larger curvature");
+  app.option_defaults()->group("Options");
 }
 
 /// --scale auto|R into the fit's options.
@@ -123,6 +129,29 @@ void talk(const RidgesOptions& o, const RidgesRun& run, Report& report) {
     std::fputs(text.c_str(), stdout);
   }
   if (o.common.cite) std::fputs(bibtex(used_references(o)).c_str(), stdout);
+}
+
+/// The first option of a group of the help that the command line has, or nothing.
+std::string given_of(const CLI::App& app, const std::string& group) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group() == group && option->count() > 0) return option->get_name();
+  }
+  return {};
+}
+
+/// Exactly one surface, and no option of the other kind. Returns whether it is a smooth one.
+bool is_smooth(const CLI::App& app) {
+  const auto given = [&](const char* name) { return app.count(name) > 0 ? 1 : 0; };
+  if (given("INPUT") + given("--surface") + given("--param") != 1) {
+    throw UsageError("give exactly one of INPUT, --surface and --param");
+  }
+  const bool smooth = given("INPUT") == 0;
+  const std::string other = given_of(app, smooth ? kMeshGroup : kSmoothGroup);
+  if (!other.empty()) {
+    throw UsageError(other + " is for " +
+                     (smooth ? "meshes" : "smooth surfaces (--surface, --param)"));
+  }
+  return smooth;
 }
 
 int run_ridges(RidgesOptions& o) {
@@ -191,10 +220,20 @@ int run_ridges(RidgesOptions& o) {
 
 std::function<int()> add_ridges(CLI::App& app) {
   auto options = std::make_shared<RidgesOptions>();
-  add_common_options(app, options->common, "triangle mesh (.off .obj .ply .stl .vtp)",
-                     "ridges and umbilics as polylines (.vtp .obj .ply)");
+  add_common_options(
+      app, options->common,
+      "triangle mesh (.off .obj .ply .stl .vtp), unless --surface or --param is given",
+      "ridges and umbilics as polylines (.vtp .obj .ply)");
+  app.get_option("INPUT")->required(false);
   add_ridges_options(app, *options);
-  return [options] { return run_ridges(*options); };
+  add_smooth_ridges_options(app, options->smooth);
+  return [options, &app] {
+    if (is_smooth(app)) {
+      options->smooth.implicit = app.count("--surface") > 0;
+      return run_smooth_ridges(options->common, options->smooth);
+    }
+    return run_ridges(*options);
+  };
 }
 
 }  // namespace
@@ -202,9 +241,13 @@ std::function<int()> add_ridges(CLI::App& app) {
 extern const Command ridges_command;
 const Command ridges_command = {
     "ridges",
-    "ridges and umbilics of a triangle mesh",
+    "ridges and umbilics of a triangle mesh or of a smooth surface",
     add_ridges,
     {"crest ridges ellipsoid.off -o ellipsoid.vtp --picture ellipsoid.svg",
-     "crest ridges ellipsoid.off --certificate ellipsoid.crest --report ellipsoid.json"}};
+     "crest ridges ellipsoid.off --certificate ellipsoid.crest --report ellipsoid.json",
+     "crest ridges --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box '-3,3' -o smooth.vtp "
+     "--certificate smooth.crest",
+     "crest ridges --param 'u; v; u^2 + 0.5*v^2 + 0.2*u^3 + 0.3*u*v^2 + 0.1*v^3' --domain "
+     "'-0.5,0.6,-0.5,0.6' --picture patch.svg"}};
 
 }  // namespace crest::cli

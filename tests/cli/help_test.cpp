@@ -25,7 +25,7 @@ TEST_CASE("crest --version names the version") {
   CHECK(result.out.rfind("crest ", 0) == 0);
 }
 
-TEST_CASE("every command's help ends with two examples and they run") {
+TEST_CASE("every command's help ends with examples and they run") {
   const TemporaryFolder folder;
   auto names = command_names(run_crest("crest --help", folder.path()).out);
   REQUIRE(names.size() >= 2);
@@ -37,7 +37,7 @@ TEST_CASE("every command's help ends with two examples and they run") {
     CHECK(help.exit_code == 0);
     const auto examples = examples_of(help.out);
     INFO(help.out);
-    REQUIRE(examples.size() == 2);
+    REQUIRE(examples.size() >= 2);
     const auto lines = split_lines(help.out);
     CHECK(lines.back() == "  " + examples.back());
     for (const std::string& example : examples) {

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/smooth_ridges_run.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+#include "certify/certificate.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/references.hpp"
+#include "cli/smooth_ridges_report.hpp"
+#include "io/atomic_file.hpp"
+#include "io/smooth_ridge_picture.hpp"
+#include "io/smooth_ridge_writer.hpp"
+#include "kernel/arithmetic/self_test.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::cli {
+namespace {
+
+using kernel::InputError;
+using smooth_ridges::SmoothRidges;
+using smooth_ridges::Surface;
+
+/// The parts between separators, without blanks around them.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    const std::size_t first = text.find_first_not_of(' ', at);
+    std::string part;
+    if (first < end) part = text.substr(first, text.find_last_not_of(' ', end - 1) + 1 - first);
+    parts.push_back(part);
+    at = end + 1;
+  }
+  return parts;
+}
+
+double number(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) {
+    throw InputError("--box: '" + text + "' is not a number");
+  }
+  return value;
+}
+
+Surface::Box box_of(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2 && parts.size() != 6) {
+    throw InputError(fmt::format(
+        "--box: {} numbers; give 2 (lower and upper bound of all axes) or 6 (x0,x1,y0,y1,z0,z1)",
+        parts.size()));
+  }
+  Surface::Box box{};
+  for (std::size_t i = 0; i < 6; ++i) box[i] = number(parts[parts.size() == 2 ? i % 2 : i]);
+  return box;
+}
+
+template <std::size_t N>
+std::array<std::string, N> parts_of(const std::string& option, const std::string& text,
+                                    char separator, const char* shape) {
+  const std::vector<std::string> parts = split(text, separator);
+  if (parts.size() != N) {
+    throw InputError(
+        fmt::format("{}: {} expressions; give {}: {}", option, parts.size(), N, shape));
+  }
+  std::array<std::string, N> result;
+  std::copy(parts.begin(), parts.end(), result.begin());
+  return result;
+}
+
+Surface parse_surface(const SmoothRidgesOptions& o) {
+  const char* option = o.implicit ? "--surface: " : "--param: ";
+  try {
+    if (o.implicit) return Surface::implicit(o.surface, box_of(o.box));
+    const auto has = [&](char c) { return o.periodic.find(c) != std::string::npos; };
+    return Surface::parametric(parts_of<3>("--param", o.param, ';', "x;y;z in u, v"),
+                               parts_of<4>("--domain", o.domain, ',', "u0,u1,v0,v1"),
+                               {has('u'), has('v')});
+  } catch (const InputError&) {
+    throw;
+  } catch (const kernel::ExpressionError& error) {
+    throw InputError(std::string(option) + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(std::string(option) + error.what());
+  }
+}
+
+void announce_outputs(const CommonOptions& common, const std::string& mesh, Outputs& outputs) {
+  outputs.add("-o", common.output, {".vtp", ".obj", ".ply"});
+  outputs.add("--mesh", mesh, {".vtp", ".off", ".obj", ".ply"});
+  outputs.add("--picture", common.picture, {".svg", ".png"});
+  outputs.add("--certificate", common.certificate);
+  outputs.add("--report", common.report);
+}
+
+SmoothRidges extract(const Surface& surface, const SmoothRidgesOptions& o, Progress& progress) {
+  smooth_ridges::Options options = o.algorithm;
+  options.refinement.progress = [&](int round, std::size_t faces, std::size_t left) {
+    progress.show(
+        fmt::format("round {}: {} faces, {} undecided", round, grouped(faces), grouped(left)));
+  };
+  progress.show(surface.is_implicit() ? "searching the box" : "placing the first triangles");
+  return smooth_ridges::smooth_ridges(surface, options);
+}
+
+std::vector<std::string> used_references(const CommonOptions& common, bool implicit) {
+  std::vector<std::string> keys = {"cazals2004ridges", "cazals2005topologically",
+                                   "makino2003taylor", "krawczyk1969newton",
+                                   "rivara1984algorithms"};
+  if (implicit) keys.push_back("plantinga2004isotopic");
+  if (!common.certificate.empty()) keys.push_back("mcconnell2011certifying");
+  return keys;
+}
+
+void talk(const CommonOptions& common, const SmoothRidgesRun& run, Report& report) {
+  if (!common.quiet) {
+    for (const auto& warning : report.json()["warnings"]) {
+      std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
+    }
+    std::string text = summary_text(run);
+    if (!common.certificate.empty() && run.result.certified) {
+      text += fmt::format(
+          "certificate: written, {:.3g} bytes a triangle (crest-verify {})\n",
+          static_cast<double>(run.certificate_bytes) / static_cast<double>(run.result.faces.size()),
+          common.certificate);
+    } else if (!common.certificate.empty()) {
+      text += fmt::format("certificate: {} was not written, the result is not certified\n",
+                          common.certificate);
+    }
+    fmt::print("{}time: {:.3g} s\n", text, report.elapsed());
+  }
+  if (common.cite) {
+    fmt::print("{}", bibtex(used_references(common, run.surface.is_implicit())));
+  }
+}
+
+int exit_code(const SmoothRidges& result) {
+  if (result.certified) return kDone;
+  return result.undecided.empty() ? kNotCertified : kExhausted;
+}
+
+void write_results(const SmoothRidges& result, const std::string& digest, Outputs& outputs) {
+  outputs.write("-o",
+                [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
+  outputs.write("--mesh",
+                [&](const std::string& path) { io::write_smooth_mesh(path, result, digest); });
+  outputs.write("--picture",
+                [&](const std::string& path) { io::write_smooth_picture(path, result); });
+}
+
+}  // namespace
+
+void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& o) {
+  const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
+    return app.add_option(name, value, help)->type_name(type)->group(kSmoothGroup);
+  };
+  auto* surface = add("--surface", o.surface, "F", "the closed surface F(x, y, z) = 0 in --box");
+  auto* box = add("--box", o.box, "B", "bounds lo,hi of all axes, or x0,x1,y0,y1,z0,z1");
+  auto* param = add("--param", o.param, "'X;Y;Z'", "the surface (X, Y, Z)(u, v) over --domain");
+  auto* domain = add("--domain", o.domain, "D", "u0,u1,v0,v1; constants like 2*pi are allowed");
+  surface->needs(box);
+  box->needs(surface);
+  param->needs(domain);
+  domain->needs(param);
+  add("--periodic", o.periodic, "u|v|uv", "directions in which --param closes up")
+      ->check(CLI::IsMember({"u", "v", "uv"}))
+      ->needs(param);
+  add("--start-faces", o.algorithm.start_faces, "N", "faces of the first triangulation, about")
+      ->check(CLI::Range(8, 10000000));
+  add("--max-depth", o.algorithm.refinement.max_depth, "N", "rounds of refinement at most")
+      ->check(CLI::Range(0, 1000));
+  add("--budget", o.algorithm.refinement.max_faces, "N", "faces at most")
+      ->check(CLI::Range(8, 1000000000));
+  add("--mesh", o.mesh, "FILE", "the triangulation (.vtp .off .obj .ply)");
+}
+
+int run_smooth_ridges(const CommonOptions& common, const SmoothRidgesOptions& options) {
+  Outputs outputs;
+  announce_outputs(common, options.mesh, outputs);
+  const Surface surface = parse_surface(options);
+  try {
+    kernel::require_sound_floating_point();
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "crest ridges: cannot certify: %s\n", error.what());
+    return kNotCertified;
+  }
+  const ThreadLimit limit(common.threads);
+  Progress progress(common.quiet);
+  Report report("ridges", surface.is_implicit() ? options.surface : options.param, limit.threads());
+  const SmoothRidges result = extract(surface, options, progress);
+
+  certify::Bytes bytes;
+  std::string digest;
+  if (result.certified) {
+    progress.show("composing the certificate");
+    bytes = report.timed("certificate", [&] { return certify::encode(result.certificate); });
+    digest = certify::hex(certify::data_digest(bytes));
+  }
+  progress.show("writing");
+  report.timed("write", [&] {
+    write_results(result, digest, outputs);
+    if (!result.certified) return;
+    outputs.write("--certificate", [&](const std::string& path) {
+      certify::write_file(path, bytes);
+      report.set_certificate("ridges-smooth");
+    });
+  });
+  const SmoothRidgesRun run{surface, result, bytes.size(), digest};
+  fill_report(report, run);
+  outputs.write("--report",
+                [&](const std::string& path) { io::write_atomically(path, report.text()); });
+  outputs.commit();
+  progress.clear();
+  talk(common, run, report);
+  return exit_code(result);
+}
+
+}  // namespace crest::cli
