@@ -54,10 +54,13 @@ SmoothFaceRecord read_face(ByteReader& reader, bool implicit) {
     f.in_patch = true;
     return f;
   }
-  f.axis = flags & 3U;
   f.type = {static_cast<std::uint8_t>(flags >> 2 & 3U), static_cast<std::uint8_t>(flags >> 4 & 3U)};
   f.purple = (flags & 64U) != 0;
-  if (flags >= 128 || (!implicit && f.axis != 0)) throw Malformed("faces: unknown flags");
+  if (flags >= 128 || (flags & 3U) != 0) throw Malformed("faces: unknown flags");
+  if (implicit) {
+    for (auto& n : f.frame) n = reader.integer<std::int8_t>();
+    if (f.frame == decltype(f.frame){}) throw Malformed("faces: a frame is zero");
+  }
   f.w = reader.integer<std::uint8_t>();
   for (auto& verdict : f.verdict) {
     verdict = reader.integer<std::uint8_t>();

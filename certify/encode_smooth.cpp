@@ -46,11 +46,12 @@ void write_surface(Writer& out, const SmoothSurfaceData& s) {
     out.integer(s.periodic);
 }
 
-void write_face(Writer& out, const SmoothFaceRecord& f) {
+void write_face(Writer& out, const SmoothFaceRecord& f, bool implicit) {
   if (f.in_patch) return out.integer(std::uint8_t{3});
-  const unsigned flags =
-      (f.axis & 3U) | (f.type[0] & 3U) << 2 | (f.type[1] & 3U) << 4 | (f.purple ? 64U : 0U);
+  const unsigned flags = (f.type[0] & 3U) << 2 | (f.type[1] & 3U) << 4 | (f.purple ? 64U : 0U);
   out.integer(static_cast<std::uint8_t>(flags));
+  if (implicit)
+    for (const auto n : f.frame) out.integer(n);
   out.integer(f.w);
   for (const auto verdict : f.verdict) out.integer(verdict);
 }
@@ -86,7 +87,7 @@ void write_claims(Writer& out, const RidgesSmoothCertificate& c) {
   for (const auto& f : c.faces)
     for (const auto v : f) out.integer(v);
   if (!implicit && c.surface.periodic != 0) out.append(c.lifts);
-  for (const auto& f : c.face_records) write_face(out, f);
+  for (const auto& f : c.face_records) write_face(out, f, implicit);
   out.count(c.patches.size());
   for (const auto& p : c.patches) write_patch(out, p, implicit);
   if (!implicit) return;

@@ -4,29 +4,36 @@
 // Item 4 of "Patches": A, I and E along the rays z* + r e(t) of one side of Q, as functions of
 // (r, t) that extend to r = 0.
 //
-// With f any function of the plane, f(z* + r e) is in f(U0) + r grad f(sector) . e (mean value);
-// and where f(z*) = 0, f = r P with P in D f(U0) e + (r / 2) D^2 f(sector)[e, e], P_t in D f(U0) e'
-// + r D^2 f(sector)[e, e'], P_r in (1/2) D^2 f(sector)[e, e] (Taylor's formula under the integral
-// sign). All inclusions are of the values at each (r, t); the constants on the right are models of
-// fixed unknown functions within their radius.
+// With f any function of the plane, and [.] the enclosure on the sector of rays,
+//   f(z* + r e) in f + r D f e + (r^2 / 2) [D^2 f](e, e),
+//   d/dr f in D f e + r [D^2 f](e, e),  d/dt f in r D f e' + r^2 [D^2 f](e, e'),
+// derivatives without brackets at z*, enclosed on U0. Where f(z*) = 0, f = r P with
+//   P in D f e + (r / 2) D^2 f(e, e) + (r^2 / 6) [D^3 f](e, e, e),
+//   P_r in (1/2) D^2 f(e, e) + (r / 3) [D^3 f](e, e, e),
+//   P_t in D f e' + r D^2 f(e, e') + (r^2 / 2) [D^3 f](e, e, e').
+// (Taylor's formula with the remainder as an integral; P_r = (r f_r - f) / r^2 has the weight
+// (1 - s) - (1 - s)^2 / 2 = (1 - s^2) / 2.) One order more than the specification shows. All hold
+// at each (r, t); constants on the right are models of unknown functions within their radius.
 #include "certify/smooth_forms.hpp"
 #include "certify/smooth_piece.hpp"
 
 namespace crest::certify::smooth {
 
-/// On U0: D(A_11, A_12, A_21), I, the coefficients of E.
+/// On U0. A_11, A_12, A_21; I; the coefficients of E. Second derivatives as 11, 12, 22.
 template <class M>
 struct FanCentre {
-  std::array<std::array<M, 2>, 3> da;
+  std::array<std::array<M, 2>, 3> da, di;
+  std::array<std::array<M, 3>, 3> dda;
   std::array<M, 3> i;
   std::array<M, 6> q;
+  std::array<std::array<M, 2>, 6> dq;
 };
-/// On all points z* + r e(t) of a sector: D^2 A (11, 12, 22), DI, D(coefficients of E).
+/// On all points z* + r e(t) of a sector. Third derivatives as 111, 112, 122, 222.
 template <class M>
 struct FanSector {
-  std::array<std::array<M, 3>, 3> dda;
-  std::array<std::array<M, 2>, 3> di;
-  std::array<std::array<M, 2>, 6> dq;
+  std::array<std::array<M, 4>, 3> ddda;
+  std::array<std::array<M, 3>, 3> ddi;
+  std::array<std::array<M, 3>, 6> ddq;
 };
 
 /// e(t) = base + t * slope, e' = slope: the sides (1, t), (-t, 1), (-1, -t), (t, -1).
@@ -57,30 +64,40 @@ struct Ray {
   std::array<double, 2> slope;
 };
 
-template <class M>
-M times(const std::array<M, 2>& gradient, const std::array<M, 2>& e) {
-  return gradient[0] * e[0] + gradient[1] * e[1];
-}
-template <class M>
-M times(const std::array<M, 2>& gradient, const std::array<double, 2>& e) {
+template <class M, class N>
+M times(const std::array<M, 2>& gradient, const std::array<N, 2>& e) {
   return gradient[0] * e[0] + gradient[1] * e[1];
 }
 
-/// f from its value at z* and its gradient on the sector.
+/// A symmetric form with e filled in once.
 template <class M>
-Local<M, 1> expand(const M& value, const std::array<M, 2>& gradient, const Ray<M>& ray) {
-  const M along = times(gradient, ray.e);
-  return Local<M, 1>::of(value + ray.r * along, along, ray.r * times(gradient, ray.slope));
+std::array<M, 2> times(const std::array<M, 3>& second, const std::array<M, 2>& e) {
+  return {second[0] * e[0] + second[1] * e[1], second[1] * e[0] + second[2] * e[1]};
+}
+template <class M>
+std::array<M, 3> times(const std::array<M, 4>& third, const std::array<M, 2>& e) {
+  return {third[0] * e[0] + third[1] * e[1], third[1] * e[0] + third[2] * e[1],
+          third[2] * e[0] + third[3] * e[1]};
+}
+
+/// f from its value and gradient at z* and its second derivatives on the sector.
+template <class M>
+Local<M, 1> expand(const M& value, const std::array<M, 2>& gradient, const std::array<M, 3>& second,
+                   const Ray<M>& ray) {
+  const std::array<M, 2> se = times(second, ray.e);
+  const M along = times(gradient, ray.e), see = ray.r * times(se, ray.e);
+  return Local<M, 1>::of(value + ray.r * (along + see * 0.5), along + see,
+                         ray.r * (times(gradient, ray.slope) + ray.r * times(se, ray.slope)));
 }
 /// f / r for a function that vanishes at z*.
 template <class M>
-Local<M, 1> divide(const std::array<M, 2>& gradient, const std::array<M, 3>& hessian,
-                   const Ray<M>& ray) {
-  const std::array<M, 2> he = {hessian[0] * ray.e[0] + hessian[1] * ray.e[1],
-                               hessian[1] * ray.e[0] + hessian[2] * ray.e[1]};
-  const M half = (he[0] * ray.e[0] + he[1] * ray.e[1]) * 0.5;
-  return Local<M, 1>::of(times(gradient, ray.e) + ray.r * half, half,
-                         times(gradient, ray.slope) + ray.r * times(he, ray.slope));
+Local<M, 1> divide(const std::array<M, 2>& gradient, const std::array<M, 3>& second,
+                   const std::array<M, 4>& third, const Ray<M>& ray) {
+  const std::array<M, 2> se = times(second, ray.e), tee = times(times(third, ray.e), ray.e);
+  const M half = times(se, ray.e) * 0.5, teee = ray.r * times(tee, ray.e);
+  return Local<M, 1>::of(times(gradient, ray.e) + ray.r * (half + teee / 6.0), half + teee / 3.0,
+                         times(gradient, ray.slope) +
+                             ray.r * (times(se, ray.slope) + ray.r * times(tee, ray.slope) * 0.5));
 }
 
 /// sum of q_k v_1^(5 - k) v_2^k.
@@ -106,14 +123,17 @@ std::optional<RayForms<M>> ray_forms(const FanCentre<M>& centre, const FanSector
   blow_up::Ray<M> ray{r, {}, s.slope};
   for (std::size_t k = 0; k < 2; ++k) ray.e[k] = s.slope[k] == 0 ? M(s.base[k]) : t * s.slope[k];
   RayForms<M> f;
-  for (std::size_t k = 0; k < 3; ++k) f.i[k] = blow_up::expand(centre.i[k], sector.di[k], ray);
-  const Shape<F> p = {blow_up::divide(centre.da[0], sector.dda[0], ray),
-                      blow_up::divide(centre.da[1], sector.dda[1], ray),
-                      blow_up::divide(centre.da[2], sector.dda[2], ray)};
-  if (!is_positive(inner(f.i, w, apply(p, w)).value())) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k)
+    f.i[k] = blow_up::expand(centre.i[k], centre.di[k], sector.ddi[k], ray);
+  std::array<F, 3> p;
+  for (std::size_t k = 0; k < 3; ++k)
+    p[k] = blow_up::divide(centre.da[k], centre.dda[k], sector.ddda[k], ray);
+  const Shape<F> shape = {p[0], p[1], p[2]};
+  if (!is_positive(inner(f.i, w, apply(shape, w)).value())) return std::nullopt;
   std::array<F, 6> q;
-  for (std::size_t k = 0; k < 6; ++k) q[k] = blow_up::expand(centre.q[k], sector.dq[k], ray);
-  f.v1 = principal(p, w);
+  for (std::size_t k = 0; k < 6; ++k)
+    q[k] = blow_up::expand(centre.q[k], centre.dq[k], sector.ddq[k], ray);
+  f.v1 = principal(shape, w);
   const std::array<Pair<F>, 2> v = {f.v1, turned(f.i, f.v1)};
   for (std::size_t j = 0; j < 2; ++j) {
     f.e[j] = blow_up::evaluate(q, v[j]);

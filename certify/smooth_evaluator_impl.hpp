@@ -30,6 +30,22 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
 
 template <class M>
 template <int n>
+kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& frame) {
+  using Jet = kernel::Jet<M, 3, n>;
+  auto& program = std::get<Program<3, n>>(implicit_);
+  if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
+  std::array<Jet, 3> at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = Jet::constant(x[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (frame[k][i] != 0)
+        at[i] = at[i] + Jet::variable(static_cast<int>(k), M(0.0)) * frame[k][i];
+  }
+  return program[0](at);
+}
+
+template <class M>
+template <int n>
 std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, const M& v) {
   using Jet = kernel::Jet<M, 2, n>;
   auto& program = std::get<Program<2, n>>(immersion_);
@@ -56,14 +72,15 @@ std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, c
 }  // namespace crest::certify::smooth
 
 /// Instantiates everything for the model type M.
-#define CREST_SMOOTH_EVALUATOR(M)                                                           \
-  template M SurfaceEvaluator<M>::value(const Point&);                                      \
-  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&);             \
-  template kernel::Jet<M, 3, 3> SurfaceEvaluator<M>::implicit<3>(const Point&);             \
-  template kernel::Jet<M, 3, 4> SurfaceEvaluator<M>::implicit<4>(const Point&);             \
-  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&);             \
-  template std::array<kernel::Jet<M, 2, 3>, 3> SurfaceEvaluator<M>::immersion<3>(const M&,  \
-                                                                                 const M&); \
-  template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,  \
-                                                                                 const M&); \
+#define CREST_SMOOTH_EVALUATOR(M)                                                             \
+  template M SurfaceEvaluator<M>::value(const Point&);                                        \
+  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&);               \
+  template kernel::Jet<M, 3, 3> SurfaceEvaluator<M>::implicit<3>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 4> SurfaceEvaluator<M>::implicit<4>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&);               \
+  template std::array<kernel::Jet<M, 2, 3>, 3> SurfaceEvaluator<M>::immersion<3>(const M&,    \
+                                                                                 const M&);   \
+  template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,    \
+                                                                                 const M&);   \
   template std::array<kernel::Jet<M, 2, 5>, 3> SurfaceEvaluator<M>::immersion<5>(const M&, const M&)

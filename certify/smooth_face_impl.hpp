@@ -27,15 +27,6 @@ unsigned FaceProver<M>::prove_colour(std::size_t j, const SmoothFaceRecord& reco
   return proven;
 }
 
-/// A combination that is large in the middle.
-template <class M>
-bool are_apart(const M& a, const M& b) {
-  const kernel::Range x = a.range(), y = b.range();
-  const double u = x.high - x.low, v = y.high - y.low;
-  return has_no_zero(a * ((x.low / 2 + x.high / 2) / u / u) +
-                     b * ((y.low / 2 + y.high / 2) / v / v));
-}
-
 template <class M>
 template <int K>
 unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigned open,
@@ -68,7 +59,7 @@ unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigne
   if constexpr (K > 0)
     if ((open & (kApart | kCross)) != 0 && e[0] && e[1]) {
       const auto &x = e[0]->e, &y = e[1]->e;
-      if (are_apart(x.value(), y.value())) proven |= kApart;
+      if (has_no_common_zero(std::array{x.value(), y.value()})) proven |= kApart;
       if (has_no_zero(x.d(1, 0) * y.d(0, 1) - x.d(0, 1) * y.d(1, 0))) proven |= kCross;
     }
   return open & ~proven;

@@ -105,19 +105,17 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
       }
     return r;
   }
-  const std::size_t m = c_.face_records[face].axis;
-  const auto f = surface_.template implicit<3 + K>(at.x);
-  const Vector3 grad = gradient(f);
-  const auto side = certain(grad[m]);
-  if (!nonzero(side)) return std::nullopt;
-  r.forms = graph_forms<K, 3 + K, M>(implicit_function<M, 3 + K>(f, m),
-                                     *side == kernel::Sign::positive ? 1 : -1);
+  const Frame frame = frame_of(c_.face_records[face]);
+  const auto f = surface_.template implicit<3 + K>(at.x, frame);
+  if (!is_positive(gradient(f)[2])) return std::nullopt;
+  r.forms = graph_forms<K, 3 + K, M>(implicit_function<M, 3 + K>(f, 2), 1);
   if (!with_edges) return r;
+  const Vector3 grad = gradient(surface_.template implicit<1>(at.x));
   const M factor = -inverse(dot(grad, at.m));
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 d = step(at, face, i, (i + 1) % 3);
     const Vector3 t = along(d, dot(grad, d) * factor, at.m);
-    r.edge[i] = {t[(m + 1) % 3], t[(m + 2) % 3]};
+    r.edge[i] = {dot(t, frame[0]), dot(t, frame[1])};  // times n, a positive factor
   }
   return r;
 }

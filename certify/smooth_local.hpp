@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Quantities of a surface with their derivatives by its two coordinates, up to order K = 0, 1, 2.
+// Quantities of a surface with their derivatives by its two coordinates, up to order K = 0 to 3.
 //
 // Over an enclosing type every operation is an identity of Taylor coefficients: enclosures stay
 // enclosures. Coefficients identically zero are not stored: in a height field most are.
@@ -64,7 +64,8 @@ class Local {
   M value() const { return at(0); }
   M d(int a, int b) const {
     const M x = at(kTables.position[kTables.digits(a, b)]);
-    return a == 2 || b == 2 ? M(x * 2.0) : x;
+    const double factor = (a > 2 || b > 2 ? 6 : 1) * (a == 2 ? 2 : 1) * (b == 2 ? 2 : 1);
+    return factor == 1 ? x : M(x * factor);
   }
   template <int K2>
   Local<M, K2> truncated() const {

@@ -33,10 +33,10 @@ class PatchProver {
  private:
   static constexpr int kFirstDepth = 2, kSectorDepth = 8, kDepth = 14;
 
-  /// All forms with first derivatives, the first two with second ones.
+  /// All forms with second derivatives, the first two with third ones.
   struct PlaneForms {
-    Forms<M, 1> forms;
-    FirstSecond<M, 2> second;
+    Forms<M, 2> forms;
+    FirstSecond<M, 3> second;
   };
   /// An interval of t on a side of Q where a colour is decided.
   struct Leaf {

@@ -12,8 +12,8 @@ std::optional<int> PatchProver<M>::turn(const Leaf& from, const Leaf& to) {
   const Sector& a = sectors_[from.sector];
   const Sector& b = sectors_[to.sector];
   if (a.w == b.w) return 1;
-  const auto f =
-      ray_forms(*centre_, a.fan, from.side, a.w, M::linear(0, radius_, radius_), M(from.t1));
+  // One r is enough: on all of the ray S(w) > 0 in both frames. At r = 0 it is cheapest.
+  const auto f = ray_forms(*centre_, a.fan, from.side, a.w, M(0.0), M(from.t1));
   if (!f) return std::nullopt;
   const auto sign = certain(inner(f->i, b.w, f->v1).value());
   if (!nonzero(sign)) return std::nullopt;

@@ -64,16 +64,16 @@ auto PatchProver<M>::forms(const PlaneTriangle& t) -> std::optional<PlaneForms> 
   if (surface_.surface().implicit) {
     const auto x = lift(t);
     if (!x) return std::nullopt;
-    const auto h = implicit_function<M, 4>(surface_.template implicit<4>(*x), m_);
-    r.forms = graph_forms<1, 4, M>(h, sign_);
-    fill_graph<2, 4>(h, sign_, r.second);
+    const auto h = implicit_function<M, 5>(surface_.template implicit<5>(*x), m_);
+    r.forms = graph_forms<2, 5, M>(h, sign_);
+    fill_graph<3, 5>(h, sign_, r.second);
     return r;
   }
   const M u = M::linear(t.corner[0][0], t.corner[1][0], t.corner[2][0], t.error);
   const M v = M::linear(t.corner[0][1], t.corner[1][1], t.corner[2][1], t.error);
-  const auto x = surface_.template immersion<4>(u, v);
-  r.forms = immersion_forms<1, 4, M>(x);
-  fill_immersion<2, 4>(x, r.second);
+  const auto x = surface_.template immersion<5>(u, v);
+  r.forms = immersion_forms<2, 5, M>(x);
+  fill_immersion<3, 5>(x, r.second);
   const auto& i = r.forms.i;
   if (!is_positive(i[0].value() * i[2].value() - i[1].value() * i[1].value())) return std::nullopt;
   return r;
@@ -89,11 +89,17 @@ bool PatchProver<M>::find_centre() {
   FanCentre<M> c;
   const std::array entries = {a.a, a.b, a.c};
   for (std::size_t k = 0; k < 3; ++k) {
+    const auto& i = f->forms.i[k];
     c.da[k] = {fixed(entries[k].d(1, 0)), fixed(entries[k].d(0, 1))};
-    c.i[k] = fixed(f->forms.i[k].value());
+    c.dda[k] = {fixed(entries[k].d(2, 0)), fixed(entries[k].d(1, 1)), fixed(entries[k].d(0, 2))};
+    c.i[k] = fixed(i.value());
+    c.di[k] = {fixed(i.d(1, 0)), fixed(i.d(0, 1))};
   }
   const auto q = quintic(f->forms);
-  for (std::size_t k = 0; k < 6; ++k) c.q[k] = fixed(q[k].value());
+  for (std::size_t k = 0; k < 6; ++k) {
+    c.q[k] = fixed(q[k].value());
+    c.dq[k] = {fixed(q[k].d(1, 0)), fixed(q[k].d(0, 1))};
+  }
   centre_ = c;
   return true;
 }

@@ -6,7 +6,8 @@
 
 namespace crest::certify::smooth {
 
-/// Enclosures on the triangle of rays with |t - t'| in [t0, t1], opened by rho: every z* + r e(t).
+/// Enclosures on the triangle of rays with t in [t0, t1], opened by rho: every z* + r e(t); and a
+/// direction w about d1 on the middle ray at r = 0.
 template <class M>
 auto PatchProver<M>::make_sector(int side, double t0, double t1) -> std::optional<Sector> {
   const Side s = side_of(side);
@@ -14,21 +15,23 @@ auto PatchProver<M>::make_sector(int side, double t0, double t1) -> std::optiona
     return std::array{patch_.centre[0] + radius_ * (s.base[0] + t * s.slope[0]),
                       patch_.centre[1] + radius_ * (s.base[1] + t * s.slope[1])};
   };
-  const double error = patch_.rho + slack_;
-  const auto f = forms({{patch_.centre, corner(t0), corner(t1)}, error * (1 + 0x1p-50)});
+  const auto f =
+      forms({{patch_.centre, corner(t0), corner(t1)}, (patch_.rho + slack_) * (1 + 0x1p-50)});
   if (!f) return std::nullopt;
   Sector r;
   const auto fixed = [](const M& x) { return constants<M>(x.range()); };
+  const auto second = [&](const auto& x) {
+    return std::array{fixed(x.d(2, 0)), fixed(x.d(1, 1)), fixed(x.d(0, 2))};
+  };
   const auto a = shape(f->second);
   const std::array entries = {a.a, a.b, a.c};
   for (std::size_t k = 0; k < 3; ++k) {
-    r.fan.dda[k] = {fixed(entries[k].d(2, 0)), fixed(entries[k].d(1, 1)),
-                    fixed(entries[k].d(0, 2))};
-    r.fan.di[k] = {fixed(f->forms.i[k].d(1, 0)), fixed(f->forms.i[k].d(0, 1))};
+    for (int i = 0; i < 4; ++i)
+      r.fan.ddda[k][static_cast<std::size_t>(i)] = fixed(entries[k].d(3 - i, i));
+    r.fan.ddi[k] = second(f->forms.i[k]);
   }
   const auto q = quintic(f->forms);
-  for (std::size_t k = 0; k < 6; ++k) r.fan.dq[k] = {fixed(q[k].d(1, 0)), fixed(q[k].d(0, 1))};
-  // w: about the direction d1 of the middle ray at r = 0.
+  for (std::size_t k = 0; k < 6; ++k) r.fan.ddq[k] = second(q[k]);
   const double t = t0 / 2 + t1 / 2;
   const std::array e = {s.base[0] + t * s.slope[0], s.base[1] + t * s.slope[1]};
   std::array<double, 3> p{};
@@ -45,6 +48,13 @@ auto PatchProver<M>::make_sector(int side, double t0, double t1) -> std::optiona
   return r;
 }
 
+/// The one sign of a quantity on both halves of a rectangle, or 0.
+template <class M, class Quantity>
+int common_sign(const std::array<std::optional<RayForms<M>>, 2>& f, Quantity&& quantity) {
+  const auto a = certain(quantity(*f[0])), b = certain(quantity(*f[1]));
+  return nonzero(a) && a == b ? static_cast<int>(*a) : 0;
+}
+
 template <class M>
 bool PatchProver<M>::divide(int side, double t0, double t1, int depth, std::size_t sector,
                             unsigned open) {
@@ -53,41 +63,27 @@ bool PatchProver<M>::divide(int side, double t0, double t1, int depth, std::size
       sector = sectors_.size();
       sectors_.push_back(std::move(*own));
     }
+  std::array<std::optional<RayForms<M>>, 2> f;
   if (sector < sectors_.size()) {
-    // The rectangle [0, R1] x [t0, t1] as two triangles.
+    // The rectangle [0, R1] x [t0, t1] as two triangles of (r, t).
     const Sector& s = sectors_[sector];
     const double R = radius_;
-    const std::array f = {
-        ray_forms(*centre_, s.fan, side, s.w, M::linear(0, R, R), M::linear(t0, t0, t1)),
-        ray_forms(*centre_, s.fan, side, s.w, M::linear(0, R, 0), M::linear(t0, t1, t1))};
-    const auto both = [&](auto&& quantity) -> int {
-      const auto a = certain(quantity(*f[0])), b = certain(quantity(*f[1]));
-      return nonzero(a) && a == b ? static_cast<int>(*a) : 0;
+    f[0] = ray_forms(*centre_, s.fan, side, s.w, M::linear(0, R, R), M::linear(t0, t0, t1));
+    f[1] = ray_forms(*centre_, s.fan, side, s.w, M::linear(0, R, 0), M::linear(t0, t1, t1));
+  }
+  for (std::size_t j = 0; j < 2 && f[0] && f[1]; ++j) {
+    if ((open >> j & 1U) == 0) continue;
+    int sign = common_sign(f, [&](const auto& x) { return x.e[j].value(); });
+    const bool branch = sign == 0;
+    const auto apart = [](const auto& x) {
+      return has_no_common_zero(std::array{x->e[0].value(), x->e[1].value()});
     };
-    // One colour has no zero, or a combination that is large in the middle has none.
-    const auto are_apart = [&](const auto& test) {
-      if (test([](const auto& x) { return x.e[0].value(); }) != 0 ||
-          test([](const auto& x) { return x.e[1].value(); }) != 0)
-        return true;
-      std::array<double, 2> factor{};
-      for (std::size_t j = 0; j < 2; ++j) {
-        const kernel::Range x = f[0]->e[j].value().range();
-        factor[j] = (x.low + x.high) / ((x.high - x.low) * (x.high - x.low));
-      }
-      return test([&](const auto& x) {
-               return x.e[0].value() * factor[0] + x.e[1].value() * factor[1];
-             }) != 0;
-    };
-    for (std::size_t j = 0; j < 2 && f[0] && f[1]; ++j) {
-      if ((open >> j & 1U) == 0) continue;
-      int sign = both([&](const auto& x) { return x.e[j].value(); });
-      const bool branch = sign == 0;
-      if (branch && are_apart(both) && both([&](const auto& x) { return x.growth[j]; }) != 0)
-        sign = both([&](const auto& x) { return x.e[j].d(0, 1); });
-      if (sign == 0) continue;
-      leaves_[j].push_back({side, t0, t1, sector, branch, sign});
-      open &= ~(1U << j);
-    }
+    if (branch && apart(f[0]) && apart(f[1]) &&
+        common_sign(f, [&](const auto& x) { return x.growth[j]; }) != 0)
+      sign = common_sign(f, [&](const auto& x) { return x.e[j].d(0, 1); });
+    if (sign == 0) continue;
+    leaves_[j].push_back({side, t0, t1, sector, branch, sign});
+    open &= ~(1U << j);
   }
   if (open == 0) return true;
   if (depth == kDepth) return false;

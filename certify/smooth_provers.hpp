@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One thread's FaceProvers, and the ladder: order 3 on faces and their quarters, order 5 below;
+// One thread's FaceProvers, and the ladder: order 4 on faces and their quarters, order 5 below;
 // MPFR for points that doubles leave open, or for everything.
 #include <memory>
 
@@ -26,7 +26,7 @@ class FaceProvers {
   template <class F>
   auto at_depth(int depth, F&& f) {
     if (claim_.arithmetic == Arithmetic::mpfr) return f(get(mp_));
-    return depth < 2 ? f(get(three_)) : f(get(five_));
+    return depth < 2 ? f(get(four_)) : f(get(five_));
   }
   template <class F>
   auto precisely(F&& f) {
@@ -55,7 +55,7 @@ class FaceProvers {
                                int depth);
 
   const Claim& claim_;
-  std::unique_ptr<FaceProver<Model3>> three_;
+  std::unique_ptr<FaceProver<Model4>> four_;
   std::unique_ptr<FaceProver<Model5>> five_;
   std::unique_ptr<FaceProver<MpModel>> mp_;
 };

@@ -22,8 +22,8 @@ struct SmoothSurfaceData {
 /// A face of claim ridges-smooth. Directions: SPEC.md, Forms.
 struct SmoothFaceRecord {
   static constexpr std::uint8_t kNoZero = 255;
-  bool in_patch = false;  ///< then nothing else is written
-  std::uint8_t axis = 0;
+  bool in_patch = false;               ///< then nothing else is written
+  std::array<std::int8_t, 4> frame{};  ///< kind 0
   std::array<std::uint8_t, 2> type{};  ///< blue, red: 0 none, 1 elliptic, 2 hyperbolic, 3 turning
   bool purple = false;
   std::uint8_t w = 0;

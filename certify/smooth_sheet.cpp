@@ -41,24 +41,21 @@ class SheetChecker {
   using Ranges = std::array<kernel::Range, 3>;
   using Matrix = std::array<Vec3, 2>;
 
-  std::array<std::size_t, 2> plane() const {
-    const std::size_t m = claim_.certificate.face_records[face_].axis;
-    return {(m + 1) % 3, (m + 2) % 3};
-  }
+  Frame frame() const { return frame_of(claim_.certificate.face_records[face_]); }
 
   /// A positive definite symmetric part of C D(projection), C constant: on a convex domain the map
   /// is then injective.
   bool is_injective() {
     Matrix c{};
-    const auto [p, q] = plane();
+    const Frame along = frame();
     const bool found = provers_.at_depth(0, [&](auto& prover) {
       const auto image = prover.image(face_, Piece::point(kCentre), true);
       if (!image) return false;
       const auto middle = [&](std::size_t i, std::size_t k) {
-        const kernel::Range r = image->derivative[i][k].range();
+        const kernel::Range r = dot(image->derivative[i], along[k]).range();
         return r.low / 2 + r.high / 2;
       };
-      const double a = middle(0, p), b = middle(1, p), d = middle(0, q), e = middle(1, q),
+      const double a = middle(0, 0), b = middle(1, 0), d = middle(0, 1), e = middle(1, 1),
                    det = a * e - b * d;
       c = {Vec3{e / det, -b / det, 0}, Vec3{-d / det, a / det, 0}};
       return true;
@@ -67,13 +64,13 @@ class SheetChecker {
   }
 
   bool is_injective(const Piece& piece, int depth, const Matrix& c) {
-    const auto [p, q] = plane();
+    const Frame along = frame();
     const bool proven = provers_.at_depth(depth, [&](auto& prover) {
       const auto image = prover.image(face_, piece, true);
       if (!image) return false;
       const auto& d = image->derivative;
       const auto entry = [&](std::size_t i, std::size_t j) {
-        return d[j][p] * c[i][0] + d[j][q] * c[i][1];
+        return dot(d[j], along[0]) * c[i][0] + dot(d[j], along[1]) * c[i][1];
       };
       const auto first = entry(0, 0), twice = entry(0, 1) + entry(1, 0);
       return is_positive(first) && is_positive(first * entry(1, 1) * 4.0 - twice * twice);

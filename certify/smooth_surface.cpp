@@ -47,4 +47,12 @@ Surface parse_surface(const SmoothSurfaceData& data) {
   return s;
 }
 
+Frame frame_of(const SmoothFaceRecord& record) {
+  const double e = record.frame[0], f = record.frame[1], g = record.frame[2], h = record.frame[3];
+  const double ee = e * e, ff = f * f, gg = g * g, hh = h * h;
+  return {{{ee + ff - gg - hh, 2 * (f * g + e * h), 2 * (f * h - e * g)},
+           {2 * (f * g - e * h), ee - ff + gg - hh, 2 * (g * h + e * f)},
+           {2 * (f * h + e * g), 2 * (g * h - e * f), ee - ff - gg + hh}}};
+}
+
 }  // namespace crest::certify::smooth

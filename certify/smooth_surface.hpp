@@ -14,9 +14,14 @@
 
 namespace crest::certify::smooth {
 
-using Model3 = kernel::TaylorModel<3>;
+using Model4 = kernel::TaylorModel<4>;
 using Model5 = kernel::TaylorModel<5>;
 using MpModel = kernel::MpTaylorModel<3>;
+
+/// Vectors p, q, m of exact doubles.
+using Frame = std::array<std::array<double, 3>, 3>;
+/// Of a face's record ("Forms"): exact, at most 2^16.
+Frame frame_of(const SmoothFaceRecord& record);
 
 struct Surface {
   bool implicit;
@@ -45,6 +50,9 @@ class SurfaceEvaluator {
   /// Kind 0: F and its derivatives up to n = 1, 3, 4, 5.
   template <int n>
   kernel::Jet<M, 3, n> implicit(const Point& x);
+  /// The same by coordinates along three vectors.
+  template <int n>
+  kernel::Jet<M, 3, n> implicit(const Point& x, const Frame& frame);
   /// Kind 1: x, y, z and their derivatives by the unit coordinates up to n = 3, 4, 5.
   template <int n>
   std::array<kernel::Jet<M, 2, n>, 3> immersion(const M& u, const M& v);

@@ -3,11 +3,17 @@
 
 // Vectors of three over any number type.
 #include <array>
+#include <concepts>
 
 namespace crest::certify::smooth {
 
 template <class F>
 F dot(const std::array<F, 3>& a, const std::array<F, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class F>
+F dot(const std::array<F, 3>& a,
+      const std::array<double, 3>& b) requires(!std::same_as<F, double>) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 template <class F>

@@ -8,7 +8,7 @@ using certify::SmoothFaceRecord;
 
 SmoothFaceRecord face_record(const FaceResult& r) {
   SmoothFaceRecord record;
-  record.axis = r.axis;
+  record.frame = r.frame;
   record.w = r.w;
   record.purple = r.purple;
   for (std::size_t j = 0; j < 2; ++j) {

@@ -183,6 +183,7 @@ class Refinement {
     return true;
   }
 
+  /// False if the crossings at a patch's border are known and are not its branches.
   bool border_agrees(const UmbilicPatch& patch) const {
     std::array<int, 2> crossed{};
     for (const Index f : patch.faces)
@@ -191,7 +192,9 @@ class Refinement {
         if (n == kNone) return false;
         if (out_.patch_of[n] == out_.patch_of[f]) continue;
         if (out_.patch_of[n] != kNone) return false;
+        if (out_.faces[n].status != FaceStatus::proven) return true;
         const std::size_t edge = out_.mesh.edge_towards(n, f);
+        if (!edge_decided(n, edge)) return true;
         for (std::size_t j = 0; j < 2; ++j)
           crossed[j] += out_.faces[n].colour[j].crossed[edge] ? 1 : 0;
       }
