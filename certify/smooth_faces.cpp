@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/smooth_faces.hpp"
 
+#include <set>
+
 #include "certify/parallel.hpp"
 #include "certify/reject.hpp"
 
@@ -34,7 +36,7 @@ class FaceChecker {
     result.decided = found.decided;
     for (std::size_t j = 0; j < 2; ++j)
       if (record.verdict[j] != SmoothFaceRecord::kNoZero)
-        result.crossed[j] = crossed_edges(j, found);
+        result.crossed[j] = crossed_edges(j, found, result.loose[j]);
     check_types(record, result, ends);
     return result;
   }
@@ -42,11 +44,23 @@ class FaceChecker {
  private:
   Question ask(std::size_t colour, Quantity quantity) const { return {face_, colour, quantity, 0}; }
 
+  /// A corner of the square, if no direction is periodic.
+  bool is_domain_corner(std::size_t i) const {
+    if (claim_.surface.implicit || claim_.surface.periodic[0] || claim_.surface.periodic[1])
+      return false;
+    const auto& v = claim_.certificate.vertices[claim_.certificate.faces[face_][i]];
+    return (v[0] == 0 || v[0] == 1) && (v[1] == 0 || v[1] == 1);
+  }
+
   /// Signs at the corners, on the whole face or at the points alone.
-  std::uint8_t crossed_edges(std::size_t j, const FaceFindings& found) {
+  std::uint8_t crossed_edges(std::size_t j, const FaceFindings& found, std::uint8_t& loose) {
     for (std::size_t i = 0; i < 3; ++i) {
       auto sign = found.corner[j][i];
       if (!nonzero(sign)) sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, 0));
+      if (!nonzero(sign) && is_domain_corner(i)) {
+        loose = static_cast<std::uint8_t>(loose | 1U << i);
+        sign = Sign::positive;
+      }
       if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign at corner {}", face_, i));
       corner_[j][i] = *sign;
     }
@@ -60,11 +74,15 @@ class FaceChecker {
     for (std::size_t j = 0; j < 2; ++j) {
       require((record.type[j] != 0) == (result.crossed[j] != 0), "face {}: a type {} an arc", face_,
               record.type[j] != 0 ? "without" : "is missing for");
-      if ((ends & kType << j) != 0) check_growth(j, record.type[j], result.crossed[j]);
+      if ((ends & kType << j) == 0) continue;
+      require(result.loose[j] == 0, "face {}: its type at a corner of the domain", face_);
+      check_growth(j, record.type[j], result.crossed[j]);
     }
     const bool both = result.crossed[0] != 0 && result.crossed[1] != 0;
     require(both || !record.purple, "face {}: a purple point without two arcs", face_);
     if (both && (ends & kCross) != 0) {
+      require(result.loose[0] == 0 && result.loose[1] == 0,
+              "face {}: purple at a corner of the domain", face_);
       Sign product = Sign::positive;
       for (std::size_t i = 0; i < 3; ++i)
         if ((result.crossed[0] >> i & 1U) != 0) product = product * red_at_blue(i, result);
@@ -162,6 +180,62 @@ void decide(FaceProvers& provers, const OpenEdge& open) {
       fmt::format("edge {}: number of {} crossings", open.edge, open.colour == 0 ? "blue" : "red"));
 }
 
+/// The faces at a corner of the domain where a sign was taken (SPEC.md, "Corners of the domain").
+class LooseCorner {
+ public:
+  LooseCorner(const Claim& claim, const std::vector<FaceResult>& faces, u32 vertex, std::size_t j)
+      : claim_(claim), faces_(faces), provers_(claim), vertex_(vertex), j_(j) {}
+
+  void check() {
+    const auto& c = claim_.certificate;
+    std::optional<u32> first;
+    std::vector<Sign> slopes;
+    unsigned opposite = 0, along = 0;
+    for (u32 f = 0; f < c.faces.size(); ++f)
+      for (u32 i = 0; i < 3; ++i) {
+        if (c.faces[f][i] != vertex_) continue;
+        const SmoothFaceRecord& r = c.face_records[f];
+        if (!first) first = f;
+        const SmoothFaceRecord& o = c.face_records[*first];
+        require(!r.in_patch && r.w == o.w && r.verdict[j_] == o.verdict[j_] &&
+                    r.verdict[j_] != SmoothFaceRecord::kNoZero,
+                "vertex {}: its faces differ at a corner of the domain", vertex_);
+        opposite += faces_[f].crossed[j_] >> (i + 1) % 3 & 1U;
+        for (const u32 k : {i, (i + 2) % 3}) {
+          if (claim_.mesh.topology.twin[3 * f + k] != kNone) continue;
+          along += faces_[f].crossed[j_] >> k & 1U;
+          const auto sign =
+              provers_.on_segment({f, j_, Quantity::along_edge, k}, on_edge(k, 0), on_edge(k, 1));
+          if (!nonzero(sign))
+            throw Undecided(fmt::format("face {}: along the boundary at a corner", f));
+          slopes.push_back(*sign);
+        }
+      }
+    require(slopes.size() == 2 && slopes[0] == slopes[1] && opposite == 1 && along == 1,
+            "vertex {}: a ridge at a corner of the domain", vertex_);
+  }
+
+ private:
+  const Claim& claim_;
+  const std::vector<FaceResult>& faces_;
+  FaceProvers provers_;
+  u32 vertex_;
+  std::size_t j_;
+};
+
+/// Checks them all; by colour the vertices.
+std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
+                                                 const std::vector<FaceResult>& faces) {
+  std::array<std::set<u32>, 2> vertices;
+  for (u32 f = 0; f < faces.size(); ++f)
+    for (std::size_t j = 0; j < 2; ++j)
+      for (std::size_t i = 0; i < 3; ++i)
+        if ((faces[f].loose[j] >> i & 1U) != 0) vertices[j].insert(claim.certificate.faces[f][i]);
+  for (std::size_t j = 0; j < 2; ++j)
+    for (const u32 v : vertices[j]) LooseCorner(claim, faces, v, j).check();
+  return vertices;
+}
+
 }  // namespace
 
 std::vector<FaceResult> check_faces(const Claim& claim) {
@@ -181,6 +255,7 @@ std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
   const auto& records = claim.certificate.face_records;
   std::array<std::vector<std::uint8_t>, 2> crossed;
   std::vector<OpenEdge> open;
+  const auto loose = check_loose_corners(claim, faces);
   for (auto& list : crossed) list.assign(edges.size(), 0);
   for (u32 e = 0; e < edges.size(); ++e) {
     std::array<u32, 2> side = {edges[e].forward, edges[e].backward};
@@ -203,7 +278,11 @@ std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
       }
       require(seen[0] < 0 || seen[1] < 0 || seen[0] == seen[1], "edge {}: its faces disagree", e);
       crossed[j][e] = static_cast<std::uint8_t>(std::max(seen[0], seen[1]));
-      if (!decided) open.push_back({e, j, side});
+      const u32 any = side[0] != kNone ? side[0] : side[1];
+      const auto& corners = claim.certificate.faces[any / 3];
+      const bool free =
+          loose[j].count(corners[any % 3]) + loose[j].count(corners[(any + 1) % 3]) > 0;
+      if (!decided && !free) open.push_back({e, j, side});
     }
   }
   parallel_for(

@@ -11,6 +11,7 @@ struct FaceResult {
   std::optional<std::array<kernel::Range, 3>> box;  ///< kind 0: of the image, if found
   std::array<std::uint8_t, 2> crossed{};            ///< of colours with a direction c
   std::array<std::uint8_t, 2> decided{};
+  std::array<std::uint8_t, 2> loose{};  ///< bits: corners of the domain, their sign taken positive
 };
 
 /// Chart conditions of all faces; outside patches (R), verdicts, signs at corners, types, purple

@@ -56,7 +56,10 @@ double zero_on_edge(const Model& f, std::size_t edge) {
 }  // namespace
 
 struct FaceTest::State {
-  explicit State(const Surface& surface) : implicit(surface.is_implicit()), charts(surface) {
+  explicit State(const Surface& surface)
+      : implicit(surface.is_implicit()),
+        has_corners(!implicit && !surface.any_period()),
+        charts(surface) {
     if (implicit) {
       f3.emplace(surface), f4.emplace(surface), f5.emplace(surface);
     } else {
@@ -73,6 +76,7 @@ struct FaceTest::State {
     FaceResult r;
     auto chart = charts(c);
     if (!chart) return r;
+    special = domain_corner(c);
     Extremalities<0> values;
     r.status = plain(*chart, c, values, r);
     if (r.status != FaceStatus::proven) return r;
@@ -80,6 +84,16 @@ struct FaceTest::State {
     if (!r.colour[0].no_zero || !r.colour[1].no_zero) r.status = ridges(*chart, c, r);
     return r;
   }
+
+  std::optional<std::size_t> domain_corner(const Corners& c) const {
+    const auto end = [](double x) { return x == 0 || x == 1; };
+    for (std::size_t k = 0; has_corners && k < 3; ++k)
+      if (end(c[k][0]) && end(c[k][1])) return k;
+    return std::nullopt;
+  }
+  /// The value where directions are chosen: at the centre; at a corner of the domain, so that all
+  /// faces there choose the same.
+  double chosen(const Model& m) const { return special ? on_edge(m, *special, 0) : m.c[0]; }
 
   /// Stage without derivatives: axis, w, (R), values.
   FaceStatus plain(Chart<Model>& chart, const Corners& c, Extremalities<0>& values, FaceResult& r) {
@@ -128,15 +142,15 @@ struct FaceTest::State {
   }
 
   template <int K, class Geometry>
-  static FaceStatus measure(const Geometry& geometry, Extremalities<K>& out, FaceResult& r,
-                            bool choose) {
+  FaceStatus measure(const Geometry& geometry, Extremalities<K>& out, FaceResult& r,
+                     bool choose) const {
     const auto forms = forms_of<K>(geometry);
     const auto shape = shape_of(forms.i, forms.l);
     const auto squared = squared_sigma(shape);
     if (!(squared[0].range().low > 0)) return FaceStatus::regular;
     const auto sigma = sqrt(squared);
     if (!std::isfinite(sigma[0].radius)) return FaceStatus::regular;
-    if (choose) r.w = principal_at_centre(shape, sigma[0].c[0]);
+    if (choose) r.w = principal(shape, chosen(sigma[0]));
     const auto w = direction(r.w);
     const auto aw = times(shape, w);
     if (!(transverse(forms.i, aw, w)[0].range().low > 0)) return FaceStatus::regular;
@@ -147,8 +161,8 @@ struct FaceTest::State {
   }
 
   template <class F>
-  static std::uint8_t principal_at_centre(const Shape<F>& s, double sigma) {
-    const double a = s.a[0].c[0], b = s.b[0].c[0], c = s.c[0].c[0];
+  std::uint8_t principal(const Shape<F>& s, double sigma) const {
+    const double a = chosen(s.a[0]), b = chosen(s.b[0]), c = chosen(s.c[0]);
     return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
   }
 
@@ -173,16 +187,21 @@ struct FaceTest::State {
   }
 
   /// The direction c, and certain signs at the corners.
-  static bool monotone(const Field<1>& e, ColourResult& colour) {
+  bool monotone(const Field<1>& e, ColourResult& colour) const {
     const Model &e1 = e.coefficient(1, 0), &e2 = e.coefficient(0, 1);
-    if (e1.c[0] == 0 && e2.c[0] == 0) return false;
-    colour.monotone = nearest_direction(e1.c[0], e2.c[0]);
+    const double x = chosen(e1), y = chosen(e2);
+    if (x == 0 && y == 0) return false;
+    colour.monotone = nearest_direction(x, y);
     const auto c = direction(colour.monotone);
     if (holds_zero((e1 * c[0] + e2 * c[1]).range())) return false;
     std::array<int, 3> signs;
     for (int k = 0; k < 3; ++k) {
-      signs[static_cast<std::size_t>(k)] = sign_of(e[0].at_corner(k));
-      if (signs[static_cast<std::size_t>(k)] == 0) return false;
+      int& sign = signs[static_cast<std::size_t>(k)];
+      sign = sign_of(e[0].at_corner(k));
+      if (sign != 0) continue;
+      if (!special || *special != static_cast<std::size_t>(k)) return false;
+      colour.loose_corner = k;
+      sign = 1;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       colour.crossed[k] = signs[k] != signs[(k + 1) % 3];
@@ -196,11 +215,12 @@ struct FaceTest::State {
     std::array<Model, 2> by;  // derivatives by l1 and l2
     for (std::size_t i = 0; i < 2; ++i)
       by[i] = e.coefficient(1, 0) * chart.dx[i][0] + e.coefficient(0, 1) * chart.dx[i][1];
-    const std::array<Model, 3> along = {by[0], by[1] - by[0], by[1]};
+    const std::array<Model, 3> along = {by[0], by[1] - by[0], -by[1]};
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      colour.edge_decided[i] = !holds_zero(along[i].range_on_edge(k)) ||
-                               (!colour.crossed[i] && !holds_zero(e[0].range_on_edge(k)));
+      colour.slope[i] = sign_of(along[i].range_on_edge(k));
+      colour.edge_decided[i] =
+          colour.slope[i] != 0 || (!colour.crossed[i] && !holds_zero(e[0].range_on_edge(k)));
     }
   }
 
@@ -214,6 +234,7 @@ struct FaceTest::State {
       colour.type = arc_type(sign, j);
       return true;
     }
+    if (colour.loose_corner >= 0) return false;
     Extremalities<2> y;
     if (derived<2>(chart, c, y, r) != FaceStatus::proven) return false;
     const auto e1 = partial<1>(y.e[j], 1, 0), e2 = partial<1>(y.e[j], 0, 1);
@@ -251,7 +272,8 @@ struct FaceTest::State {
   static bool purple(const Extremalities<1>& x, FaceResult& r) {
     const Model det = x.e[0].coefficient(1, 0) * x.e[1].coefficient(0, 1) -
                       x.e[0].coefficient(0, 1) * x.e[1].coefficient(1, 0);
-    if (holds_zero(det.range())) return apart(x);
+    if (holds_zero(det.range()) || r.colour[0].loose_corner >= 0 || r.colour[1].loose_corner >= 0)
+      return apart(x);
     int product = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!r.colour[0].crossed[k]) continue;
@@ -270,7 +292,8 @@ struct FaceTest::State {
     return true;
   }
 
-  bool implicit;
+  bool implicit, has_corners;
+  std::optional<std::size_t> special;  ///< corner of the present face that is one of the domain
   Charts<Model> charts;
   std::optional<ImplicitMap<Model, 3>> f3;
   std::optional<ImplicitMap<Model, 4>> f4;

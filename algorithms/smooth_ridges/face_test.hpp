@@ -29,6 +29,10 @@ struct ColourResult {
   std::array<bool, 3> edge_decided{};  ///< exactly as many zeros as `crossed` says
   std::array<double, 3> at{};          ///< where on a crossed edge, in [0, 1] from its corner i
   ArcType type = ArcType::none;
+  /// A corner of the domain where the sign is not certain and taken positive, or -1; then the sign
+  /// of the derivative along each edge, 0 if not certain.
+  int loose_corner = -1;
+  std::array<int, 3> slope{};
 };
 
 struct FaceResult {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "algorithms/smooth_ridges/patches.hpp"
 
@@ -35,7 +36,8 @@ class Refinement {
       mark_failures(marks);
       if (options_.progress) options_.progress(out_.rounds, count(), marks.size());
       if (marks.empty()) break;
-      if (out_.rounds >= options_.max_depth || count() + marks.size() > options_.max_faces) {
+      if (out_.rounds >= options_.max_depth || count() + marks.size() > options_.max_faces ||
+          stalls(marks)) {
         list_uncertified(marks);
         break;
       }
@@ -161,6 +163,7 @@ class Refinement {
       for (std::size_t k = 0; k < 3; ++k)
         if (!edge_decided(f, k)) marks.push_back(f);
     }
+    mark_loose_corners(marks);
     // Crossings at a patch's border must be its branches.
     for (const UmbilicPatch& patch : out_.patches)
       if (patch.complete && !border_agrees(patch))
@@ -177,10 +180,48 @@ class Refinement {
       const auto decides = [j](const FaceResult& r, std::size_t edge) {
         return r.colour[j].no_zero || r.colour[j].edge_decided[edge];
       };
-      if (decides(out_.faces[f], k)) continue;
+      if (decides(out_.faces[f], k) || at_loose_corner(out_.faces[f].colour[j], k)) continue;
       if (!outside || !decides(out_.faces[n], out_.mesh.edge_towards(n, f))) return false;
     }
     return true;
+  }
+
+  /// Whether edge k ends at a corner of the domain where the sign is not certain.
+  static bool at_loose_corner(const ColourResult& c, std::size_t k) {
+    return c.loose_corner >= 0 && static_cast<std::size_t>(c.loose_corner) != (k + 2) % 3;
+  }
+
+  /// SPEC.md, "Corners of the domain": the faces at one must agree, with one arc from there.
+  void mark_loose_corners(std::vector<Index>& marks) const {
+    struct Corner {
+      std::vector<Index> faces;
+      int loose = 0, slope = 0, opposite = 0, along = 0;
+    };
+    std::map<std::pair<Index, std::size_t>, Corner> corners;
+    for (Index f = 0; f < count(); ++f)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const int k = out_.faces[f].colour[j].loose_corner;
+        if (k >= 0) corners[{out_.mesh.faces()[f][static_cast<std::size_t>(k)], j}].loose += 1;
+      }
+    if (corners.empty()) return;
+    for (Index f = 0; f < count(); ++f)
+      for (std::size_t j = 0; j < 2; ++j)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto at = corners.find({out_.mesh.faces()[f][k], j});
+          if (at == corners.end()) continue;
+          const ColourResult& c = out_.faces[f].colour[j];
+          at->second.faces.push_back(f);
+          at->second.opposite += c.crossed[(k + 1) % 3] ? 1 : 0;
+          for (const std::size_t edge : {k, (k + 2) % 3}) {
+            if (out_.mesh.neighbours()[f][edge] != kNone) continue;
+            at->second.slope += c.slope[edge];
+            at->second.along += c.crossed[edge] ? 1 : 0;
+          }
+        }
+    for (const auto& [key, c] : corners)
+      if (c.loose != static_cast<int>(c.faces.size()) || std::abs(c.slope) != 2 ||
+          c.opposite != 1 || c.along != 1)
+        marks.insert(marks.end(), c.faces.begin(), c.faces.end());
   }
 
   /// False if the crossings at a patch's border are known and are not its branches.
@@ -199,6 +240,21 @@ class Refinement {
           crossed[j] += out_.faces[n].colour[j].crossed[edge] ? 1 : 0;
       }
     return crossed == patch.umbilic.branches.count;
+  }
+
+  /// Whether the undecided part has not lost half its area in six rounds: around points and
+  /// curves it loses more; a sphere or a surface of revolution keeps all of it.
+  bool stalls(const std::vector<Index>& marks) {
+    constexpr std::size_t kRounds = 6;
+    double area = 0;
+    for (const Index f : marks) {
+      const auto c = out_.mesh.corners(f);
+      const std::array<Vec3, 3> x = {places_(c[0]), places_(c[1]), places_(c[2])};
+      area += length(cross(step(x[1], -1, x[0]), step(x[2], -1, x[0])));
+    }
+    undecided_area_.push_back(area);
+    const std::size_t n = undecided_area_.size();
+    return n > kRounds && area > 0.5 * undecided_area_[n - 1 - kRounds];
   }
 
   void list_uncertified(const std::vector<Index>& marks) {
@@ -232,7 +288,8 @@ class Refinement {
   RefinedSurface out_;
   std::vector<std::uint64_t> known_;  ///< the id that faces[f] speaks of
   std::vector<Index> fresh_;
-  std::vector<Vec3> seen_;  ///< umbilics found so far
+  std::vector<Vec3> seen_;              ///< umbilics found so far
+  std::vector<double> undecided_area_;  ///< by round
 };
 
 }  // namespace
