@@ -43,19 +43,28 @@ std::vector<SmoothSurface> random_ellipsoids(int count) {
   return all;
 }
 
-// The torus of tube 0.45 around the unit circle, bent by z -> z + 0.2 x y + 0.1 x^2 + 0.15 y and
-// stretched by y -> 1.3 y: a polynomial map with polynomial inverse, so both forms are exact.
+// The torus of tube 0.45 (twice as high) around the unit circle, bent by z -> z + 0.2 x y + 0.1 x^2
+// + 0.15 y and stretched by y -> 1.3 y: polynomial with polynomial inverse, so both forms are
+// exact.
 SmoothSurface bent_torus_implicit() {
   const std::string y = "(y/1.3)";
   const std::string z = "(z-0.2*x*" + y + "-0.1*x^2-0.15*" + y + ")";
-  const std::string f = "(x^2+" + y + "^2+" + z + "^2+0.7975)^2-4*(x^2+" + y + "^2)";
-  return implicit("bent torus, implicit", f, cube(2.5));
+  const std::string f = "(x^2+" + y + "^2+" + z + "^2/4+0.7975)^2-4*(x^2+" + y + "^2)";
+  return implicit("bent torus, implicit", f, cube(3));
 }
 SmoothSurface bent_torus_parametric() {
   const std::string x = "((1+0.45*cos(v))*cos(u))", y = "((1+0.45*cos(v))*sin(u))";
   return doubly_periodic(
       "bent torus, parametric",
-      {x, "1.3*" + y, "0.45*sin(v)+0.2*" + x + "*" + y + "+0.1*" + x + "^2+0.15*" + y});
+      {x, "1.3*" + y, "0.9*sin(v)+0.2*" + x + "*" + y + "+0.1*" + x + "^2+0.15*" + y});
+}
+
+// Two sheets over an ellipse without two disks.
+SmoothSurface genus_2() {
+  return implicit("genus 2",
+                  "(z-0.15*x*y)^2-0.3*(1-x^2/4-y^2/1.5)*((x-0.9)^2+(y-0.1)^2-0.15)*"
+                  "((x+1)^2+(y+0.05)^2-0.12)",
+                  {-3, 3, -2, 2, -2, 2});
 }
 
 SmoothSurface biquartic() {
@@ -86,15 +95,12 @@ std::vector<SmoothSurface> generic_surfaces() {
   std::vector<SmoothSurface> all = {ellipsoid(1, 1.5, 2), ellipsoid(1, 1.2, 1.7)};
   for (SmoothSurface& e : random_ellipsoids(5)) all.push_back(std::move(e));
   all.push_back(blend(0.7));
-  all.push_back(implicit("quartic sphere",
-                         "x^4+y^4+z^4+x^2+y^2+z^2+0.3*(x*y^2+0.7*y*z^2-0.4*z*x^2+0.3*x*y*z+0.2*x^2)"
-                         "-2",
-                         cube(2)));
+  all.push_back(implicit("perturbed quartic",
+                         "x^2+0.6*y^2+0.4*z^2+0.1*(x^4+y^4+z^4)+0.1*(x*y^2+0.7*y*z^2-0.4*z*x^2)-1",
+                         cube(3)));
   all.push_back(bent_torus_implicit());
   all.push_back(bent_torus_parametric());
-  all.push_back(implicit("genus 2",
-                         "(x*(x-1)^2*(x-2)+y^2)^2+z^2-0.01+0.004*(x*y+0.7*y*z-0.5*x*z+0.3*x)",
-                         {-1, 3, -2, 2, -1, 1}));
+  all.push_back(genus_2());
   all.push_back(biquartic());
   all.push_back(height_field("3-ridge umbilic",
                              "0.5*(u^2+v^2)+0.5*(u^3-3*u*v^2)+0.1*u^2*v+0.3*u^4-0.2*u^3*v+0.1*v^4",
