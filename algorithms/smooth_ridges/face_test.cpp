@@ -80,7 +80,14 @@ struct FaceTest::State {
     Extremalities<0> values;
     r.status = plain(*chart, c, values, r);
     if (r.status != FaceStatus::proven) return r;
-    for (std::size_t j = 0; j < 2; ++j) r.colour[j].no_zero = !holds_zero(values.e[j][0].range());
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Model& e = values.e[j][0];
+      r.colour[j].no_zero = !holds_zero(e.range());
+      // Derivatives lose more: not worth their cost where the remainder hides E's slope.
+      if (!r.colour[j].no_zero && e.radius > 0.5 * (std::fabs(e.c[1]) + std::fabs(e.c[2])))
+        r.status = FaceStatus::ridge;
+    }
+    if (r.status != FaceStatus::proven) return r;
     if (!r.colour[0].no_zero || !r.colour[1].no_zero) r.status = ridges(*chart, c, r);
     return r;
   }
