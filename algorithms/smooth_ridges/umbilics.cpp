@@ -229,10 +229,14 @@ std::optional<Umbilic> prove_umbilic(const Surface& surface, const SurfacePoint&
                                      double radius) {
   Enclosure enclosure(surface);
   SquareEnclosure squares(surface);
+  // Half of the first R that is proven: a checker's enclosures are others.
+  constexpr int kInARow = 3;
+  int proofs = 0;
   for (int i = 0; i <= 60; ++i, radius *= 0.7071) {
     const auto over = squares(guess, radius);
-    if (!over) continue;
-    if (auto proven = Proof(enclosure, guess, radius).run(*over)) return proven;
+    const auto proven = over ? Proof(enclosure, guess, radius).run(*over) : std::nullopt;
+    proofs = proven ? proofs + 1 : 0;
+    if (proofs == kInARow) return proven;
   }
   return std::nullopt;
 }
