@@ -27,6 +27,20 @@ unsigned FaceProver<M>::prove_colour(std::size_t j, const SmoothFaceRecord& reco
   return proven;
 }
 
+/// A combination nearly without slope has no zero: arcs nearly parallel stay apart.
+template <class M, class E>
+bool are_parallel(const E& a, const E& b) {
+  const auto middle = [](const M& x) {
+    const kernel::Range r = x.range();
+    return r.low / 2 + r.high / 2;
+  };
+  const double a1 = middle(a.d(1, 0)), a2 = middle(a.d(0, 1));
+  const double b1 = middle(b.d(1, 0)), b2 = middle(b.d(0, 1));
+  const double of_a = std::sqrt(a1 * a1 + a2 * a2), of_b = std::sqrt(b1 * b1 + b2 * b2);
+  const double sign = a1 * b1 + a2 * b2 > 0 ? -1 : 1;
+  return has_no_zero(a.value() * of_b + b.value() * (sign * of_a));
+}
+
 template <class M>
 template <int K>
 unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigned open,
@@ -59,7 +73,8 @@ unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigne
   if constexpr (K > 0)
     if ((open & (kApart | kCross)) != 0 && e[0] && e[1]) {
       const auto &x = e[0]->e, &y = e[1]->e;
-      if (has_no_common_zero(std::array{x.value(), y.value()})) proven |= kApart;
+      if (has_no_common_zero(std::array{x.value(), y.value()}) || are_parallel<M>(x, y))
+        proven |= kApart;
       if (has_no_zero(x.d(1, 0) * y.d(0, 1) - x.d(0, 1) * y.d(1, 0))) proven |= kCross;
     }
   return open & ~proven;
