@@ -68,8 +68,9 @@ class Refinement {
 
   /// Newton's method from the new faces that are not regular; a new umbilic is proven at once.
   void seek_umbilics() {
+    constexpr int kGiveUp = 32;  // a sphere has as many as one likes
     for (const Index f : fresh_) {
-      if (out_.faces[f].status != FaceStatus::regular) continue;
+      if (out_.faces[f].status != FaceStatus::regular || degenerate_ > kGiveUp) continue;
       const auto corners = out_.mesh.corners(f);
       const double size = longest(corners);
       const SurfacePoint start = middle(corners);
@@ -83,6 +84,8 @@ class Refinement {
       seen_.push_back(place);
       if (auto proven = prove_umbilic(surface_, *found, largest_radius(*found)))
         out_.patches.push_back({*proven, {}});
+      else
+        ++degenerate_;
     }
   }
 
@@ -289,6 +292,7 @@ class Refinement {
   std::vector<std::uint64_t> known_;  ///< the id that faces[f] speaks of
   std::vector<Index> fresh_;
   std::vector<Vec3> seen_;              ///< umbilics found so far
+  int degenerate_ = 0;                  ///< umbilics found but not proven
   std::vector<double> undecided_area_;  ///< by round
 };
 
