@@ -77,7 +77,8 @@ class FaceProver {
     M slope(double x, double y) const;  ///< (x, y) . grad E
   };
 
-  M affine(std::uint32_t face, std::size_t coordinate, const std::array<M, 3>& l) const;
+  M affine(std::uint32_t face, std::size_t coordinate, const Piece& piece,
+           const std::array<M, 3>& l) const;
   std::optional<Place> place(std::uint32_t face, const Piece& piece);
   /// x_j - x_i + s (N_j - N_i): along an edge at constant s.
   Vector3 step(const Place& at, std::uint32_t face, std::size_t i, std::size_t j) const;

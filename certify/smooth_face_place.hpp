@@ -16,20 +16,23 @@ M difference(double b, double a) {
 }
 
 template <class M>
-M FaceProver<M>::affine(std::uint32_t face, std::size_t coordinate,
+M FaceProver<M>::affine(std::uint32_t face, std::size_t coordinate, const Piece& piece,
                         const std::array<M, 3>& l) const {
   const auto at = [&](std::size_t i) { return c_.vertices[c_.faces[face][i]][coordinate]; };
+  if (piece.whole) return M::linear(at(0), at(1), at(2));
   return l[0] * at(0) + l[1] * at(1) + l[2] * at(2);
 }
 
 template <class M>
 auto FaceProver<M>::place(std::uint32_t face, const Piece& piece) -> std::optional<Place> {
-  const auto l = coordinates<M>(piece);
+  const bool lifted = !c_.lifts.empty() && c_.lifts[face] != 0;
+  std::array<M, 3> l;
+  if (!piece.whole || lifted) l = coordinates<M>(piece);
   Place at;
   if (!surface_.surface().implicit) {
-    at.u = affine(face, 0, l);
-    at.v = affine(face, 1, l);
-    for (std::size_t i = 0; i < 3; ++i) {
+    at.u = affine(face, 0, piece, l);
+    at.v = affine(face, 1, piece, l);
+    for (std::size_t i = 0; lifted && i < 3; ++i) {
       if (lift_of(c_, face, i, 0) != 0) at.u = at.u + l[i];
       if (lift_of(c_, face, i, 1) != 0) at.v = at.v + l[i];
     }
@@ -38,8 +41,8 @@ auto FaceProver<M>::place(std::uint32_t face, const Piece& piece) -> std::option
   Vector3 p;
   double size = 0, length = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    p[k] = affine(face, k, l);
-    at.m[k] = affine(face, k + 3, l);
+    p[k] = affine(face, k, piece, l);
+    at.m[k] = affine(face, k + 3, piece, l);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& a = c_.vertices[c_.faces[face][i]];
       const auto& b = c_.vertices[c_.faces[face][(i + 1) % 3]];

@@ -29,20 +29,27 @@ auto gradient(const Jet& f) {
 template <class M>
 std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<M, 3>& p,
                                  const std::array<M, 3>& m, double scale) {
-  const auto at_p = surface.template implicit<1>(p);
-  const M slope = dot(gradient(at_p), m);
-  if (!is_positive(slope)) return std::nullopt;
-  const M factor = polynomial(inverse(slope));
-  M s = polynomial(-(at_p[0] * factor));
-  const double h = 2 * s.magnitude() + scale * 0x1p-10;
-  if (!(h < HUGE_VAL)) return std::nullopt;
+  // Any h will do: this one is about twice what is needed if the slope's bounds are near each
+  // other.
+  const M at_p = surface.value(p);
+  const auto middle = [](const std::array<M, 3>& x) {
+    std::array<double, 3> r;
+    for (std::size_t k = 0; k < 3; ++k) r[k] = x[k].range().low / 2 + x[k].range().high / 2;
+    return r;
+  };
+  const double guess = dot(surface.slope_near(middle(p)), middle(m));
+  const double h = 2 * magnitude(at_p.range()) / guess + scale * 0x1p-10;
+  if (!(h > 0 && h < HUGE_VAL)) return std::nullopt;
   const auto nearby = surface.template implicit<1>(along(p, M::around(0, h), m));
-  const kernel::Range steep = dot(gradient(nearby), m).range();
+  const M slope = dot(gradient(nearby), m);
+  const kernel::Range steep = slope.range();
   if (!(steep.low > 0)) return std::nullopt;
+  const M factor = polynomial(inverse(slope));
+  M s = polynomial(-(at_p * factor));
   for (int step = 0; step < 2; ++step) s = polynomial(s - surface.value(along(p, s, m)) * factor);
   const double rest = magnitude(surface.value(along(p, s, m)).range());
   const double off = rest / steep.low * (1 + 0x1p-50) + 0x1p-1000;
-  if (!(s.magnitude() + off < h * (1 - 0x1p-50))) return std::nullopt;
+  if (!(magnitude(s.range()) + off < h * (1 - 0x1p-50))) return std::nullopt;
   s = s + M::around(0, off);
   return Foot<M>{along(p, s, m), s, h};
 }

@@ -2,89 +2,104 @@
 #pragma once
 
 // implicit_function() of smooth_foot.hpp.
+#include <vector>
+
 #include "certify/smooth_foot.hpp"
 #include "certify/smooth_local.hpp"
 
 namespace crest::certify::smooth {
 
-template <class M, int n>
-class ImplicitFunction {
- public:
+/// Which products make the coefficient k of h, for one axis.
+template <int n>
+struct ImplicitPlan {
   static constexpr kernel::JetTables<2, n> kPlane{};
   static constexpr kernel::JetTables<3, n> kSpace{};
   static constexpr std::size_t kCount = kPlane.kCount;
-  using Coefficients = kernel::SparseArray<M, kCount>;
 
-  ImplicitFunction(const kernel::Jet<M, 3, n>& f, std::size_t axis) : f_(f), axis_(axis) {
-    const M factor = -reciprocal(f_[place(0, 0, 1)]);
-    for (std::size_t k = 1; k < kCount; ++k) {
+  struct Term {
+    std::uint8_t from, power, to;  ///< f_abc times (h^c)_to
+  };
+  struct Factors {
+    std::uint8_t x, y;  ///< h_x (h^(c - 1))_y
+  };
+  std::size_t unknown = 0;  ///< the place of f_001
+  std::array<std::vector<Term>, kCount> terms;
+  std::array<std::vector<Factors>, kCount> factors;
+  std::array<std::uint64_t, n + 1> of_power{};  ///< bits: f_abc with this c
+
+  explicit ImplicitPlan(std::size_t axis) {
+    const auto place = [&](int a, int b, int c) {
+      std::array<int, 3> e{};
+      e[(axis + 1) % 3] = a;
+      e[(axis + 2) % 3] = b;
+      e[axis] = c;
+      return kSpace.position[kSpace.digits(e[0], e[1], e[2])];
+    };
+    unknown = place(0, 0, 1);
+    for (std::size_t k = 0; k < kCount; ++k) {
       const int i = kPlane.kMonomials.exponents[k][0], j = kPlane.kMonomials.exponents[k][1];
-      for (int c = 2; c <= i + j; ++c) add_power(c, k);
-      std::optional<M> sum;
       for (int a = 0; a <= i; ++a)
-        for (int b = 0; b <= j; ++b)
-          for (int c = 0; c <= i + j - a - b; ++c) add_term(sum, {a, b, c}, {i - a, j - b});
-      if (sum) powers_[1].put(k, M(*sum * factor));
+        for (int b = 0; b <= j; ++b) {
+          const std::uint8_t to = kPlane.position[kPlane.digits(i - a, j - b)];
+          const int left = i + j - a - b;
+          if (a + b > 0 && left > 0)
+            factors[k].push_back({kPlane.position[kPlane.digits(a, b)], to});
+          // (h^c)_to is zero below degree c; h^0 is the constant one.
+          for (int c = left == 0 ? 0 : 1; c <= left; ++c)
+            if (a + b + c > 0 && !(a + b == 0 && c == 1))
+              terms[k].push_back({place(a, b, c), static_cast<std::uint8_t>(c), to});
+        }
     }
+    for (int a = 0; a <= n; ++a)
+      for (int b = 0; a + b <= n; ++b)
+        for (int c = 0; a + b + c <= n; ++c)
+          of_power[static_cast<std::size_t>(c)] |= std::uint64_t{1} << place(a, b, c);
   }
 
-  Coefficients& result() { return powers_[1]; }
-
- private:
-  struct Exponents3 {
-    int a, b, c;
-  };
-  struct Exponents2 {
-    int i, j;
-  };
-
-  std::size_t place(int a, int b, int c) const {
-    std::array<int, 3> e{};
-    e[(axis_ + 1) % 3] = a;
-    e[(axis_ + 2) % 3] = b;
-    e[axis_] = c;
-    return kSpace.position[kSpace.digits(e[0], e[1], e[2])];
+  static const ImplicitPlan& along(std::size_t axis) {
+    static const std::array<ImplicitPlan, 3> kPlans = {ImplicitPlan(0), ImplicitPlan(1),
+                                                       ImplicitPlan(2)};
+    return kPlans[axis];
   }
-  static std::size_t place(Exponents2 e) { return kPlane.position[kPlane.digits(e.i, e.j)]; }
-  static void add(std::optional<M>& sum, const M& x) { sum = sum ? M(*sum + x) : x; }
-
-  /// f_abc (h^c)_ij, without the unknown f_001 h_ij itself.
-  void add_term(std::optional<M>& sum, Exponents3 e, Exponents2 rest) const {
-    const std::size_t from = place(e.a, e.b, e.c);
-    if ((f_.mask() >> from & 1) == 0) return;
-    if (e.c == 0) {
-      if (rest.i == 0 && rest.j == 0) add(sum, f_[from]);
-      return;
-    }
-    if (e.a == 0 && e.b == 0 && e.c == 1) return;
-    const auto& power = powers_[static_cast<std::size_t>(e.c)];
-    const std::size_t to = place(rest);
-    if (power.has(to)) add(sum, M(f_[from] * power[to]));
-  }
-
-  /// The coefficient k of h^c = h h^(c - 1): factors of lower degree.
-  void add_power(int c, std::size_t k) {
-    const auto& less = powers_[static_cast<std::size_t>(c - 1)];
-    const int i = kPlane.kMonomials.exponents[k][0], j = kPlane.kMonomials.exponents[k][1];
-    std::optional<M> sum;
-    for (int a = 0; a <= i; ++a)
-      for (int b = 0; b <= j; ++b) {
-        if (a + b == 0 || a + b == i + j) continue;
-        const std::size_t x = place({a, b}), y = place({i - a, j - b});
-        if (powers_[1].has(x) && less.has(y)) add(sum, M(powers_[1][x] * less[y]));
-      }
-    if (sum) powers_[static_cast<std::size_t>(c)].put(k, *sum);
-  }
-
-  const kernel::Jet<M, 3, n>& f_;
-  std::size_t axis_;
-  std::array<Coefficients, n + 1> powers_;
 };
 
 template <class M, int n>
 kernel::SparseArray<M, kernel::monomial_count(2, n)> implicit_function(
     const kernel::Jet<M, 3, n>& f, std::size_t axis) {
-  return std::move(ImplicitFunction<M, n>(f, axis).result());
+  using Plan = ImplicitPlan<n>;
+  using Coefficients = kernel::SparseArray<M, Plan::kCount>;
+  const Plan& plan = Plan::along(axis);
+  const auto add = [](std::optional<M>& sum, const M& x) {
+    if (sum)
+      sum = *sum + x;
+    else
+      sum = x;
+  };
+  // A power is needed if a term holds it, or the next power is.
+  int highest = n;
+  while (highest > 1 && (f.mask() & plan.of_power[static_cast<std::size_t>(highest)]) == 0)
+    --highest;
+  std::array<Coefficients, n + 1> powers;
+  Coefficients& h = powers[1];
+  const M factor = -reciprocal(f[plan.unknown]);
+  for (std::size_t k = 1; k < Plan::kCount; ++k) {
+    for (std::size_t c = 2; c <= static_cast<std::size_t>(highest); ++c) {
+      std::optional<M> sum;
+      for (const auto& [x, y] : plan.factors[k])
+        if (h.has(x) && powers[c - 1].has(y)) add(sum, M(h[x] * powers[c - 1][y]));
+      if (sum) powers[c].put(k, *sum);
+    }
+    std::optional<M> sum;
+    for (const auto& [from, c, to] : plan.terms[k]) {
+      if ((f.mask() >> from & 1) == 0) continue;
+      if (c == 0)
+        add(sum, f[from]);
+      else if (powers[c].has(to))
+        add(sum, M(f[from] * powers[c][to]));
+    }
+    if (sum) h.put(k, M(*sum * factor));
+  }
+  return std::move(h);
 }
 
 }  // namespace crest::certify::smooth

@@ -31,7 +31,9 @@ class PatchProver {
   std::optional<kernel::Range> height();
 
  private:
-  static constexpr int kFirstDepth = 2, kSectorDepth = 8, kDepth = 14;
+  /// Intervals of 2 / 2^kFirstDepth; new enclosures at every kSectorStep-th depth up to
+  /// kSectorDepth.
+  static constexpr int kFirstDepth = 2, kSectorStep = 3, kSectorDepth = 8, kDepth = 14;
 
   /// All forms with second derivatives, the first two with third ones.
   struct PlaneForms {

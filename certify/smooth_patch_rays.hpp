@@ -58,7 +58,7 @@ int common_sign(const std::array<std::optional<RayForms<M>>, 2>& f, Quantity&& q
 template <class M>
 bool PatchProver<M>::divide(int side, double t0, double t1, int depth, std::size_t sector,
                             unsigned open) {
-  if (depth <= kSectorDepth)
+  if (depth <= kSectorDepth && (depth - kFirstDepth) % kSectorStep == 0)
     if (auto own = make_sector(side, t0, t1)) {
       sector = sectors_.size();
       sectors_.push_back(std::move(*own));

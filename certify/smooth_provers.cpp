@@ -28,6 +28,11 @@ unsigned FaceProvers::prove(std::uint32_t face, unsigned open, FaceFindings* fin
   const Piece whole = Piece::face();
   unsigned ends = 0;
   const bool choice = (open & kBoth) == kBoth;
+  const SmoothFaceRecord& record = claim_.certificate.face_records[face];
+  const auto no_zero = SmoothFaceRecord::kNoZero;
+  if (record.in_patch || (record.verdict[0] == no_zero && record.verdict[1] == no_zero))
+    open = cheaply([&](auto& p) { return p.prove(face, whole, open, findings, ends); });
+  if (open == 0) return ends;
   open = at_depth(0, [&](auto& p) { return p.prove(face, whole, open, findings, ends); });
   if (!choice) {
     if (open != 0) prove_children(face, whole, 0, open, ends);

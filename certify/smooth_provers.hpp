@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One thread's FaceProvers, and the ladder: order 4 on faces and their quarters, order 5 below;
-// MPFR for points that doubles leave open, or for everything.
+// One thread's FaceProvers, and the ladder: order 3 on faces without arcs, order 4 on all others
+// and on quarters, order 5 below; MPFR for points that doubles leave open, or for everything.
 #include <memory>
 
 #include "certify/smooth_face.hpp"
@@ -27,6 +27,11 @@ class FaceProvers {
   auto at_depth(int depth, F&& f) {
     if (claim_.arithmetic == Arithmetic::mpfr) return f(get(mp_));
     return depth < 2 ? f(get(four_)) : f(get(five_));
+  }
+  /// With a cheaper type, if there is one.
+  template <class F>
+  auto cheaply(F&& f) {
+    return claim_.arithmetic == Arithmetic::mpfr ? f(get(mp_)) : f(get(three_));
   }
   template <class F>
   auto precisely(F&& f) {
@@ -55,6 +60,7 @@ class FaceProvers {
                                int depth);
 
   const Claim& claim_;
+  std::unique_ptr<FaceProver<Model3>> three_;
   std::unique_ptr<FaceProver<Model4>> four_;
   std::unique_ptr<FaceProver<Model5>> five_;
   std::unique_ptr<FaceProver<MpModel>> mp_;

@@ -14,6 +14,7 @@
 
 namespace crest::certify::smooth {
 
+using Model3 = kernel::TaylorModel<3>;
 using Model4 = kernel::TaylorModel<4>;
 using Model5 = kernel::TaylorModel<5>;
 using MpModel = kernel::MpTaylorModel<3>;
@@ -47,6 +48,8 @@ class SurfaceEvaluator {
 
   /// Kind 0: F.
   M value(const Point& x);
+  /// Kind 0: the gradient of F in plain double, for guesses.
+  std::array<double, 3> slope_near(const std::array<double, 3>& x);
   /// Kind 0: F and its derivatives up to n = 1, 3, 4, 5.
   template <int n>
   kernel::Jet<M, 3, n> implicit(const Point& x);
@@ -65,6 +68,7 @@ class SurfaceEvaluator {
 
   const Surface& surface_;
   std::optional<kernel::Evaluator<M>> value_;
+  std::optional<kernel::Evaluator<kernel::Jet<double, 3, 1>>> approximate_;
   // Made when first called: one expression of kind 0, three of kind 1.
   std::tuple<Program<3, 1>, Program<3, 3>, Program<3, 4>, Program<3, 5>> implicit_;
   std::tuple<Program<2, 3>, Program<2, 4>, Program<2, 5>> immersion_;
