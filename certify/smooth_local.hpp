@@ -3,8 +3,7 @@
 
 // Quantities of a surface with their derivatives by its two coordinates, up to order K = 0 to 3.
 //
-// Over an enclosing type every operation is an identity of Taylor coefficients: enclosures stay
-// enclosures. Coefficients identically zero are not stored: in a height field most are.
+// Operations are identities of Taylor coefficients, so they enclose. Zeros are not stored.
 #include <cmath>
 #include <cstdint>
 #include <utility>

@@ -64,6 +64,7 @@ struct FaceTest::State {
       f3.emplace(surface), f4.emplace(surface), f5.emplace(surface);
     } else {
       x3.emplace(surface), x4.emplace(surface), x5.emplace(surface);
+      plain_map.emplace(surface);
     }
   }
 
@@ -77,6 +78,7 @@ struct FaceTest::State {
     auto chart = charts(c);
     if (!chart) return r;
     special = domain_corner(c);
+    if (special) corner = at_corner(c[*special]);
     Extremalities<0> values;
     r.status = plain(*chart, c, values, r);
     if (r.status != FaceStatus::proven) return r;
@@ -98,9 +100,30 @@ struct FaceTest::State {
       if (end(c[k][0]) && end(c[k][1])) return k;
     return std::nullopt;
   }
-  /// The value where directions are chosen: at the centre; at a corner of the domain, so that all
-  /// faces there choose the same.
-  double chosen(const Model& m) const { return special ? on_edge(m, *special, 0) : m.c[0]; }
+  /// w and, by colour, c at a corner of the domain: from that point alone, so that all faces there
+  /// choose the same.
+  struct Directions {
+    std::uint8_t w;
+    std::array<std::uint8_t, 2> c;
+  };
+  Directions at_corner(const Vertex& v) {
+    const MapGeometry<double, 4> geometry{(*plain_map)(std::array<double, 2>{v[0], v[1]})};
+    const auto forms = forms_of<1>(geometry);
+    const auto shape = shape_of(forms.i, forms.l);
+    const auto sigma = sqrt(squared_sigma(shape));
+    Directions d;
+    d.w = along_first(shape.a[0], shape.b[0], shape.c[0], sigma[0]);
+    const auto w = direction(d.w);
+    Pair<kernel::Jet<double, 2, 1>> v1 = first_principal(times(shape, w), sigma, w);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto e = extremality(forms, j == 0 ? v1 : second_principal(forms.i, v1));
+      d.c[j] = nearest_direction(e.coefficient(1, 0), e.coefficient(0, 1));
+    }
+    return d;
+  }
+  static std::uint8_t along_first(double a, double b, double c, double sigma) {
+    return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
+  }
 
   /// Stage without derivatives: axis, w, (R), values.
   FaceStatus plain(Chart<Model>& chart, const Corners& c, Extremalities<0>& values, FaceResult& r) {
@@ -157,7 +180,9 @@ struct FaceTest::State {
     if (!(squared[0].range().low > 0)) return FaceStatus::regular;
     const auto sigma = sqrt(squared);
     if (!std::isfinite(sigma[0].radius)) return FaceStatus::regular;
-    if (choose) r.w = principal(shape, chosen(sigma[0]));
+    if (choose)
+      r.w = special ? corner.w
+                    : along_first(shape.a[0].c[0], shape.b[0].c[0], shape.c[0].c[0], sigma[0].c[0]);
     const auto w = direction(r.w);
     const auto aw = times(shape, w);
     if (!(transverse(forms.i, aw, w)[0].range().low > 0)) return FaceStatus::regular;
@@ -167,18 +192,12 @@ struct FaceTest::State {
     return FaceStatus::proven;
   }
 
-  template <class F>
-  std::uint8_t principal(const Shape<F>& s, double sigma) const {
-    const double a = chosen(s.a[0]), b = chosen(s.b[0]), c = chosen(s.c[0]);
-    return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
-  }
-
   FaceStatus ridges(Chart<Model>& chart, const Corners& c, FaceResult& r) {
     Extremalities<1> x;
     const FaceStatus status = derived<1>(chart, c, x, r);
     if (status != FaceStatus::proven) return status;
     for (std::size_t j = 0; j < 2; ++j)
-      if (!r.colour[j].no_zero && !monotone(x.e[j], r.colour[j])) return FaceStatus::ridge;
+      if (!r.colour[j].no_zero && !monotone(x.e[j], j, r.colour[j])) return FaceStatus::ridge;
     for (std::size_t j = 0; j < 2; ++j) {
       if (r.colour[j].no_zero) continue;
       decide_edges(chart, x.e[j], r.colour[j]);
@@ -194,11 +213,10 @@ struct FaceTest::State {
   }
 
   /// The direction c, and certain signs at the corners.
-  bool monotone(const Field<1>& e, ColourResult& colour) const {
+  bool monotone(const Field<1>& e, std::size_t j, ColourResult& colour) const {
     const Model &e1 = e.coefficient(1, 0), &e2 = e.coefficient(0, 1);
-    const double x = chosen(e1), y = chosen(e2);
-    if (x == 0 && y == 0) return false;
-    colour.monotone = nearest_direction(x, y);
+    if (e1.c[0] == 0 && e2.c[0] == 0) return false;
+    colour.monotone = special ? corner.c[j] : nearest_direction(e1.c[0], e2.c[0]);
     const auto c = direction(colour.monotone);
     if (holds_zero((e1 * c[0] + e2 * c[1]).range())) return false;
     std::array<int, 3> signs;
@@ -301,6 +319,8 @@ struct FaceTest::State {
 
   bool implicit, has_corners;
   std::optional<std::size_t> special;  ///< corner of the present face that is one of the domain
+  Directions corner{};                 ///< there
+  std::optional<ParametricMap<double, 4>> plain_map;
   Charts<Model> charts;
   std::optional<ImplicitMap<Model, 3>> f3;
   std::optional<ImplicitMap<Model, 4>> f4;
