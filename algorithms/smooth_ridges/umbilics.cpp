@@ -113,7 +113,7 @@ class Proof {
   template <class GeometryOf>
   std::optional<Umbilic> with(const GeometryOf& geometry, const Over& over) {
     const auto centre = geometry(square(0));
-    for (int k = 28; k >= 6; k -= 2) {
+    for (int k = 16; k >= 6; k -= 2) {
       const double rho = std::ldexp(radius_, -k);
       const auto at = geometry(square(rho));
       if (!krawczyk(centre, at, rho)) continue;
