@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Claim 4: wrong claims are rejected. Every mutant has the right digests for what it says. One that
+// is accepted may have another witness (a moved vertex, another direction), but what it states
+// about the surface must be what the original states.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <map>
+
+#include "certify/container.hpp"
+#include "certify/verify.hpp"
+#include "tests/certify/mutants.hpp"
+#include "tests/certify/smooth_mutants.hpp"
+#include "tests/certify/smooth_producer.hpp"
+#include "tests/support/environment.hpp"
+#include "tests/support/program.hpp"
+
+using namespace crest::certify;
+using namespace crest::tests;
+
+namespace {
+
+struct Original {
+  std::string name;
+  RidgesSmoothCertificate certificate;
+  Bytes bytes;
+};
+
+RidgesSmoothCertificate decoded(const Bytes& bytes) {
+  const Container container = open_container(bytes);
+  return decode_ridges_smooth(container.data, container.claims);
+}
+
+/// Of the tests' own producer; and one of kind 0 from crest where it is built.
+const std::vector<Original>& originals() {
+  static const std::vector<Original> all = [] {
+    std::vector<Original> out;
+    for (auto& [name, c] : smooth_claims()) out.push_back({name, c, encode(c)});
+#ifdef CREST_PROGRAM
+    const TemporaryFolder folder;
+    const auto run = run_shell(std::string(CREST_PROGRAM) +
+                                   " ridges --quiet --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box "
+                                   "'-3,3' --certificate e.crest",
+                               folder.path(), ".");
+    REQUIRE(run.exit_code == 0);
+    const Bytes bytes = read_file((folder / "e.crest").string());
+    out.push_back({"ellipsoid", decoded(bytes), bytes});
+#endif
+    for (const Original& o : out) {
+      INFO(o.name << ": " << verify(o.bytes).reason);
+      REQUIRE(verify(o.bytes).accepted);
+    }
+    return out;
+  }();
+  return all;
+}
+
+struct Tally {
+  std::uint64_t mutants = 0, accepted = 0, wrong = 0;
+  std::map<std::string, std::uint64_t> reasons;
+
+  void judge(const Original& original, const std::string& what, const Bytes& mutant) {
+    ++mutants;
+    const Verdict verdict = verify(mutant);
+    ++reasons[verdict.reason.substr(0, verdict.reason.find_first_of(" :0123456789"))];
+    if (!verdict.accepted) return;
+    ++accepted;
+    const bool same = same_results(original.certificate, decoded(mutant));
+    INFO(original.name << ": " << what);
+    CHECK(same);
+    wrong += !same;
+  }
+  void print(const char* what) const {
+    std::cout << what << ": " << mutants << " mutants, " << accepted << " accepted, " << wrong
+              << " of them with other results; rejected:";
+    for (const auto& [reason, count] : reasons)
+      if (!reason.empty()) std::cout << " " << reason << " " << count;
+    std::cout << "\n";
+  }
+};
+
+}  // namespace
+
+TEST_CASE("edited records of smooth ridges are rejected, or state the same") {
+  Random random(kSeed);
+  Tally tally;
+  for (std::uint64_t i = 0; i < scaled(1000); ++i) {
+    const Original& original = originals()[random() % originals().size()];
+    RidgesSmoothCertificate c = original.certificate;
+    const std::string what = mutate_smooth_claim(c, random);
+    const Bytes mutant = encode(c);
+    if (mutant != original.bytes) tally.judge(original, what, mutant);
+  }
+  tally.print("smooth ridges, edited records");
+  CHECK(tally.wrong == 0);
+  CHECK(tally.mutants > scaled(1000) / 2);
+  CHECK(tally.accepted * 3 < tally.mutants);
+}
+
+TEST_CASE("edited bytes of smooth ridges, bound again, are rejected, or state the same") {
+  Random random(kSeed + 1);
+  Tally tally;
+  for (std::uint64_t i = 0; i < scaled(1000); ++i) {
+    const Original& original = originals()[random() % originals().size()];
+    Bytes mutant = mutate_bytes(original.bytes, random);
+    if (mutant == original.bytes) continue;
+    try {
+      rebind(mutant);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    if (mutant != original.bytes) tally.judge(original, "bytes", mutant);
+  }
+  tally.print("smooth ridges, edited bytes");
+  CHECK(tally.wrong == 0);
+}
