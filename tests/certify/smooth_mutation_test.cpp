@@ -113,3 +113,27 @@ TEST_CASE("edited bytes of smooth ridges, bound again, are rejected, or state th
   tally.print("smooth ridges, edited bytes");
   CHECK(tally.wrong == 0);
 }
+
+TEST_CASE("garbage and truncated certificates of smooth ridges are rejected without harm") {
+  Random random(kSeed + 2);
+  const auto refuse = [](Bytes bytes) {
+    try {
+      rebind(bytes);
+    } catch (const std::invalid_argument&) {
+    }
+    return !verify(bytes).accepted;
+  };
+  for (const Original& original : originals()) {
+    const Bytes& bytes = original.bytes;
+    for (std::size_t n = 0; n < bytes.size(); n += n < 400 ? 1 : 1 + bytes.size() / 50)
+      CHECK(refuse(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(n))));
+    for (std::uint64_t i = 0; i < scaled(300); ++i) {
+      // A good start with a random rest, or with counts as large as can be.
+      Bytes wild = bytes;
+      const std::size_t keep = kHeaderSize + random() % (wild.size() - kHeaderSize - 2 * kSealSize);
+      for (std::size_t k = keep; k < wild.size(); ++k)
+        wild[k] = static_cast<std::uint8_t>(i % 3 == 0 ? 0xff : random());
+      CHECK(refuse(wild));
+    }
+  }
+}
