@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest ridges --surface and --param, end to end.
+#include <fmt/core.h>
+
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run_crest.hpp"
@@ -94,7 +96,7 @@ TEST_CASE("the ellipsoid given by its equation: certified counts, files, a certi
   }
   CHECK(report["face_tests"].get<int>() >= report["triangles"].get<int>());
   const auto lines = split_lines(read_text(folder / "m.off"));
-  CHECK(lines.at(1).find(" " + std::to_string(report["triangles"].get<int>()) + " ") !=
+  CHECK(lines.at(1).find(fmt::format(" {} ", report["triangles"].get<int>())) !=
         std::string::npos);
   CHECK(read_text(folder / "e.vtp").find(report["data_digest"].get<std::string>()) !=
         std::string::npos);
