@@ -96,8 +96,7 @@ TEST_CASE("the ellipsoid given by its equation: certified counts, files, a certi
   }
   CHECK(report["face_tests"].get<int>() >= report["triangles"].get<int>());
   const auto lines = split_lines(read_text(folder / "m.off"));
-  CHECK(lines.at(1).find(fmt::format(" {} ", report["triangles"].get<int>())) !=
-        std::string::npos);
+  CHECK(lines.at(1).find(fmt::format(" {} ", report["triangles"].get<int>())) != std::string::npos);
   CHECK(read_text(folder / "e.vtp").find(report["data_digest"].get<std::string>()) !=
         std::string::npos);
   CHECK(read_text(folder / "e.svg").find("umbilic +1/2, 1-ridge") != std::string::npos);
