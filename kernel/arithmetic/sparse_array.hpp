@@ -43,9 +43,10 @@ class SparseArray {
 
   std::uint64_t mask() const { return mask_; }
   bool has(std::size_t i) const { return (mask_ >> i & 1) != 0; }
+  // Inlined early: GCC 12 merges these functions of different Counts and then warns of bounds.
   /// Requires: has(i).
-  const T& operator[](std::size_t i) const { return places_[i].value; }
-  T& place(std::size_t i) { return places_[i].value; }
+  [[gnu::always_inline]] const T& operator[](std::size_t i) const { return places_[i].value; }
+  [[gnu::always_inline]] T& place(std::size_t i) { return places_[i].value; }
 
   template <class U>
   void put(std::size_t i, U&& value) {

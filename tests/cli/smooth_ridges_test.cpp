@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest ridges --surface and --param, end to end.
-#include <fmt/core.h>
-
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "tests/cli/run_crest.hpp"
 
@@ -95,8 +94,10 @@ TEST_CASE("the ellipsoid given by its equation: certified counts, files, a certi
     CHECK(report["seconds"].contains(phase));
   }
   CHECK(report["face_tests"].get<int>() >= report["triangles"].get<int>());
-  const auto lines = split_lines(read_text(folder / "m.off"));
-  CHECK(lines.at(1).find(fmt::format(" {} ", report["triangles"].get<int>())) != std::string::npos);
+  std::istringstream counts(split_lines(read_text(folder / "m.off")).at(1));
+  int vertices = 0, faces = 0;
+  counts >> vertices >> faces;
+  CHECK(report["triangles"] == faces);
   CHECK(read_text(folder / "e.vtp").find(report["data_digest"].get<std::string>()) !=
         std::string::npos);
   CHECK(read_text(folder / "e.svg").find("umbilic +1/2, 1-ridge") != std::string::npos);
