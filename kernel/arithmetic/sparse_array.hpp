@@ -43,17 +43,20 @@ class SparseArray {
 
   std::uint64_t mask() const { return mask_; }
   bool has(std::size_t i) const { return (mask_ >> i & 1) != 0; }
-  // Inlined early: GCC 12 merges these functions of different Counts and then warns of bounds.
   /// Requires: has(i).
-  [[gnu::always_inline]] const T& operator[](std::size_t i) const { return places_[i].value; }
-  [[gnu::always_inline]] T& place(std::size_t i) { return places_[i].value; }
+  const T& operator[](std::size_t i) const { return places_[i].value; }
+  // By a pointer: GCC 12 merges these functions of different Counts and then warns of bounds.
+  T& place(std::size_t i) {
+    Place* const first = places_;
+    return first[i].value;
+  }
 
   template <class U>
   void put(std::size_t i, U&& value) {
     if (has(i)) {
       place(i) = std::forward<U>(value);
     } else {
-      std::construct_at(&places_[i].value, std::forward<U>(value));
+      std::construct_at(&place(i), std::forward<U>(value));
       mask_ |= std::uint64_t{1} << i;
     }
   }
