@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/smooth_ridges/surface.hpp"
+
 namespace crest::experiments {
 
 struct SmoothSurface {
@@ -15,6 +17,12 @@ struct SmoothSurface {
   std::array<std::string, 4> domain{};  ///< u0, u1, v0, v1 of a parametric one
   std::array<bool, 2> periodic{};       ///< in u, in v
 };
+
+inline smooth_ridges::Surface make_surface(const SmoothSurface& s) {
+  const auto& f = s.functions;
+  if (f.size() == 1) return smooth_ridges::Surface::implicit(f[0], s.box);
+  return smooth_ridges::Surface::parametric({f[0], f[1], f[2]}, s.domain, s.periodic);
+}
 
 /// x^2/a^2 + y^2/b^2 + z^2/c^2 = 1 in a box half as large again.
 SmoothSurface ellipsoid(double a, double b, double c);

@@ -21,7 +21,6 @@ namespace {
 
 using experiments::SmoothSurface;
 using smooth_ridges::SmoothRidges;
-using smooth_ridges::Surface;
 
 struct Options {
   std::string table = "surfaces";
@@ -53,12 +52,6 @@ struct TimeSpent {
   std::size_t faces, left;
 };
 
-Surface make(const SmoothSurface& s) {
-  if (s.functions.size() == 1) return Surface::implicit(s.functions[0], s.box);
-  return Surface::parametric({s.functions[0], s.functions[1], s.functions[2]}, s.domain,
-                             s.periodic);
-}
-
 struct Outcome {
   SmoothRidges result;
   std::vector<double> seconds;
@@ -77,7 +70,7 @@ Outcome run(const SmoothSurface& surface, const Options& o) {
       if (left > 0 && cpu_seconds() - start > o.seconds) throw TimeSpent{round, faces, left};
     };
     try {
-      outcome.result = smooth_ridges::smooth_ridges(make(surface), options);
+      outcome.result = smooth_ridges::smooth_ridges(experiments::make_surface(surface), options);
     } catch (const TimeSpent& t) {
       outcome.stopped = fmt::format("stopped after {:.0f} s in round {}: {} faces, {} undecided",
                                     cpu_seconds() - start, t.round, t.faces, t.left);
