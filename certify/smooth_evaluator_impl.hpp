@@ -47,9 +47,9 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& 
   std::array<Jet, 3> at;
   for (std::size_t i = 0; i < 3; ++i) {
     at[i] = Jet::constant(x[i]);
+    // Of degree one the last variable comes first.
     for (std::size_t k = 0; k < 3; ++k)
-      if (frame[k][i] != 0)
-        at[i] = at[i] + Jet::variable(static_cast<int>(k), M(0.0)) * frame[k][i];
+      if (frame[k][i] != 0) at[i].set(3 - k, M(frame[k][i]));
   }
   return program[0](at);
 }

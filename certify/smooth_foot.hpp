@@ -23,9 +23,10 @@ auto gradient(const Jet& f) {
 
 /// Nothing if (F) is undecided. `scale` is a length below which h makes no difference, as a
 /// multiple of m.
-/// Proof. Let t be the polynomial t(l), d > 0 a lower bound of dF/ds = grad F . m for |s| <= h, and
-/// |F(p + t m)| <= R. Then F(p + (t + R/d) m) >= 0 >= F(p + (t - R/d) m): the zero is within
-/// R/d of t, if those are within h; it is the only one.
+/// Proof. Let D enclose dF/ds = grad F . m for |s| <= h, D > 0, and let t be a polynomial and N = t
+/// - F(p + t m) / D, both within (-h, h). F ascends along the fibre, and by the mean value theorem
+/// F(p + s m) = F(p + t m) + d (s - t) with a d in D for |s| <= h: negative at s = -h and positive
+/// at h, as -h < t - F(p + t m) / d < h. So there is one zero, and it is in N.
 template <class M>
 std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<M, 3>& p,
                                  const std::array<M, 3>& m, double scale) {
@@ -42,15 +43,11 @@ std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<
   if (!(h > 0 && h < HUGE_VAL)) return std::nullopt;
   const auto nearby = surface.template implicit<1>(along(p, M::around(0, h), m));
   const M slope = dot(gradient(nearby), m);
-  const kernel::Range steep = slope.range();
-  if (!(steep.low > 0)) return std::nullopt;
-  const M factor = polynomial(inverse(slope));
-  M s = polynomial(-(at_p * factor));
-  for (int step = 0; step < 2; ++step) s = polynomial(s - surface.value(along(p, s, m)) * factor);
-  const double rest = magnitude(surface.value(along(p, s, m)).range());
-  const double off = rest / steep.low * (1 + 0x1p-50) + 0x1p-1000;
-  if (!(magnitude(s.range()) + off < h * (1 - 0x1p-50))) return std::nullopt;
-  s = s + M::around(0, off);
+  if (!is_positive(slope)) return std::nullopt;
+  const M factor = inverse(slope);
+  const M t = polynomial(-(at_p * factor));
+  const M s = t - surface.value(along(p, t, m)) * factor;
+  if (!(std::fmax(magnitude(t.range()), magnitude(s.range())) < h)) return std::nullopt;
   return Foot<M>{along(p, s, m), s, h};
 }
 

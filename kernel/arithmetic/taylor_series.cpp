@@ -4,6 +4,8 @@
 
 #include <mpfr.h>
 
+#include "kernel/arithmetic/elementary.hpp"
+
 namespace crest::kernel::taylor {
 namespace {
 
@@ -16,13 +18,12 @@ double shrink(double x) {
 }
 
 /// Correctly rounded but for subnormal results.
-template <class Function>
-double rounded(Function function, double x, mpfr_rnd_t direction = MPFR_RNDN) {
+double rounded_log(double x) {
   mpfr_t y;
   mpfr_init2(y, 53);
   mpfr_set_d(y, x, MPFR_RNDN);
-  function(y, y, direction);
-  const double result = mpfr_get_d(y, direction);
+  mpfr_log(y, y, MPFR_RNDN);
+  const double result = mpfr_get_d(y, MPFR_RNDN);
   mpfr_clear(y);
   return result;
 }
@@ -51,14 +52,21 @@ void bound_errors(Series& s, int order, int roundings, int a_step) {
   }
 }
 
+/// t_k = f^(k)(c) / k!.
+void set(Series& s, int k, const Approximation& derivative) {
+  const auto at = static_cast<std::size_t>(k);
+  s.t[at] = derivative.value / factorial(k);
+  s.error[at] = grow(derivative.error / factorial(k) + kUnit * std::fabs(s.t[at]));
+}
+
 // sin and cos differ in where they start in the cycle sin, cos, -sin, -cos.
 Series circular(double c, int order, int start) {
-  const double sine = rounded(mpfr_sin, c), cosine = rounded(mpfr_cos, c);
-  const double cycle[4] = {sine, cosine, -sine, -cosine};
+  const auto pair = sin_cos_near(c);
   Series s;
-  for (int k = 0; k <= order; ++k)
-    s.t[static_cast<std::size_t>(k)] = cycle[(start + k) % 4] / factorial(k);
-  bound_errors(s, order, 3, 0);
+  for (int k = 0; k <= order; ++k) {
+    const auto& [value, error] = pair[static_cast<std::size_t>((start + k) % 2)];
+    set(s, k, {(start + k) % 4 < 2 ? value : -value, error});
+  }
   s.rest = grow(1 / factorial(order + 1));
   return s;
 }
@@ -98,11 +106,10 @@ Series sqrt_series(double c, double rho, int order) {
 Series exp_series(double c, double rho, int order) {
   if (!std::isfinite(c) || !std::isfinite(rho)) return not_analytic();
   Series s;
-  const double value = rounded(mpfr_exp, c);
-  for (int k = 0; k <= order; ++k) s.t[static_cast<std::size_t>(k)] = value / factorial(k);
-  bound_errors(s, order, 3, 0);
-  const double furthest = c + rho + (std::fabs(c) + rho) * 0x1p-50;
-  s.rest = grow(rounded(mpfr_exp, furthest, MPFR_RNDU) / factorial(order + 1));
+  const Approximation value = exp_near(c);
+  for (int k = 0; k <= order; ++k) set(s, k, value);
+  const Approximation furthest = exp_near(c + rho + (std::fabs(c) + rho) * 0x1p-50);
+  s.rest = grow((furthest.value + furthest.error) / factorial(order + 1));
   return s;
 }
 
@@ -110,7 +117,7 @@ Series log_series(double c, double rho, int order) {
   const double nearest = shrink(c - rho);
   if (!(nearest > 0) || !std::isfinite(c)) return not_analytic();
   Series s;
-  s.t[0] = rounded(mpfr_log, c);
+  s.t[0] = rounded_log(c);
   for (int k = 1; k <= order; ++k)
     s.t[static_cast<std::size_t>(k)] = (k % 2 ? 1 : -1) / (k * power(c, k));
   bound_errors(s, order, 2, 3);
