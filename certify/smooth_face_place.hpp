@@ -113,12 +113,16 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
   if (!is_positive(gradient(f)[2])) return std::nullopt;
   r.forms = graph_forms<K, 3 + K, M>(implicit_function<M, 3 + K>(f, 2), 1);
   if (!with_edges) return r;
-  const Vector3 grad = gradient(surface_.template implicit<1>(at.x));
-  const M factor = -inverse(dot(grad, at.m));
+  // In the frame's coordinates, all times n, a positive factor.
+  const auto in_frame = [&](const Vector3& x) {
+    return Vector3{dot(x, frame[0]), dot(x, frame[1]), dot(x, frame[2])};
+  };
+  const Vector3 grad = gradient(f), m = in_frame(at.m);
+  const M factor = -inverse(dot(grad, m));
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 d = step(at, face, i, (i + 1) % 3);
-    const Vector3 t = along(d, dot(grad, d) * factor, at.m);
-    r.edge[i] = {dot(t, frame[0]), dot(t, frame[1])};  // times n, a positive factor
+    const Vector3 d = in_frame(step(at, face, i, (i + 1) % 3));
+    const M back = dot(grad, d) * factor;
+    r.edge[i] = {d[0] + back * m[0], d[1] + back * m[1]};
   }
   return r;
 }

@@ -52,6 +52,7 @@ inline Rational as_rational(const Constant& c) {
 /// x^n by repeated squaring. Requires: T(x) / T(x) is one.
 template <class T>
 T integer_power(const T& x, std::int32_t n, const T& one) {
+  if (n == 2) return x * x;  // nearly always: no copies
   T result = one, square = x;
   bool started = false;
   for (std::uint32_t bits = n < 0 ? 0u - static_cast<std::uint32_t>(n)
