@@ -54,60 +54,69 @@ struct TimeSpent {
 
 struct Outcome {
   SmoothRidges result;
-  std::vector<double> seconds;
   std::string stopped;  ///< why there is no result
+  certify::Verdict verdict;
+  std::size_t bytes = 0;  ///< of the certificate
+  // s, a run each: processor time on one processor, then time by the clock with all of them.
+  std::vector<double> cpu, check_cpu, wall, check_wall;
 };
 
-/// On one thread.
-Outcome run(const SmoothSurface& surface, const Options& o) {
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  Outcome outcome;
-  while (outcome.seconds.size() < static_cast<std::size_t>(o.runs)) {
-    const double start = cpu_seconds();
-    smooth_ridges::Options options;
-    options.refinement.max_faces = o.faces;
-    options.refinement.progress = [&](int round, std::size_t faces, std::size_t left) {
-      if (left > 0 && cpu_seconds() - start > o.seconds) throw TimeSpent{round, faces, left};
-    };
-    try {
-      outcome.result = smooth_ridges::smooth_ridges(experiments::make_surface(surface), options);
-    } catch (const TimeSpent& t) {
-      outcome.stopped = fmt::format("stopped after {:.0f} s in round {}: {} faces, {} undecided",
-                                    cpu_seconds() - start, t.round, t.faces, t.left);
-    } catch (const std::exception& error) {
-      outcome.stopped = error.what();
-    }
-    outcome.seconds.push_back(cpu_seconds() - start);
-    if (outcome.seconds.back() > kOnceFrom || !outcome.result.certified) break;
-  }
-  return outcome;
+SmoothRidges extract(const SmoothSurface& surface, const Options& o) {
+  const double start = cpu_seconds();
+  smooth_ridges::Options options;
+  options.refinement.max_faces = o.faces;
+  options.refinement.progress = [&](int round, std::size_t faces, std::size_t left) {
+    if (left > 0 && cpu_seconds() - start > o.seconds) throw TimeSpent{round, faces, left};
+  };
+  return smooth_ridges::smooth_ridges(experiments::make_surface(surface), options);
 }
 
-/// Seconds of the checker: CPU, and by the clock with all threads.
-struct Checked {
-  certify::Verdict verdict;
-  double cpu = 0, wall = 0;
-};
-Checked check(const certify::Bytes& bytes, int runs) {
-  std::vector<double> cpu, wall;
-  Checked checked;
-  // On one processor the checker's threads take turns: nothing waits for another.
+/// Extraction with its certificate's bytes, then the checker: what is compared runs side by side.
+void run_once(const SmoothSurface& surface, const Options& o, double (*clock)(),
+              std::vector<double>& extraction, std::vector<double>& check, Outcome& outcome) {
+  const double start = clock();
+  try {
+    outcome.result = extract(surface, o);
+  } catch (const TimeSpent& t) {
+    outcome.stopped = fmt::format("stopped after {:.0f} s in round {}: {} faces, {} undecided",
+                                  clock() - start, t.round, t.faces, t.left);
+  } catch (const std::exception& error) {
+    outcome.stopped = error.what();
+  }
+  certify::Bytes bytes;
+  if (outcome.result.certified) bytes = certify::encode(outcome.result.certificate);
+  outcome.bytes = bytes.size();
+  extraction.push_back(clock() - start);
+  if (!outcome.result.certified) return;
+  const double begin = clock();
+  outcome.verdict = certify::verify(bytes);
+  check.push_back(clock() - begin);
+}
+
+Outcome run(const SmoothSurface& surface, const Options& o) {
+  Outcome outcome;
   cpu_set_t all, first;
   sched_getaffinity(0, sizeof all, &all);
   CPU_ZERO(&first);
   CPU_SET(0, &first);
-  for (const cpu_set_t* processors : {&first, &all}) {
-    sched_setaffinity(0, sizeof *processors, processors);
-    auto& seconds = processors == &first ? cpu : wall;
-    for (int i = 0; i < runs; ++i) {
-      const double start = processors == &first ? cpu_seconds() : wall_seconds();
-      checked.verdict = certify::verify(bytes);
-      seconds.push_back((processors == &first ? cpu_seconds() : wall_seconds()) - start);
+  for (int i = 0; i < o.runs; ++i) {
+    {
+      // On one processor the checker's threads take turns: nothing waits for another.
+      const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+      sched_setaffinity(0, sizeof first, &first);
+      run_once(surface, o, cpu_seconds, outcome.cpu, outcome.check_cpu, outcome);
+      sched_setaffinity(0, sizeof all, &all);
     }
+    if (!outcome.result.certified) break;
+    run_once(surface, o, wall_seconds, outcome.wall, outcome.check_wall, outcome);
+    if (outcome.cpu.back() > kOnceFrom) break;
   }
-  checked.cpu = median(cpu);
-  checked.wall = median(wall);
-  return checked;
+  return outcome;
+}
+
+double median_quotient(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] /= b[i];
+  return median(std::move(a));
 }
 
 /// Why there is no claim, in one line.
@@ -146,22 +155,23 @@ std::string counts(const SmoothRidges& r) {
 void surface_row(const SmoothSurface& surface, const Options& o) {
   const Outcome outcome = run(surface, o);
   const SmoothRidges& r = outcome.result;
-  const double seconds = median(outcome.seconds);
   if (!r.certified) {
     const bool partial = outcome.stopped.empty();
     fmt::print("| {} | | | | | | {} | {} | {} | {:.2f} | | | | not certified: {} |\n", surface.name,
                partial ? std::to_string(r.faces.size()) : "",
                partial ? std::to_string(r.rounds) : "", partial ? std::to_string(r.tests) : "",
-               seconds, reason(outcome));
+               median(outcome.cpu), reason(outcome));
     return;
   }
-  const certify::Bytes bytes = certify::encode(r.certificate);
-  const Checked checked = check(bytes, o.runs);
-  fmt::print("| {} | {} | {} | {} | {} | {:.2f} | {:.1f} | {:.2f} | {:.2f} | {} |\n", surface.name,
-             counts(r), r.faces.size(), r.rounds, r.tests, seconds,
-             static_cast<double>(bytes.size()) / static_cast<double>(r.faces.size()), checked.cpu,
-             checked.wall,
-             checked.verdict.accepted ? "accepted" : "REJECTED: " + checked.verdict.reason);
+  fmt::print(
+      "| {} | {} | {} | {} | {} | {:.2f}, {:.2f} | {:.2f}, {:.2f} | {:.2f}, {:.2f} | {:.1f} | {} "
+      "|\n",
+      surface.name, counts(r), r.faces.size(), r.rounds, r.tests, median(outcome.cpu),
+      median(outcome.wall), median(outcome.check_cpu), median(outcome.check_wall),
+      median_quotient(outcome.check_cpu, outcome.cpu),
+      median_quotient(outcome.check_wall, outcome.wall),
+      static_cast<double>(outcome.bytes) / static_cast<double>(r.faces.size()),
+      outcome.verdict.accepted ? "accepted" : "REJECTED: " + outcome.verdict.reason);
 }
 
 void refusal_row(const SmoothSurface& surface, const Options& o) {
@@ -174,7 +184,7 @@ void refusal_row(const SmoothSurface& surface, const Options& o) {
              : r.undecided.empty() ? "1"
                                    : "4",
              stopped ? "" : std::to_string(r.faces.size()),
-             stopped ? "" : std::to_string(r.undecided.size()), median(outcome.seconds),
+             stopped ? "" : std::to_string(r.undecided.size()), median(outcome.cpu),
              reason(outcome));
 }
 
@@ -192,9 +202,8 @@ void run_table(const Options& o) {
           ? "| surface | exit code | faces | undecided | s | reason |\n|---|---|---|---|---|---|"
           : "| surface | chi | umbilics +1/2, -1/2; 1-ridge, 3-ridge | blue loops + paths, turning "
             "points | red loops + paths, turning points | purple points | triangles | rounds | "
-            "face "
-            "tests | s | bytes a triangle | checker s | with two threads | verdict "
-            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+            "face tests | s: one thread, two | checker s: one, two | quotients | bytes a triangle "
+            "| verdict |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   const auto surfaces = refusals              ? experiments::degenerate_surfaces()
                         : o.table == "growth" ? experiments::growing_surfaces()
                                               : experiments::generic_surfaces();
@@ -204,9 +213,9 @@ void run_table(const Options& o) {
     std::fflush(stdout);
   }
   fmt::print(
-      "\nSeconds are processor time of one thread, the median of {} runs (of one from {} s on); "
-      "the "
-      "column\n\"with two threads\" is by the clock. At most {} faces and {} s a surface.\n",
+      "\nSeconds: processor time of one thread, time by the clock of two, encoding included; "
+      "medians of {} runs (of one\nfrom {} s on), quotients of runs side by side. At most {} faces "
+      "and {} s a surface.\n",
       o.runs, kOnceFrom, o.faces, o.seconds);
 }
 
