@@ -19,6 +19,14 @@ TaylorModel<Order> TaylorModel<Order>::linear(double at0, double at1, double at2
 template <int Order>
 TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(double, double,
                                                                              int)) const {
+  if (is_flat()) {
+    // A constant within the radius: no products of models.
+    const taylor::Series s = make_series(c[0], radius, Order);
+    double bound = s.rest * radius;
+    for (std::size_t k = Order; k > 0; --k)
+      bound = (bound + std::fabs(s.t[k]) + s.error[k]) * radius;
+    return around(s.t[0], grow(s.error[0] + bound));
+  }
   // Expanded at the middle of the range, so that |h| <= rho is as small as can be.
   const Range all = range();
   const double centre = 0.5 * (all.low + all.high);
@@ -31,12 +39,6 @@ TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(dou
   double power = 1;
   for (int k = 0; k <= Order; ++k) power *= rho;
   TaylorModel r = around(s.t[Order], s.error[Order]);
-  if (h.is_flat()) {
-    // A constant within rho: no products of models.
-    double bound = s.rest * rho;
-    for (std::size_t k = Order; k > 0; --k) bound = (bound + std::fabs(s.t[k]) + s.error[k]) * rho;
-    return around(s.t[0], grow(s.error[0] + bound));
-  }
   for (std::size_t k = Order; k-- > 0;) r = r * h + around(s.t[k], s.error[k]);
   r.radius = grow(r.radius + s.rest * power);
   return r;
