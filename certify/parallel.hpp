@@ -16,7 +16,8 @@ namespace crest::certify {
 ///   threads: indices are handed out in order, and those below a failure are finished.
 template <class Make, class Body>
 void parallel_for(std::size_t count, Make&& make, Body&& body) {
-  constexpr std::size_t kChunk = 8;
+  // Single ones if there are few: umbilics differ much in cost.
+  const std::size_t chunk = std::clamp<std::size_t>(count / 64, 1, 8);
   std::atomic<std::size_t> next{0}, failed{count};
   std::exception_ptr problem;
   std::mutex mutex;
@@ -25,9 +26,9 @@ void parallel_for(std::size_t count, Make&& make, Body&& body) {
     try {
       auto worker = make();
       for (;;) {
-        const std::size_t first = next.fetch_add(kChunk);
+        const std::size_t first = next.fetch_add(chunk);
         if (first >= failed.load()) return;
-        for (i = first; i < std::min(first + kChunk, count); ++i) body(worker, i);
+        for (i = first; i < std::min(first + chunk, count); ++i) body(worker, i);
       }
     } catch (...) {
       const std::lock_guard lock(mutex);
@@ -38,7 +39,7 @@ void parallel_for(std::size_t count, Make&& make, Body&& body) {
   };
   const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < std::min(most, (count + kChunk - 1) / kChunk); ++k)
+  for (std::size_t k = 1; k < std::min(most, (count + chunk - 1) / chunk); ++k)
     others.emplace_back(run);
   run();
   others.clear();

@@ -30,13 +30,8 @@ unsigned FaceProvers::prove(std::uint32_t face, unsigned open, FaceFindings* fin
   const bool choice = (open & kBoth) == kBoth;
   const SmoothFaceRecord& record = claim_.certificate.face_records[face];
   const auto no_zero = SmoothFaceRecord::kNoZero;
-  const bool no_arc = record.verdict[0] == no_zero && record.verdict[1] == no_zero;
-  if (record.in_patch || (no_arc && try_cheaply_)) {
+  if (record.in_patch || (record.verdict[0] == no_zero && record.verdict[1] == no_zero))
     open = cheaply([&](auto& p) { return p.prove(face, whole, open, findings, ends); });
-    try_cheaply_ = open == 0;
-  } else if (no_arc) {
-    try_cheaply_ = true;
-  }
   if (open == 0) return ends;
   open = at_depth(0, [&](auto& p) { return p.prove(face, whole, open, findings, ends); });
   if (!choice) {

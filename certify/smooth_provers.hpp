@@ -60,9 +60,6 @@ class FaceProvers {
                                int depth);
 
   const Claim& claim_;
-  /// Neighbours in number are alike: after a failure the next face without arcs starts at order 4.
-  /// What is proven does not depend on it.
-  bool try_cheaply_ = true;
   std::unique_ptr<FaceProver<Model3>> three_;
   std::unique_ptr<FaceProver<Model4>> four_;
   std::unique_ptr<FaceProver<Model5>> five_;
