@@ -30,6 +30,7 @@ class Chooser {
 
   std::vector<Index> run() {
     collect_arcs();
+    cut_loops();
     grow_forest();
     for (std::size_t i = nodes_.size(); i-- > 0;) settle(nodes_[i]);
     std::vector<Index> cuts;
@@ -41,6 +42,8 @@ class Chooser {
 
  private:
   void collect_arcs();
+  std::vector<Index> core() const;
+  void cut_loops();
   void grow_forest();
   void settle(Index node);
   void cut(Index arc) {
@@ -80,7 +83,55 @@ void Chooser::collect_arcs() {
   }
 }
 
-/// Breadth first; cuts the arcs that close loops.
+/// The arcs that are part of a loop or between loops: what is left when ends are taken off.
+std::vector<Index> Chooser::core() const {
+  std::vector<Index> degree(graph_.nodes.size()), ends;
+  std::vector<bool> off(graph_.arcs.size(), false);
+  for (Index v = 0; v < degree.size(); ++v) {
+    degree[v] = begin_[v + 1] - begin_[v];
+    if (degree[v] == 1) ends.push_back(v);
+  }
+  while (!ends.empty()) {
+    const Index node = ends.back();
+    ends.pop_back();
+    for (Index k = begin_[node]; k < begin_[node + 1]; ++k) {
+      if (off[arcs_[k]]) continue;
+      off[arcs_[k]] = true;
+      const Index other = across(arcs_[k], node);
+      if (--degree[other] == 1) ends.push_back(other);
+    }
+  }
+  std::vector<Index> left;
+  for (Index a = 0; a < off.size(); ++a) {
+    if (!off[a]) left.push_back(a);
+  }
+  return left;
+}
+
+/// Cuts in every loop the arc that passes by the most nodes (Kruskal's algorithm): in noise a long
+/// contour soon meets a node, so these contours are short, and a checker walks them.
+void Chooser::cut_loops() {
+  if (graph_.loops() == 0) return;
+  std::vector<Index> arcs = core();
+  const auto span = [&](Index a) { return graph_.arcs[a].upper - graph_.arcs[a].lower; };
+  std::sort(arcs.begin(), arcs.end(),
+            [&](Index a, Index b) { return span(a) != span(b) ? span(a) < span(b) : a < b; });
+  std::vector<Index> parent(graph_.nodes.size());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto find = [&](Index x) {
+    while (parent[x] != x) x = parent[x] = parent[parent[x]];
+    return x;
+  };
+  for (const Index a : arcs) {
+    const Index low = find(graph_.arcs[a].lower), high = find(graph_.arcs[a].upper);
+    if (low == high)
+      cut(a);
+    else
+      parent[high] = low;
+  }
+}
+
+/// Breadth first, without the arcs that are cut.
 void Chooser::grow_forest() {
   std::vector<bool> seen(graph_.nodes.size(), false);
   for (Index root = 0; root < graph_.nodes.size(); ++root) {
@@ -91,11 +142,7 @@ void Chooser::grow_forest() {
       const Index node = nodes_[i];
       for (Index k = begin_[node]; k < begin_[node + 1]; ++k) {
         const Index arc = arcs_[k], other = across(arc, node);
-        if (arc == to_root_[node] || cut_[arc]) continue;
-        if (seen[other]) {
-          if (to_root_[other] != arc) cut(arc);
-          continue;
-        }
+        if (cut_[arc] || seen[other]) continue;
         seen[other] = true;
         to_root_[other] = arc;
         nodes_.push_back(other);
