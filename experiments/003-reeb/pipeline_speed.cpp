@@ -9,20 +9,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iostream>
-#include <random>
 
 #include "algorithms/reeb/certificate.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
-#include "algorithms/sampling/plain_surfaces.hpp"
 #include "certify/verify.hpp"
-#include "experiments/003-reeb/smooth_field.hpp"
+#include "experiments/003-reeb/plate_functions.hpp"
 
 namespace crest {
 namespace {
 
+using experiments::PlateFunction;
 using kernel::QuadraticMesh;
 
 class Watch {
@@ -38,47 +36,10 @@ class Watch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-struct Input {
-  sampling::PlainSurface surface;
-  std::vector<double> values;
-  std::vector<std::array<double, 3>> midside;
-};
-
-Input make_input(double triangles, int degree, const std::string& kind) {
-  const auto n = static_cast<unsigned>(std::lround(std::sqrt(triangles / (4 * (1 - 1 / 9.0)))));
-  Input in{sampling::plate(n, 16, true), {}, {}};
-  const auto& points = in.surface.points;
-  if (kind == "smooth") {
-    const experiments::SmoothField field(0.1, 1);  // the plate is one unit wide
-    for (const auto& p : points) in.values.push_back(field(p));
-    if (degree == 2)
-      for (const auto& t : in.surface.triangles) {
-        in.midside.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k)
-          in.midside.back()[k] = field(experiments::middle(points[t[k]], points[t[(k + 1) % 3]]));
-      }
-    return in;
-  }
-  std::mt19937_64 draw(1);
-  const auto value = [&] {
-    const double x = static_cast<double>(draw() >> 11) * 0x1p-53;
-    return kind == "noise" ? x : std::floor(16 * x) / 16;
-  };
-  for (std::size_t v = 0; v < points.size(); ++v) in.values.push_back(value());
-  if (degree == 2) {
-    const QuadraticMesh edges(points, in.surface.triangles, in.values);
-    std::vector<double> at_edge(edges.edge_count());
-    for (double& x : at_edge) x = value();
-    for (const auto& e : edges.face_edges())
-      in.midside.push_back({at_edge[e[0]], at_edge[e[1]], at_edge[e[2]]});
-  }
-  return in;
-}
-
 constexpr const char* kPhases[] = {"mesh", "tessellate", "graph", "certificate", "verify"};
 using Times = std::array<double, 6>;  // and the peak memory in MB
 
-Times measure(const Input& input, bool guarded) {
+Times measure(const PlateFunction& input, bool guarded) {
   Times t{};
   Watch watch;
   const QuadraticMesh mesh(input.surface.points, input.surface.triangles, input.values,
@@ -100,7 +61,7 @@ Times measure(const Input& input, bool guarded) {
 }
 
 /// In a process of its own, for its own peak memory.
-Times measure_in_child(const Input& input, bool guarded) {
+Times measure_in_child(const PlateFunction& input, bool guarded) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("pipe failed");
   const pid_t child = fork();
@@ -119,7 +80,7 @@ Times measure_in_child(const Input& input, bool guarded) {
 }
 
 void print_row(double triangles, int degree, const std::string& kind, int repetitions) {
-  const Input input = make_input(triangles, degree, kind);
+  const PlateFunction input = experiments::plate_function(triangles, degree, kind);
   std::vector<Times> guarded, plain;
   for (int i = 0; i < repetitions; ++i) {
     guarded.push_back(measure_in_child(input, true));
