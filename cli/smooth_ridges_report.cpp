@@ -164,10 +164,14 @@ SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
 void fill_report(Report& report, const SmoothRidgesRun& run) {
   Json& json = report.json();
   const SmoothRidges& result = run.result;
-  json["seconds"]["start"] = result.seconds.start;
-  json["seconds"]["refinement"] = result.seconds.refinement;
-  json["seconds"]["completeness"] = result.seconds.completeness;
-  json["seconds"]["graph"] = result.seconds.graph;
+  const auto& s = result.seconds;
+  for (const auto& [phase, seconds] : {std::pair("completeness", s.completeness),
+                                       {"start", s.start},
+                                       {"faces", s.faces},
+                                       {"umbilics", s.umbilics},
+                                       {"bisection", s.bisection},
+                                       {"graph", s.graph}})
+    json["seconds"][phase] = seconds;
   fill_certificate(json["certificate"], run);
   json["surface"] = surface_json(run.surface);
   json["vertices"] = result.points.size();

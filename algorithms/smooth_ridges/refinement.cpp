@@ -10,6 +10,7 @@
 #include <map>
 
 #include "algorithms/smooth_ridges/patches.hpp"
+#include "algorithms/smooth_ridges/timed.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -30,9 +31,11 @@ class Refinement {
 
   RefinedSurface run() {
     for (;; ++out_.rounds) {
-      test_new_faces();
-      seek_umbilics();
-      std::vector<Index> marks = place_patches();
+      timed(out_.seconds.faces, [&] { test_new_faces(); });
+      std::vector<Index> marks = timed(out_.seconds.umbilics, [&] {
+        seek_umbilics();
+        return place_patches();
+      });
       mark_failures(marks);
       if (options_.progress) options_.progress(out_.rounds, count(), marks.size());
       if (marks.empty()) break;
@@ -41,7 +44,7 @@ class Refinement {
         list_uncertified(marks);
         break;
       }
-      out_.mesh.refine(marks);
+      timed(out_.seconds.bisection, [&] { out_.mesh.refine(marks); });
     }
     sort_patches();
     return std::move(out_);

@@ -40,6 +40,9 @@ struct RefinedSurface {
   std::vector<UncertifiedCell> uncertified;
   int rounds = 0;
   std::size_t tests = 0;  ///< of faces
+  struct {
+    double faces = 0, umbilics = 0, bisection = 0;
+  } seconds;  ///< testing faces; umbilics and their patches; making faces
 };
 
 RefinedSurface refine(const Surface& surface, Triangulation start,

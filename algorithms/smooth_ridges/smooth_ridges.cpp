@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 
-#include <chrono>
 #include <stdexcept>
 
 #include "algorithms/smooth_ridges/certificate.hpp"
 #include "algorithms/smooth_ridges/completeness.hpp"
 #include "algorithms/smooth_ridges/graph.hpp"
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
+#include "algorithms/smooth_ridges/timed.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
-
-/// Runs f and adds its seconds to `sum`.
-template <class F>
-auto timed(double& sum, F&& f) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = f();
-  sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
 
 std::string likely_reason(FaceStatus status) {
   switch (status) {
@@ -46,15 +37,14 @@ class Run {
 
   SmoothRidges run() {
     if (!start()) return std::move(out_);
-    refined_ = timed(out_.seconds.refinement,
-                     [&] { return refine(surface_, std::move(mesh_), options_.refinement); });
+    refined_ = refine(surface_, std::move(mesh_), options_.refinement);
+    out_.seconds.faces = refined_.seconds.faces;
+    out_.seconds.umbilics = refined_.seconds.umbilics;
+    out_.seconds.bisection = refined_.seconds.bisection;
     out_.rounds = refined_.rounds;
     out_.tests = refined_.tests;
     describe_mesh();
-    timed(out_.seconds.graph, [&] {
-      assemble_graph(surface_, refined_, out_);
-      return 0;
-    });
+    timed(out_.seconds.graph, [&] { assemble_graph(surface_, refined_, out_); });
     for (const UncertifiedCell& cell : refined_.uncertified)
       out_.undecided.push_back({cell.centre, cell.size, likely_reason(cell.status)});
     if (!out_.undecided.empty()) {
@@ -65,7 +55,9 @@ class Run {
     }
     if (close()) {
       out_.certified = true;
-      out_.certificate = make_certificate(surface_, refined_, out_, cover_, sheets_);
+      out_.certificate = timed(out_.seconds.graph, [&] {
+        return make_certificate(surface_, refined_, out_, cover_, sheets_);
+      });
     }
     return std::move(out_);
   }

@@ -60,8 +60,9 @@ struct SmoothRidges {
 
   int rounds = 0;         ///< of refinement
   std::size_t tests = 0;  ///< of faces
+  /// By the clock. start: the first triangulation; graph: the certificate's contents too.
   struct {
-    double start = 0, refinement = 0, completeness = 0, graph = 0;
+    double completeness = 0, start = 0, faces = 0, umbilics = 0, bisection = 0, graph = 0;
   } seconds;
   certify::RidgesSmoothCertificate certificate;  ///< if certified
 };

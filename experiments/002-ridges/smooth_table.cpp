@@ -3,6 +3,7 @@
 // checker; surfaces that must be refused; growth as a surface nears a degenerate one.
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
@@ -188,28 +189,67 @@ void refusal_row(const SmoothSurface& surface, const Options& o) {
              reason(outcome));
 }
 
+/// Where one thread's time goes, in per cent.
+void phases_row(const SmoothSurface& surface, const Options& o) {
+  std::array<std::vector<double>, 8> shares;
+  for (int i = 0; i < o.runs; ++i) {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const double start = wall_seconds();
+    const SmoothRidges r = extract(surface, o);
+    const double extracted = wall_seconds();
+    const certify::Bytes bytes = certify::encode(r.certificate);
+    const double all = wall_seconds() - start;
+    const auto& s = r.seconds;
+    const double times[] = {
+        s.completeness,         s.start, s.faces, s.umbilics, s.bisection, s.graph,
+        start + all - extracted};
+    for (std::size_t k = 0; k < std::size(times); ++k) shares[k].push_back(100 * times[k] / all);
+    shares[7].push_back(1e6 * s.faces / static_cast<double>(r.tests));
+  }
+  fmt::print("| {} |", surface.name);
+  for (const auto& share : shares) fmt::print(" {:.1f} |", median(share));
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  fmt::print(" {} |\n", usage.ru_maxrss / 1024);
+}
+
 bool is_wanted(const std::string& name, const Options& o) {
   return o.only.empty() || std::any_of(o.only.begin(), o.only.end(), [&](const std::string& part) {
            return name.find(part) != std::string::npos;
          });
 }
 
+struct Table {
+  std::string heading;
+  std::vector<SmoothSurface> surfaces;
+  void (*row)(const SmoothSurface&, const Options&);
+};
+Table table_of(const std::string& name) {
+  if (name == "refusals")
+    return {"surface | exit code | faces | undecided | s | reason",
+            experiments::degenerate_surfaces(), refusal_row};
+  if (name == "phases")
+    return {
+        "surface | all components | start | faces | umbilics | bisection | graph | encoding | "
+        "us a face test | peak MB so far",
+        experiments::generic_surfaces(), phases_row};
+  return {
+      "surface | chi | umbilics +1/2, -1/2; 1-ridge, 3-ridge | blue loops + paths, turning "
+      "points | red loops + paths, turning points | purple points | triangles | rounds | face "
+      "tests | s: one thread, two | checker s: one, two | quotients | bytes a triangle | verdict",
+      name == "growth" ? experiments::growing_surfaces() : experiments::generic_surfaces(),
+      surface_row};
+}
+
 void run_table(const Options& o) {
-  const bool refusals = o.table == "refusals";
-  fmt::print(
-      "{}\n",
-      refusals
-          ? "| surface | exit code | faces | undecided | s | reason |\n|---|---|---|---|---|---|"
-          : "| surface | chi | umbilics +1/2, -1/2; 1-ridge, 3-ridge | blue loops + paths, turning "
-            "points | red loops + paths, turning points | purple points | triangles | rounds | "
-            "face tests | s: one thread, two | checker s: one, two | quotients | bytes a triangle "
-            "| verdict |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-  const auto surfaces = refusals              ? experiments::degenerate_surfaces()
-                        : o.table == "growth" ? experiments::growing_surfaces()
-                                              : experiments::generic_surfaces();
+  const auto [heading, surfaces, print_row] = table_of(o.table);
+  std::string rule = "|---";
+  for (const char c : heading)
+    if (c == '|') rule += "|---";
+  fmt::print("| {} |\n{}|\n", heading, rule);
   for (const SmoothSurface& surface : surfaces) {
     if (!is_wanted(surface.name, o)) continue;
-    (refusals ? refusal_row : surface_row)(surface, o);
+    print_row(surface, o);
     std::fflush(stdout);
   }
   fmt::print(
@@ -225,8 +265,8 @@ void run_table(const Options& o) {
 int main(int argc, char** argv) {
   crest::Options o;
   CLI::App app{"Certified ridges of smooth surfaces"};
-  app.add_option("--table", o.table, "surfaces, refusals or growth")
-      ->check(CLI::IsMember({"surfaces", "refusals", "growth"}));
+  app.add_option("--table", o.table, "surfaces, refusals, growth or phases")
+      ->check(CLI::IsMember({"surfaces", "refusals", "growth", "phases"}));
   app.add_option("--only", o.only, "surfaces whose name contains one of these");
   app.add_option("--faces", o.faces, "a surface's budget");
   app.add_option("--seconds", o.seconds, "a surface's time");
