@@ -59,11 +59,16 @@ unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigne
   std::array<std::optional<Extremality<K>>, 2> e;
   for (std::size_t j = 0; j < 2; ++j) {
     if (record.verdict[j] == SmoothFaceRecord::kNoZero) {
-      const std::array<Local<M, 0>, 2> v0 = {v[j][0].template truncated<0>(),
-                                             v[j][1].template truncated<0>()};
-      if ((open & kVerdict << j) != 0 &&
-          has_no_zero(extremality(truncated<0>(jets->forms), v0).value()))
-        proven |= kVerdict << j;
+      if ((open & kVerdict << j) == 0) continue;
+      const auto e0 = [&] {
+        if constexpr (K == 0)
+          return extremality(jets->forms, v[j]);
+        else
+          return extremality(
+              truncated<0>(jets->forms),
+              std::array{v[j][0].template truncated<0>(), v[j][1].template truncated<0>()});
+      }();
+      if (has_no_zero(e0.value())) proven |= kVerdict << j;
     } else if constexpr (K > 0) {
       e[j] = Extremality<K>{extremality(jets->forms, v[j]), v[j]};
       proven |= prove_colour<K>(j, record, *e[j], open, ends);

@@ -68,9 +68,28 @@ auto FaceProver<M>::step(const Place& at, std::uint32_t face, std::size_t i, std
   return r;
 }
 
-/// (J) at the s of the foot.
+/// (J) at the s of the foot. It is far from zero on small faces: double intervals nearly always do.
 template <class M>
 bool FaceProver<M>::keeps_orientation(const Place& at, std::uint32_t face) const {
+  if constexpr (!std::is_same_v<M, MpModel>) {
+    using kernel::Interval;
+    const kernel::Range range = at.s.range();
+    const kernel::RoundUpward guard;
+    const Interval s(range.low, range.high);
+    std::array<std::array<Interval, 3>, 2> side;
+    std::array<Interval, 3> m;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = [&](std::size_t i, std::size_t c) {
+        return c_.vertices[c_.faces[face][i]][c];
+      };
+      for (std::size_t i = 0; i < 2; ++i)
+        side[i][k] = Interval(corner(i + 1, k)) - corner(0, k) +
+                     (Interval(corner(i + 1, k + 3)) - corner(0, k + 3)) * s;
+      const auto [low, high] = std::minmax({corner(0, k + 3), corner(1, k + 3), corner(2, k + 3)});
+      m[k] = Interval(low, high);
+    }
+    if (dot(cross(side[0], side[1]), m).inf() > 0) return true;
+  }
   const Vector3 a = step(at, face, 0, 1), b = step(at, face, 0, 2);
   return is_positive(dot(cross(a, b), at.m));
 }
