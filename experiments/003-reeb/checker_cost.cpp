@@ -94,6 +94,7 @@ struct Seconds {
   double cpu, wall;
 };
 Seconds run_program(const std::vector<std::string>& words) {
+  std::fflush(stdout);  // else the child would write it too
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
