@@ -4,7 +4,7 @@
 //
 // Theorem (reduction). Let P = H + L + d be ln 2 or pi / 2 with H of 33 bits, |d| <= half an ulp of
 // L, and k an integer near x / P, |k| < 2^19. Then k H is exact; x - k H is exact: it is a multiple
-// of 2^-54 and below 1/2 (ln 2), or of 2^-53 and below 1 (pi / 2), as |x| > P / 3 unless k = 0. So
+// of 2^-54 and below 1/2 (ln 2), or of 2^-53 and below 1 (pi / 2), as |x| > 0.4 P unless k = 0. So
 // r = (x - k H) - k L errs by half an ulp of r, by half one of k L and by |k d|:
 //   ln 2, |x| <= 700:      |r| < 0.34658, the error is at most 2^-55 + 2^-74 < 0.26 u;
 //   pi / 2, |x| <= 2^19:   |r| < 0.78545, the error is at most 2^-54 + 2^-66 < 0.51 u.
@@ -84,7 +84,10 @@ std::array<Approximation, 2> sin_cos_near(double x) {
   const double z = r * r;
   const double sine = r - r * (z * alternating<3, 17>(z));
   const double cosine = 1 - z * alternating<2, 16>(z);
-  const double of_sine = 4 * kUnit * (k == 0 ? std::fabs(sine) : 1);
+  // Not zero where the product underflows: sin x is not x.
+  const double of_sine = k != 0      ? 4 * kUnit
+                         : sine == 0 ? 0
+                                     : 4 * kUnit * std::fabs(sine) + 0x1p-1074;
   const Approximation s{sine, of_sine}, c{cosine, 4 * kUnit};
   switch (static_cast<long>(k) & 3) {
     case 0:
@@ -96,6 +99,10 @@ std::array<Approximation, 2> sin_cos_near(double x) {
     default:
       return {Approximation{-cosine, c.error}, s};
   }
+}
+
+Approximation log_near(double x) {
+  return by_mpfr(mpfr_log, x);
 }
 
 }  // namespace crest::kernel

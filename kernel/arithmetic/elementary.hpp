@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// exp, sin and cos of a double with a proven bound of the error, without MPFR's microseconds.
+// exp, sin, cos and log of a double with a bound of the error; the first three without MPFR's
+// microseconds.
 #include <array>
 
 namespace crest::kernel {
@@ -17,5 +18,7 @@ struct Approximation {
 Approximation exp_near(double x);
 /// sin x, cos x.
 std::array<Approximation, 2> sin_cos_near(double x);
+/// Over MPFR. Requires: x > 0.
+Approximation log_near(double x);
 
 }  // namespace crest::kernel

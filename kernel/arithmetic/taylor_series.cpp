@@ -2,8 +2,6 @@
 // The Taylor series of elementary functions, with bounds for what they leave out.
 #include "kernel/arithmetic/taylor_series.hpp"
 
-#include <mpfr.h>
-
 #include "kernel/arithmetic/elementary.hpp"
 
 namespace crest::kernel::taylor {
@@ -15,17 +13,6 @@ constexpr double kUnit = 0x1p-53;
 /// for what may be zero.
 double shrink(double x) {
   return x * (1 - 0x1p-43) - 0x1p-1000;
-}
-
-/// Correctly rounded but for subnormal results.
-double rounded_log(double x) {
-  mpfr_t y;
-  mpfr_init2(y, 53);
-  mpfr_set_d(y, x, MPFR_RNDN);
-  mpfr_log(y, y, MPFR_RNDN);
-  const double result = mpfr_get_d(y, MPFR_RNDN);
-  mpfr_clear(y);
-  return result;
 }
 
 double factorial(int n) {
@@ -117,7 +104,7 @@ Series log_series(double c, double rho, int order) {
   const double nearest = shrink(c - rho);
   if (!(nearest > 0) || !std::isfinite(c)) return not_analytic();
   Series s;
-  s.t[0] = rounded_log(c);
+  s.t[0] = log_near(c).value;
   for (int k = 1; k <= order; ++k)
     s.t[static_cast<std::size_t>(k)] = (k % 2 ? 1 : -1) / (k * power(c, k));
   bound_errors(s, order, 2, 3);

@@ -32,7 +32,8 @@ bool holds(Function function, double x, const Approximation& y) {
 std::vector<double> arguments(double largest, double period) {
   std::mt19937_64 random(1980);
   std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<double> all = {0, 1e-300, -1e-300, 0x1p-30, 1, -1, largest, -largest};
+  std::vector<double> all = {0,       0x1p-1074, 1e-320, 1e-300,  -1e-300,
+                             0x1p-30, 1,         -1,     largest, -largest};
   const auto count = static_cast<int>(std::fmin(largest / period, 4000));
   for (int k = -count; k <= count; ++k)
     for (const double part : {k / 2.0 - 1e-16, k / 2.0, k / 2.0 + 1e-9}) {
@@ -85,6 +86,13 @@ TEST_CASE("beyond their ranges exp, sin and cos still hold") {
     const auto [s, c] = sin_cos_near(x);
     CHECK(holds(mpfr_sin, x, s));
     CHECK(holds(mpfr_cos, x, c));
+  }
+}
+
+TEST_CASE("log is within its error") {
+  for (const double x : {0x1p-1074, 1e-300, 0.3, 1.0, 1 + 0x1p-52, 2.0, 1e300}) {
+    CAPTURE(x);
+    CHECK(holds(mpfr_log, x, log_near(x)));
   }
 }
 
