@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "certify/parallel.hpp"
 #include "certify/reeb_checks.hpp"
 #include "certify/reject.hpp"
 
@@ -264,10 +265,14 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
 void check_trees(const ReebContents& c, const Complex& k, const NodeTypes& types,
                  const Cuts& cuts) {
   require(k.nodes() + 2 * c.cuts.size() < kNone, "cuts: more than the checker numbers");
-  Sweep join(c, k, types, cuts, Direction::up);
-  join.run();
-  check_components(c, types, cuts, join);
-  Sweep(c, k, types, cuts, Direction::down).run();
+  const auto sweep = [&](int, std::size_t direction) {
+    if (direction == 1) return Sweep(c, k, types, cuts, Direction::down).run();
+    Sweep join(c, k, types, cuts, Direction::up);
+    join.run();
+    check_components(c, types, cuts, join);
+  };
+  parallel_for(
+      2, [] { return 0; }, sweep);
 }
 
 }  // namespace crest::certify::reeb
