@@ -2,7 +2,7 @@
 #pragma once
 
 // SurfaceEvaluator for the translation units that instantiate it, one a model type.
-#include "certify/smooth_surface.hpp"
+#include "certify/smooth_substitution.hpp"
 
 namespace crest::certify::smooth {
 
@@ -41,17 +41,22 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
 template <class M>
 template <int n>
 kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& frame) {
-  using Jet = kernel::Jet<M, 3, n>;
-  auto& program = std::get<Program<3, n>>(implicit_);
-  if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
-  std::array<Jet, 3> at;
-  for (std::size_t i = 0; i < 3; ++i) {
-    at[i] = Jet::constant(x[i]);
-    // Of degree one the last variable comes first.
-    for (std::size_t k = 0; k < 3; ++k)
-      if (frame[k][i] != 0) at[i].set(3 - k, M(frame[k][i]));
+  if constexpr (!std::is_same_v<M, MpModel>) {
+    return in_frame(implicit<n>(x), frame);
+  } else {
+    // Without weights that are rounded to doubles.
+    using Jet = kernel::Jet<M, 3, n>;
+    auto& program = std::get<Program<3, n>>(implicit_);
+    if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
+    std::array<Jet, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = Jet::constant(x[i]);
+      // Of degree one the last variable comes first.
+      for (std::size_t k = 0; k < 3; ++k)
+        if (frame[k][i] != 0) at[i].set(3 - k, M(frame[k][i]));
+    }
+    return program[0](at);
   }
-  return program[0](at);
 }
 
 template <class M>
@@ -71,11 +76,12 @@ std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, c
       bound[k] = kernel::Evaluator<M>(surface_.texts[3 + k], convert, M(1.0))({});
     domain_ = {bound[0], bound[1] - bound[0], bound[2], bound[3] - bound[2]};
   }
-  const auto along = [&](int i, const M& t) {
-    const auto k = static_cast<std::size_t>(2 * i);
-    return Jet::constant(domain_[k]) + Jet::constant(domain_[k + 1]) * Jet::variable(i, t);
+  const auto along = [&](std::size_t k, const M& t) {
+    Jet x = Jet::constant(domain_[k] + domain_[k + 1] * t);
+    x.set(2 - k / 2, domain_[k + 1]);  // of degree one the last variable comes first
+    return x;
   };
-  const std::array<Jet, 2> at = {along(0, u), along(1, v)};
+  const std::array<Jet, 2> at = {along(0, u), along(2, v)};
   return {program[0](at), program[1](at), program[2](at)};
 }
 

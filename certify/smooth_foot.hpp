@@ -53,8 +53,11 @@ std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<
 
 /// The Taylor coefficients of h up to order n, without the constant, from those of F at points of
 /// the graph; axis m, (p, q, m) cyclic.
-/// Theorem. F(p + a, q + b, m + h(a, b)) vanishes identically, so at each degree f_001 h_ij is
-/// minus the coefficient of a^i b^j in the other terms, which hold lower degrees of h only.
+/// Theorem. F(p + a, q + b, m + h(a, b)) vanishes identically, so h_10 = -f_100 / f_001 and h_01 =
+/// -f_010 / f_001. Let k be h without these, which begins at degree two, and G(a, b, c) = F(p + a,
+/// q + b, m + h_10 a + h_01 b + c). G(a, b, k(a, b)) vanishes too: at each degree from two on g_001
+/// k_ij = f_001 k_ij is minus the coefficient of a^i b^j in the other terms. k^c begins at degree 2
+/// c: these are g_abc with a + b + 2 c <= n only, and hold lower degrees of k.
 template <class M, int n>
 kernel::SparseArray<M, kernel::monomial_count(2, n)> implicit_function(
     const kernel::Jet<M, 3, n>& f, std::size_t axis);

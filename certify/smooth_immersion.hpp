@@ -20,23 +20,26 @@ Triple<F> derivative(const Triple<Jet>& x, int a, int b) {
 }
 
 /// N = X_1 x X_2, not normalized.
+template <class F>
+struct Tangents {
+  Triple<F> x1, x2, n;
+};
 template <int K, int Order, class M, class Jet>
-void fill_immersion(const Triple<Jet>& x, FirstSecond<M, K>& f) {
+Tangents<Local<M, K>> fill_immersion(const Triple<Jet>& x, FirstSecond<M, K>& f) {
   using F = Local<M, K>;
-  const auto x1 = derivative<F, Order>(x, 1, 0), x2 = derivative<F, Order>(x, 0, 1);
-  const auto n = cross(x1, x2);
-  f.i = {dot(x1, x1), dot(x1, x2), dot(x2, x2)};
+  Tangents<F> t{derivative<F, Order>(x, 1, 0), derivative<F, Order>(x, 0, 1), {}};
+  t.n = cross(t.x1, t.x2);
+  f.i = {dot(t.x1, t.x1), dot(t.x1, t.x2), dot(t.x2, t.x2)};
   for (int k = 0; k < 3; ++k)
-    f.l[static_cast<std::size_t>(k)] = dot(n, derivative<F, Order>(x, 2 - k, k));
+    f.l[static_cast<std::size_t>(k)] = dot(t.n, derivative<F, Order>(x, 2 - k, k));
+  return t;
 }
 
 template <int K, int Order, class M, class Jet>
 Forms<M, K> immersion_forms(const Triple<Jet>& x) {
   using F = Local<M, K>;
   Forms<M, K> f;
-  fill_immersion<K, Order>(x, f);
-  const auto x1 = derivative<F, Order>(x, 1, 0), x2 = derivative<F, Order>(x, 0, 1);
-  const auto n = cross(x1, x2);
+  const auto [x1, x2, n] = fill_immersion<K, Order>(x, f);
   for (int k = 0; k < 4; ++k)
     f.t[static_cast<std::size_t>(k)] = dot(n, derivative<F, Order>(x, 3 - k, k));
   const auto x11 = derivative<F, Order>(x, 2, 0), x12 = derivative<F, Order>(x, 1, 1),

@@ -26,6 +26,16 @@ M square_root(const M& x) {
   return sqrt(x);
 }
 
+/// c_k += x y; an empty place is zero.
+template <class M, int Count>
+void accumulate(kernel::SparseArray<M, Count>& c, std::size_t k, const M& x, const M& y) {
+  using kernel::add_product;
+  if (c.has(k))
+    add_product(c.place(k), x, y);
+  else
+    c.make(k, [&] { return M(x * y); });
+}
+
 /// M: + - *, and * with doubles. Taylor coefficients in the order of kernel's Monomials<2, K>.
 template <class M, int K>
 class Local {
@@ -49,7 +59,7 @@ class Local {
       double factor = 1;
       for (int n = 1; n <= a; ++n) factor *= i + n;
       for (int n = 1; n <= b; ++n) factor *= j + n;
-      r.c_.put(k, factor == 1 ? f[from] : M(f[from] * factor));
+      r.c_.make(k, [&] { return factor == 1 ? f[from] : M(f[from] * factor); });
     }
     return r;
   }
@@ -60,9 +70,9 @@ class Local {
     return r;
   }
 
-  M value() const { return at(0); }
+  const M& value() const { return at(0); }
   M d(int a, int b) const {
-    const M x = at(kTables.position[kTables.digits(a, b)]);
+    const M& x = at(kTables.position[kTables.digits(a, b)]);
     const double factor = (a > 2 || b > 2 ? 6 : 1) * (a == 2 ? 2 : 1) * (b == 2 ? 2 : 1);
     return factor == 1 ? x : M(x * factor);
   }
@@ -81,7 +91,7 @@ class Local {
     Local r;
     if (s == 0) return r;
     kernel::for_each_bit(a.c_.mask(), [&](std::size_t i) {
-      r.c_.put(i, s == 1 ? a.c_[i] : s == -1 ? M(-a.c_[i]) : M(a.c_[i] * s));
+      r.c_.make(i, [&] { return s == 1 ? a.c_[i] : s == -1 ? M(-a.c_[i]) : M(a.c_[i] * s); });
     });
     return r;
   }
@@ -122,12 +132,19 @@ class Local {
   }
 
  private:
-  M at(std::size_t i) const { return c_.has(i) ? c_[i] : M(0.0); }
+  const M& at(std::size_t i) const {
+    static const M kZero(0.0);
+    return c_.has(i) ? c_[i] : kZero;
+  }
   Local plus(const Local& b, bool negative) const {
-    Local r = *this;
-    kernel::for_each_bit(b.c_.mask(), [&](std::size_t i) {
-      const M x = negative ? M(-b.c_[i]) : b.c_[i];
-      r.c_.put(i, c_.has(i) ? M(c_[i] + x) : x);
+    Local r;
+    kernel::for_each_bit(c_.mask() | b.c_.mask(), [&](std::size_t i) {
+      if (!b.c_.has(i))
+        r.c_.put(i, c_[i]);
+      else if (!c_.has(i))
+        r.c_.make(i, [&] { return negative ? M(-b.c_[i]) : b.c_[i]; });
+      else
+        r.c_.make(i, [&] { return negative ? M(c_[i] - b.c_[i]) : M(c_[i] + b.c_[i]); });
     });
     return r;
   }
@@ -137,10 +154,7 @@ class Local {
     const std::uint64_t which = f.mask() & kTables.up_to[K - std::size_t{kTables.degree[i]}];
     kernel::for_each_bit(which & ~without, [&](std::size_t j) {
       const std::size_t k = kTables.product[i][j];
-      if (sums.has(k))
-        sums.place(k) = sums[k] + x * f[j];
-      else
-        sums.put(k, M(x * f[j]));
+      accumulate(sums, k, x, f[j]);
     });
   }
 

@@ -76,8 +76,8 @@ class Jet {
   Jet operator-() const {
     return each([](const T& x) { return T(-x); });
   }
-  friend Jet operator+(const Jet& a, const Jet& b) { return Jet(a).add(b, false); }
-  friend Jet operator-(const Jet& a, const Jet& b) { return Jet(a).add(b, true); }
+  friend Jet operator+(const Jet& a, const Jet& b) { return a.plus(b, false); }
+  friend Jet operator-(const Jet& a, const Jet& b) { return a.plus(b, true); }
   friend Jet operator*(const Jet& a, const Jet& b) {
     Jet r;
     for_each_bit(a.mask(), [&](std::size_t i) {
@@ -119,11 +119,11 @@ class Jet {
   template <class Function>
   Jet each(Function&& f) const {
     Jet r;
-    for_each_bit(mask(), [&](std::size_t i) { r.c_.put(i, f(c_[i])); });
+    for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
     return r;
   }
   void shift(double s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number_like(s, &(*this)[0])); }
-  Jet& add(const Jet& b, bool negative);
+  Jet plus(const Jet& b, bool negative) const;
 
   /// sums_{i + j} += x f_j for the j of `which`.
   static void spread(Coefficients& sums, std::size_t i, const T& x, const Coefficients& f,

@@ -8,14 +8,17 @@
 namespace crest::kernel {
 
 template <class T, int Variables, int Order>
-Jet<T, Variables, Order>& Jet<T, Variables, Order>::add(const Jet& b, bool negative) {
-  for_each_bit(b.mask(), [&](std::size_t i) {
-    if (c_.has(i))
-      c_.put(i, negative ? T(c_[i] - b.c_[i]) : T(c_[i] + b.c_[i]));
+Jet<T, Variables, Order> Jet<T, Variables, Order>::plus(const Jet& b, bool negative) const {
+  Jet r;
+  for_each_bit(mask() | b.mask(), [&](std::size_t i) {
+    if (!b.c_.has(i))
+      r.c_.put(i, c_[i]);
+    else if (!c_.has(i))
+      r.c_.make(i, [&] { return negative ? T(-b.c_[i]) : b.c_[i]; });
     else
-      c_.put(i, negative ? T(-b.c_[i]) : b.c_[i]);
+      r.c_.make(i, [&] { return negative ? T(c_[i] - b.c_[i]) : T(c_[i] + b.c_[i]); });
   });
-  return *this;
+  return r;
 }
 
 template <class T, int Variables, int Order>
@@ -27,7 +30,7 @@ void Jet<T, Variables, Order>::spread(Coefficients& sums, std::size_t i, const T
     if (sums.has(k))
       add_product(sums.place(k), x, f[j]);
     else
-      sums.put(k, T(x * f[j]));
+      sums.make(k, [&] { return T(x * f[j]); });
   });
 }
 

@@ -132,12 +132,6 @@ Range MpTaylorModel<Order>::at_corner(int i) const {
 }
 
 template <int Order>
-double MpTaylorModel<Order>::magnitude() const {
-  const Range r = range();
-  return std::fmax(-r.low, r.high);
-}
-
-template <int Order>
 bool MpTaylorModel<Order>::is_flat() const {
   return std::all_of(c.begin() + 1, c.end(), is_zero);
 }

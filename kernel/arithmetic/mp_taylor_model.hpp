@@ -44,8 +44,6 @@ class MpTaylorModel {
   /// On the edge from corner i to corner (i + 1) % 3.
   Range range_on_edge(int i) const;
   Range at_corner(int i) const;
-  /// An upper bound of |f|.
-  double magnitude() const;
   /// The polynomial is a constant.
   bool is_flat() const;
 

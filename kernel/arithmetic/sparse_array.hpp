@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -59,6 +60,12 @@ class SparseArray {
       std::construct_at(&place(i), std::forward<U>(value));
       mask_ |= std::uint64_t{1} << i;
     }
+  }
+  /// What f() returns becomes place i, which is empty, without a copy.
+  template <class Function>
+  void make(std::size_t i, Function&& f) {
+    ::new (static_cast<void*>(&place(i))) T(f());
+    mask_ |= std::uint64_t{1} << i;
   }
 
  private:

@@ -25,7 +25,9 @@
 //     coordinates, hence at most 1 in absolute value.
 // If anything overflows the radius is infinite or NaN, and nothing is certain any more.
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "kernel/arithmetic/range.hpp"
 #include "kernel/arithmetic/taylor_kernels.hpp"
@@ -61,12 +63,10 @@ class TaylorModel {
   Range at_corner(int i) const;
   /// The polynomial is a constant: nothing but c[0] and the radius.
   bool is_flat() const {
-    bool flat = true;
-    for (std::size_t m = 1; m < kCount; ++m) flat = flat && c[m] == 0;
-    return flat;
+    std::uint64_t bits = 0;  // no branches: both answers are frequent
+    for (std::size_t m = 1; m < kCount; ++m) bits |= std::bit_cast<std::uint64_t>(c[m]);
+    return bits << 1 == 0;
   }
-  /// A cheap upper bound of |f|: the sum of w |c|, and the radius.
-  double magnitude() const { return grow(Kernels::sizes(c, c).a + radius); }
 
   TaylorModel operator-() const {
     TaylorModel r = *this;
@@ -76,23 +76,27 @@ class TaylorModel {
   friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel r;
     for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] + b.c[m];
-    return r.rounded(a.radius + b.radius);
+    r.round(a.radius + b.radius);
+    return r;
   }
   friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel r;
     for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] - b.c[m];
-    return r.rounded(a.radius + b.radius);
+    r.round(a.radius + b.radius);
+    return r;
   }
   friend TaylorModel operator*(double s, const TaylorModel& a) { return a * s; }
   friend TaylorModel operator*(const TaylorModel& a, double s) {
     TaylorModel r;
     for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] * s;
-    return r.rounded(std::fabs(s) * a.radius);
+    r.round(std::fabs(s) * a.radius);
+    return r;
   }
   friend TaylorModel operator/(const TaylorModel& a, double s) {
     TaylorModel r;
     for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] / s;
-    return r.rounded(a.radius / std::fabs(s));
+    r.round(a.radius / std::fabs(s));
+    return r;
   }
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     if (a.seems_flat() && a.is_flat()) return b.times_flat(a);
@@ -111,7 +115,7 @@ class TaylorModel {
     const auto product = Kernels::product(a.c, b.c);
     const double radius = Kernels::left_out(a.c, a.radius, b.c, b.radius);
     for (std::size_t m = 0; m < kCount; ++m) sum.c[m] += product[m];
-    sum = sum.rounded(sum.radius + radius);
+    sum.round(sum.radius + radius);
   }
   friend TaylorModel operator/(const TaylorModel& a, const TaylorModel& b) {
     return a * inverse(b);
@@ -124,17 +128,21 @@ class TaylorModel {
   friend TaylorModel cos(const TaylorModel& a) { return a.compose(taylor::cos_series); }
 
  private:
-  /// This, its coefficients rounded once each: an error of at most u times themselves.
-  TaylorModel rounded(double error) const {
-    TaylorModel r = *this;
-    r.radius = grow(error + Kernels::kUnit * Kernels::size(c));
-    return r;
-  }
+  /// Its coefficients were rounded once each, an error of at most u times themselves, and err by
+  /// `error` besides.
+  void round(double error) { radius = grow(error + Kernels::kUnit * Kernels::size(c)); }
   /// Seldom true of a model that is not flat.
   bool seems_flat() const { return c[1] == 0 && c[2] == 0; }
   TaylorModel times_flat(const TaylorModel& flat) const {
-    TaylorModel r = *this * flat.c[0];
-    if (flat.radius != 0) r.radius = grow(r.radius + flat.radius * magnitude());
+    const double factor = flat.c[0];
+    if (seems_flat() && is_flat()) {
+      const double product = c[0] * factor;
+      return around(product, grow(Kernels::kUnit * std::fabs(product) + std::fabs(factor) * radius +
+                                  flat.radius * (std::fabs(c[0]) + radius)));
+    }
+    TaylorModel r;
+    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = c[m] * factor;
+    r.round(std::fabs(factor) * radius + flat.radius * (Kernels::size(c) + radius));
     return r;
   }
   TaylorModel compose(taylor::Series (*make_series)(double c, double rho, int order)) const;

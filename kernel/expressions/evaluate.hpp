@@ -3,6 +3,8 @@
 
 // An expression over any number type.
 #include <cmath>
+#include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -49,25 +51,24 @@ inline Rational as_rational(const Constant& c) {
   return c.exact;
 }
 
-/// x^n by repeated squaring. Requires: T(x) / T(x) is one.
+/// x^n by repeated squaring. Requires: n >= 2.
+template <class T>
+T power(const T& x, std::uint32_t n) {
+  if (n == 2) return x * x;
+  if (n % 2 == 1) return power(x, n - 1) * x;
+  const T half = power(x, n / 2);
+  return half * half;
+}
+/// Requires: T(x) / T(x) is one.
 template <class T>
 T integer_power(const T& x, std::int32_t n, const T& one) {
-  if (n == 2) return x * x;  // nearly always: no copies
-  T result = one, square = x;
-  bool started = false;
-  for (std::uint32_t bits = n < 0 ? 0u - static_cast<std::uint32_t>(n)
-                                  : static_cast<std::uint32_t>(n);
-       bits != 0; bits >>= 1) {
-    if (bits & 1) {
-      result = started ? result * square : square;
-      started = true;
-    }
-    if (bits > 1) square = square * square;
-  }
-  return n < 0 ? one / result : result;
+  if (n < 0) return one / integer_power(x, -n, one);
+  if (n < 2) return n == 0 ? one : x;
+  return power(x, static_cast<std::uint32_t>(n));
 }
 
-/// The program with its constants as numbers of T, and its stack: made once, called often.
+/// The program with its constants as numbers of T, and places for its values: made once, called
+/// often. Jets are large: a value is made in its place and read there, not copied on the way.
 /// Not for two threads at a time.
 template <class T>
 class Evaluator {
@@ -75,55 +76,113 @@ class Evaluator {
   /// `convert` makes a T of a Constant (as_double, as_rational, an enclosure); `one` is T's one.
   template <class Convert>
   Evaluator(const Expression& expression, Convert&& convert, T one)
-      : program_(expression.program()), one_(std::move(one)) {
+      : places_(expression.stack_depth() + 1), one_(std::move(one)) {
     for (const Constant& c : expression.constants()) constants_.push_back(convert(c));
-    stack_.reserve(expression.stack_depth());
+    std::vector<Place*> unused;
+    for (Place& place : places_) unused.push_back(&place);
+    std::vector<Operand> stack;
+    for (const Operation& operation : expression.program()) {
+      const auto index = static_cast<std::size_t>(operation.argument);
+      if (operation.code == Code::constant) {
+        stack.push_back({&constants_[index], 0, nullptr});
+      } else if (operation.code == Code::variable) {
+        stack.push_back({nullptr, index, nullptr});
+      } else {
+        // A place other than its operands': these are read while it is filled.
+        Place* const to = unused.back();
+        unused.pop_back();
+        const std::size_t count = is_binary(operation.code) ? 2 : 1;
+        const Operand first = stack[stack.size() - count], last = stack.back();
+        stack.resize(stack.size() - count);
+        if (first.place != nullptr) unused.push_back(first.place);
+        if (count == 2 && last.place != nullptr) unused.push_back(last.place);
+        steps_.push_back({operation, first, last, to});
+        stack.push_back({to->address(), 0, to});
+      }
+    }
+    result_ = stack.back();
   }
+  Evaluator(Evaluator&&) noexcept = default;
+  Evaluator& operator=(Evaluator&&) noexcept = default;
 
   /// Requires: as many variables as the expression was parsed with.
   T operator()(std::span<const T> variables) {
-    stack_.clear();
-    for (const Operation& operation : program_) step(operation, variables);
-    return stack_.back();
+    for (const Step& step : steps_) run(step, variables);
+    return value(result_, variables);
   }
 
  private:
   using Code = Operation::Code;
 
-  void step(const Operation& operation, std::span<const T> variables) {
-    switch (operation.code) {
-      case Code::constant:
-        return stack_.push_back(constants_[static_cast<std::size_t>(operation.argument)]);
-      case Code::variable:
-        return stack_.push_back(variables[static_cast<std::size_t>(operation.argument)]);
+  /// Room for a value.
+  class Place {
+   public:
+    Place() noexcept {}
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+    ~Place() { clear(); }
+    const T* address() const { return &value_; }
+    /// What f() returns, made here.
+    template <class Function>
+    void make(Function&& f) {
+      clear();
+      ::new (static_cast<void*>(&value_)) T(f());
+      full_ = true;
+    }
+
+   private:
+    void clear() {
+      if (full_) std::destroy_at(&value_);
+      full_ = false;
+    }
+    union {
+      T value_;
+    };
+    bool full_ = false;
+  };
+  struct Operand {
+    const T* value;        ///< null: that of a variable
+    std::size_t variable;  ///< its number
+    Place* place;          ///< that holds the value, if one does
+  };
+  struct Step {
+    Operation operation;
+    Operand first, last;
+    Place* to;
+  };
+
+  static bool is_binary(Code code) {
+    return code == Code::add || code == Code::subtract || code == Code::multiply ||
+           code == Code::divide;
+  }
+  static const T& value(const Operand& operand, std::span<const T> variables) {
+    return operand.value != nullptr ? *operand.value : variables[operand.variable];
+  }
+
+  void run(const Step& step, std::span<const T> variables) {
+    const T &a = value(step.first, variables), &b = value(step.last, variables);
+    switch (step.operation.code) {
       case Code::add:
-        return combine([](const T& a, const T& b) { return T(a + b); });
+        return step.to->make([&] { return T(a + b); });
       case Code::subtract:
-        return combine([](const T& a, const T& b) { return T(a - b); });
+        return step.to->make([&] { return T(a - b); });
       case Code::multiply:
-        return combine([](const T& a, const T& b) { return T(a * b); });
+        return step.to->make([&] { return T(a * b); });
       case Code::divide:
-        return combine([](const T& a, const T& b) { return T(a / b); });
+        return step.to->make([&] { return T(a / b); });
       case Code::negate:
-        stack_.back() = -stack_.back();
-        return;
+        return step.to->make([&] { return T(-a); });
       case Code::power:
-        stack_.back() = integer_power(stack_.back(), operation.argument, one_);
-        return;
+        return step.to->make([&] { return integer_power(a, step.operation.argument, one_); });
       default:
-        stack_.back() = ElementaryFunctions<T>::apply(operation.code, stack_.back());
+        return step.to->make([&] { return ElementaryFunctions<T>::apply(step.operation.code, a); });
     }
   }
 
-  template <class Combine>
-  void combine(Combine&& combine) {
-    const T b = std::move(stack_.back());
-    stack_.pop_back();
-    stack_.back() = combine(stack_.back(), b);
-  }
-
-  std::vector<Operation> program_;
-  std::vector<T> constants_, stack_;
+  std::vector<T> constants_;
+  std::vector<Place> places_;
+  std::vector<Step> steps_;
+  Operand result_{};
   T one_;
 };
 

@@ -5,7 +5,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "kernel/arithmetic/taylor_combinations.hpp"
 #include "tests/kernel/triangle_points.hpp"
 
 namespace {
@@ -56,16 +58,37 @@ void check_ring_operations(Draw& d) {
   REQUIRE(flat.is_flat());
   REQUIRE(encloses(flat * a.model, at, flat_value * a.value));
   REQUIRE(encloses(a.model * flat, at, a.value * flat_value));
+  REQUIRE(encloses(flat * flat, at, flat_value * flat_value));
+  REQUIRE((flat * flat).is_flat());
   TaylorModel<N> sum = b.model;
   add_product(sum, a.model, b.model);
   add_product(sum, flat, a.model);
   REQUIRE(encloses(sum, at, b.value + a.value * b.value + flat_value * a.value));
   add_product(sum, sum, a.model);
   REQUIRE(encloses(sum, at, (b.value + a.value * b.value + flat_value * a.value) * (1 + a.value)));
-  const Range range = a.model.range();
-  REQUIRE(encloses(range, a.value));
-  REQUIRE(std::fmax(-range.low, range.high) <= 4 * a.model.magnitude());
-  REQUIRE((a.value < 0 ? Rational(-a.value) : a.value) <= a.model.magnitude());
+  REQUIRE(encloses(a.model.range(), a.value));
+}
+
+/// Weights at the ends of what is known of them, models of any sizes side by side.
+template <int N>
+void check_combinations(Draw& d) {
+  const TrianglePoint at = draw_triangle_point(d);
+  std::vector<Sample<N>> samples;
+  const int count = d.integer(0, 10);
+  for (int i = 0; i < count; ++i)
+    samples.push_back(draw_sample<N>(d, at, between(d, -2, 2), std::exp2(d.integer(-30, 30))));
+  TaylorCombinations<N, 10> combinations;
+  for (const auto& s : samples) combinations.add(s.model);
+  const double error = d.coin() ? 0 : std::exp2(d.integer(-60, -2));
+  std::array<double, 10> weights{};
+  Rational sum = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    weights[i] = d.integer(0, 4) == 0 ? 0 : between(d, -3, 3);
+    sum += (Rational(weights[i]) + Rational(error) * d.integer(-1, 1)) * samples[i].value;
+  }
+  const auto r = combinations.of(weights, error);
+  REQUIRE(encloses(r, at, sum));
+  REQUIRE(std::isfinite(r.radius));
 }
 
 /// Nothing but rounding to absorb: linear functions, constants, no radius.
@@ -113,6 +136,7 @@ template <int N>
 void check_all() {
   Draw d(900 + N);
   for (std::uint64_t i = 0; i < scaled(4000); ++i) check_ring_operations<N>(d);
+  for (std::uint64_t i = 0; i < scaled(2000); ++i) check_combinations<N>(d);
   for (std::uint64_t i = 0; i < scaled(4000); ++i) check_rounding<N>(d);
   for (std::uint64_t i = 0; i < scaled(1000); ++i) check_functions<N>(d);
 }
