@@ -173,7 +173,8 @@ void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& o) {
   add("--periodic", o.periodic, "u|v|uv", "directions in which --param closes up")
       ->check(CLI::IsMember({"u", "v", "uv"}))
       ->needs(param);
-  add("--start-faces", o.algorithm.start_faces, "N", "faces of the first triangulation, about")
+  add("--start-faces", o.algorithm.start_faces, "N",
+      "faces of the first triangulation, about (1500; --param: 400)")
       ->check(CLI::Range(8, 10000000));
   add("--max-depth", o.algorithm.refinement.max_depth, "N", "rounds of refinement at most")
       ->check(CLI::Range(0, 1000));

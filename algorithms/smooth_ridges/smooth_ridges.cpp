@@ -76,7 +76,8 @@ class Run {
     }
     try {
       mesh_ = timed(out_.seconds.start, [&] {
-        return initial_mesh(surface_, options_.start_faces, cover_.critical_points);
+        const int target = options_.start_faces.value_or(surface_.is_implicit() ? 1500 : 400);
+        return initial_mesh(surface_, target, cover_.critical_points);
       });
     } catch (const MeshError& error) {
       out_.obstacles.push_back(error.what());
@@ -144,7 +145,7 @@ class Run {
 }  // namespace
 
 SmoothRidges smooth_ridges(const Surface& surface, const Options& options) {
-  if (options.start_faces < 8 || options.start_faces > 10000000)
+  if (options.start_faces && (*options.start_faces < 8 || *options.start_faces > 10000000))
     throw std::invalid_argument("start faces: a number from 8 to 10000000 is expected");
   return Run(surface, options).run();
 }

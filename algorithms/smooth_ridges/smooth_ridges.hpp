@@ -4,6 +4,7 @@
 // Certified ridges and umbilics of a smooth surface given by expressions (paper 002, case I;
 // certify/SPEC.md, claim 4, states what is proven and why).
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,9 @@
 namespace crest::smooth_ridges {
 
 struct Options {
-  int start_faces = 1500;  ///< of the first triangulation, about
+  /// Of the first triangulation, about. Else 1500 that resolve an implicit surface, or 400: of a
+  /// parametrisation any grid is a start.
+  std::optional<int> start_faces;
   RefinementOptions refinement;
 };
 

@@ -223,26 +223,35 @@ struct Table {
   std::string heading;
   std::vector<SmoothSurface> surfaces;
   void (*row)(const SmoothSurface&, const Options&);
+  const char* note;
 };
 Table table_of(const std::string& name) {
   if (name == "refusals")
     return {"surface | exit code | faces | undecided | s | reason",
-            experiments::degenerate_surfaces(), refusal_row};
+            experiments::degenerate_surfaces(), refusal_row,
+            "Seconds: processor time of one thread. The exit code is that of `crest ridges` for "
+            "this result: 4 with undecided\ncells, 1 without a triangulation."};
   if (name == "phases")
     return {
         "surface | all components | start | faces | umbilics | bisection | graph | encoding | "
         "us a face test | peak MB so far",
-        experiments::generic_surfaces(), phases_row};
+        experiments::generic_surfaces(), phases_row,
+        "Per cent of one thread's time by the clock, encoding included: the box's search for "
+        "components and the proof that each\nis covered once; the first triangulation; tests of "
+        "faces; umbilics and their patches; making of faces; the graph and\nthe certificate's "
+        "contents. Peak memory is the program's, over all rows so far."};
   return {
       "surface | chi | umbilics +1/2, -1/2; 1-ridge, 3-ridge | blue loops + paths, turning "
       "points | red loops + paths, turning points | purple points | triangles | rounds | face "
       "tests | s: one thread, two | checker s: one, two | quotients | bytes a triangle | verdict",
       name == "growth" ? experiments::growing_surfaces() : experiments::generic_surfaces(),
-      surface_row};
+      surface_row,
+      "Seconds: processor time of one thread, time by the clock of two, encoding included. "
+      "Quotients: checker over extraction,\nof runs side by side, on one thread and on two."};
 }
 
 void run_table(const Options& o) {
-  const auto [heading, surfaces, print_row] = table_of(o.table);
+  const auto [heading, surfaces, print_row, note] = table_of(o.table);
   std::string rule = "|---";
   for (const char c : heading)
     if (c == '|') rule += "|---";
@@ -253,10 +262,8 @@ void run_table(const Options& o) {
     std::fflush(stdout);
   }
   fmt::print(
-      "\nSeconds: processor time of one thread, time by the clock of two, encoding included; "
-      "medians of {} runs (of one\nfrom {} s on), quotients of runs side by side. At most {} faces "
-      "and {} s a surface.\n",
-      o.runs, kOnceFrom, o.faces, o.seconds);
+      "\n{}\nMedians of {} runs (of one from {} s on); at most {} faces and {} s a surface.\n",
+      note, o.runs, kOnceFrom, o.faces, o.seconds);
 }
 
 }  // namespace
