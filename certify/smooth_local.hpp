@@ -4,37 +4,13 @@
 // Quantities of a surface with their derivatives by its two coordinates, up to order K = 0 to 3.
 //
 // Operations are identities of Taylor coefficients, so they enclose. Zeros are not stored.
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
+#include "certify/smooth_numbers.hpp"
 #include "kernel/arithmetic/jet_tables.hpp"
-#include "kernel/arithmetic/sparse_array.hpp"
 
 namespace crest::certify::smooth {
-
-template <class M>
-M reciprocal(const M& x) {
-  return inverse(x);
-}
-inline double reciprocal(double x) {
-  return 1 / x;
-}
-template <class M>
-M square_root(const M& x) {
-  using std::sqrt;
-  return sqrt(x);
-}
-
-/// c_k += x y; an empty place is zero.
-template <class M, int Count>
-void accumulate(kernel::SparseArray<M, Count>& c, std::size_t k, const M& x, const M& y) {
-  using kernel::add_product;
-  if (c.has(k))
-    add_product(c.place(k), x, y);
-  else
-    c.make(k, [&] { return M(x * y); });
-}
 
 /// M: + - *, and * with doubles. Taylor coefficients in the order of kernel's Monomials<2, K>.
 template <class M, int K>

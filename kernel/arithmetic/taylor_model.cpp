@@ -15,6 +15,20 @@ TaylorModel<Order> TaylorModel<Order>::linear(double at0, double at1, double at2
   return m;
 }
 
+template <int Order>
+TaylorModel<Order> TaylorModel<Order>::times_flat(const TaylorModel& flat) const {
+  const double factor = flat.c[0];
+  if (seems_flat() && is_flat()) {
+    const double product = c[0] * factor;
+    return around(product, grow(Kernels::kUnit * std::fabs(product) + std::fabs(factor) * radius +
+                                flat.radius * (std::fabs(c[0]) + radius)));
+  }
+  TaylorModel r;
+  for (std::size_t m = 0; m < kCount; ++m) r.c[m] = c[m] * factor;
+  r.round(std::fabs(factor) * radius + flat.radius * (Kernels::size(c) + radius));
+  return r;
+}
+
 /// f(c + h) = t0 + h (t1 + h (...)), h this model without the constant c.
 template <int Order>
 TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(double, double,

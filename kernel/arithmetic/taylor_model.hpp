@@ -133,18 +133,7 @@ class TaylorModel {
   void round(double error) { radius = grow(error + Kernels::kUnit * Kernels::size(c)); }
   /// Seldom true of a model that is not flat.
   bool seems_flat() const { return c[1] == 0 && c[2] == 0; }
-  TaylorModel times_flat(const TaylorModel& flat) const {
-    const double factor = flat.c[0];
-    if (seems_flat() && is_flat()) {
-      const double product = c[0] * factor;
-      return around(product, grow(Kernels::kUnit * std::fabs(product) + std::fabs(factor) * radius +
-                                  flat.radius * (std::fabs(c[0]) + radius)));
-    }
-    TaylorModel r;
-    for (std::size_t m = 0; m < kCount; ++m) r.c[m] = c[m] * factor;
-    r.round(std::fabs(factor) * radius + flat.radius * (Kernels::size(c) + radius));
-    return r;
-  }
+  TaylorModel times_flat(const TaylorModel& flat) const;
   TaylorModel compose(taylor::Series (*make_series)(double c, double rho, int order)) const;
 };
 

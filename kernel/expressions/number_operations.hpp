@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What an expression asks of a number type: functions, powers, constants.
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+#include "kernel/expressions/expression.hpp"
+
+namespace crest::kernel {
+
+/// sqrt, exp, log, sin and cos of a number type: std's or those found by the argument's namespace.
+template <class T>
+struct ElementaryFunctions {
+  static T apply(Operation::Code code, const T& x) {
+    using std::cos, std::exp, std::log, std::sin, std::sqrt;
+    switch (code) {
+      case Operation::Code::sqrt:
+        return sqrt(x);
+      case Operation::Code::exp:
+        return exp(x);
+      case Operation::Code::log:
+        return log(x);
+      case Operation::Code::sin:
+        return sin(x);
+      default:
+        return cos(x);
+    }
+  }
+};
+
+/// Rationals have none: see Expression::rational().
+template <>
+struct ElementaryFunctions<Rational> {
+  static Rational apply(Operation::Code, const Rational&) {
+    throw std::domain_error("a function of the expression has no rational value");
+  }
+};
+
+inline double as_double(const Constant& c) {
+  return c.nearest;
+}
+/// Throws: std::domain_error for pi and e.
+inline Rational as_rational(const Constant& c) {
+  if (c.kind != Constant::Kind::number) throw std::domain_error("pi and e are not rational");
+  return c.exact;
+}
+
+/// x^n by repeated squaring. Requires: n >= 2.
+template <class T>
+T power(const T& x, std::uint32_t n) {
+  if (n == 2) return x * x;
+  if (n % 2 == 1) return power(x, n - 1) * x;
+  const T half = power(x, n / 2);
+  return half * half;
+}
+/// Requires: T(x) / T(x) is one.
+template <class T>
+T integer_power(const T& x, std::int32_t n, const T& one) {
+  if (n < 0) return one / integer_power(x, -n, one);
+  if (n < 2) return n == 0 ? one : x;
+  return power(x, static_cast<std::uint32_t>(n));
+}
+
+}  // namespace crest::kernel
