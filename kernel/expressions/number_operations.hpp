@@ -55,7 +55,7 @@ T power(const T& x, std::uint32_t n) {
   const T half = power(x, n / 2);
   return half * half;
 }
-/// Requires: T(x) / T(x) is one.
+/// Requires: T(x) / T(x) is one; |n| <= 1000, as expressions have it.
 template <class T>
 T integer_power(const T& x, std::int32_t n, const T& one) {
   if (n < 0) return one / integer_power(x, -n, one);
