@@ -129,7 +129,7 @@ std::optional<RayForms<M>> ray_forms(const FanCentre<M>& centre, const FanSector
   for (std::size_t k = 0; k < 3; ++k)
     p[k] = blow_up::divide(centre.da[k], centre.dda[k], sector.ddda[k], ray);
   const Shape<F> shape = {p[0], p[1], p[2]};
-  if (!is_positive(inner(f.i, w, apply(shape, w)).value())) return std::nullopt;
+  if (!is_positive(s_of(f.i, shape, w))) return std::nullopt;
   std::array<F, 6> q;
   for (std::size_t k = 0; k < 6; ++k)
     q[k] = blow_up::expand(centre.q[k], centre.dq[k], sector.ddq[k], ray);

@@ -3,6 +3,7 @@
 
 // FaceProver's statements, for the translation units that instantiate it.
 #include "certify/smooth_face_signs.hpp"
+#include "certify/smooth_slopes.hpp"
 
 namespace crest::certify::smooth {
 
@@ -50,27 +51,21 @@ unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigne
   if (!jets) return open;
   const auto a = shape(jets->forms);
   const auto w = direction(record.w);
-  if (!is_positive(inner(jets->forms.i, w, apply(a, w)).value())) return open;
+  if (!is_positive(s_of(jets->forms.i, a, w))) return open;
   unsigned proven = kRegular;
   if ((open & ~proven) == 0 && findings == nullptr) return 0;
-  std::array<std::array<Local<M, K>, 2>, 2> v;
-  v[0] = principal(a, w);
-  v[1] = turned(jets->forms.i, v[0]);
+  std::optional<Slopes<M>> slope;
+  Pair<Local<M, K>> v1;
   std::array<std::optional<Extremality<K>>, 2> e;
   for (std::size_t j = 0; j < 2; ++j) {
     if (record.verdict[j] == SmoothFaceRecord::kNoZero) {
       if ((open & kVerdict << j) == 0) continue;
-      const auto e0 = [&] {
-        if constexpr (K == 0)
-          return extremality(jets->forms, v[j]);
-        else
-          return extremality(
-              truncated<0>(jets->forms),
-              std::array{v[j][0].template truncated<0>(), v[j][1].template truncated<0>()});
-      }();
-      if (has_no_zero(e0.value())) proven |= kVerdict << j;
+      if (!slope) slope = slopes(a);
+      if (has_no_zero(extremality(jets->forms, *slope, j))) proven |= kVerdict << j;
     } else if constexpr (K > 0) {
-      e[j] = Extremality<K>{extremality(jets->forms, v[j]), v[j]};
+      if (j == 0 || !e[0]) v1 = principal(a, w);
+      const auto v = j == 0 ? v1 : turned(jets->forms.i, v1);
+      e[j] = Extremality<K>{extremality(jets->forms, v), v};
       proven |= prove_colour<K>(j, record, *e[j], open, ends);
       if (findings != nullptr) find_signs<K>(j, *e[j], *jets, *findings);
     }

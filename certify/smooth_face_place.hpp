@@ -116,7 +116,7 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
     -> std::optional<Jets<K>> {
   Jets<K> r;
   if (!surface_.surface().implicit) {
-    r.forms = immersion_forms<K, 3 + K, M>(surface_.template immersion<3 + K>(at.u, at.v));
+    r.forms = surface_forms<K, 3 + K, M>(surface_.template immersion<3 + K>(at.u, at.v));
     for (std::size_t i = 0; with_edges && i < 3; ++i)
       for (std::size_t d = 0; d < 2; ++d) {
         const std::size_t j = (i + 1) % 3;
@@ -130,7 +130,7 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
   const Frame frame = frame_of(c_.face_records[face]);
   const auto f = surface_.template implicit<3 + K>(at.x, frame);
   if (!is_positive(gradient(f)[2])) return std::nullopt;
-  r.forms = graph_forms<K, 3 + K, M>(implicit_function<M, 3 + K>(f, 2), 1);
+  r.forms = graph_forms<K, 3 + K>(graph_of<M>(implicit_function<M, 3 + K>(f, 2), 1));
   if (!with_edges) return r;
   // In the frame's coordinates, all times n, a positive factor.
   const auto in_frame = [&](const Vector3& x) {

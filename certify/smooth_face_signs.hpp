@@ -47,7 +47,7 @@ kernel::MaybeSign FaceProver<M>::sign_order(const Question& q, const Place& at) 
   if (!jets) return std::nullopt;
   const auto a = shape(jets->forms);
   const auto w = direction(c_.face_records[q.face].w);
-  if (!is_positive(inner(jets->forms.i, w, apply(a, w)).value())) return std::nullopt;
+  if (!is_positive(s_of(jets->forms.i, a, w))) return std::nullopt;
   auto v = principal(a, w);
   if (q.colour == 1) v = turned(jets->forms.i, v);
   const Extremality<K> e{extremality(jets->forms, v), v};

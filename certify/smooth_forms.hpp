@@ -31,24 +31,6 @@ struct Forms : FirstSecond<M, K> {
   std::array<Local<M, K>, 2> h;
 };
 
-/// The first K2 orders of all forms.
-template <int K2, class M, int K>
-Forms<M, K2> truncated(const Forms<M, K>& f) {
-  Forms<M, K2> r;
-  for (std::size_t k = 0; k < 3; ++k) {
-    r.i[k] = f.i[k].template truncated<K2>();
-    r.l[k] = f.l[k].template truncated<K2>();
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    r.t[k] = f.t[k].template truncated<K2>();
-    r.c[k] = f.c[k].template truncated<K2>();
-  }
-  r.graph = f.graph;
-  r.sign = f.sign;
-  for (std::size_t k = 0; k < 2; ++k) r.h[k] = f.h[k].template truncated<K2>();
-  return r;
-}
-
 template <class F>
 struct Shape {
   F a, b, c;  ///< A_11, A_12, A_21; A_22 = -A_11
@@ -72,6 +54,20 @@ Pair<F> apply(const Shape<F>& a, const std::array<double, 2>& w) {
 template <class F>
 F inner(const std::array<F, 3>& i, const std::array<double, 2>& w, const Pair<F>& x) {
   return (i[0] * w[0] + i[1] * w[1]) * x[0] + (i[1] * w[0] + i[2] * w[1]) * x[1];
+}
+template <class M, int K>
+std::array<M, 3> values(const std::array<Local<M, K>, 3>& x) {
+  return {x[0].value(), x[1].value(), x[2].value()};
+}
+template <class M, int K>
+Shape<M> values(const Shape<Local<M, K>>& a) {
+  return {a.a.value(), a.b.value(), a.c.value()};
+}
+/// S(w) = I(w, A w), without derivatives.
+template <class M, int K>
+M s_of(const std::array<Local<M, K>, 3>& i, const Shape<Local<M, K>>& a,
+       const std::array<double, 2>& w) {
+  return inner(values(i), w, smooth::apply(values(a), w));
 }
 
 /// v1 = w + A w / sigma.
@@ -120,30 +116,6 @@ std::array<Local<M, K>, 6> quintic(const Forms<M, K>& f) {
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < 4; ++b) q[a + b] = q[a + b] + i[a] * t[b] - l[a] * c[b] * 3.0;
   return q;
-}
-
-/// The first and second order of the graph of h over (p, q), from the Taylor coefficients of h up
-/// to `Order` >= 2 + K; sign: +1 or -1, N = sign (-h_p, -h_q, 1).
-template <int K, int Order, class M, class Coefficients>
-void fill_graph(const Coefficients& h, double sign, FirstSecond<M, K>& f) {
-  using F = Local<M, K>;
-  const F h1 = F::template derivative_of<Order>(h, 1, 0);
-  const F h2 = F::template derivative_of<Order>(h, 0, 1);
-  f.i = {h1 * h1 + F(M(1.0)), h1 * h2, h2 * h2 + F(M(1.0))};
-  for (int k = 0; k < 3; ++k)
-    f.l[static_cast<std::size_t>(k)] = F::template derivative_of<Order>(h, 2 - k, k) * sign;
-}
-template <int K, int Order, class M, class Coefficients>
-Forms<M, K> graph_forms(const Coefficients& h, double sign) {
-  using F = Local<M, K>;
-  Forms<M, K> f;
-  fill_graph<K, Order>(h, sign, f);
-  for (int k = 0; k < 4; ++k)
-    f.t[static_cast<std::size_t>(k)] = F::template derivative_of<Order>(h, 3 - k, k) * sign;
-  f.graph = true;
-  f.sign = sign;
-  f.h = {F::template derivative_of<Order>(h, 1, 0), F::template derivative_of<Order>(h, 0, 1)};
-  return f;
 }
 
 }  // namespace crest::certify::smooth

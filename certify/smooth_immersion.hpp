@@ -3,7 +3,7 @@
 
 // The forms of an immersed surface X(U, V) from the Taylor coefficients of its three coordinates
 // (certify/SPEC.md, claim 4, "Forms", kind 1).
-#include "certify/smooth_forms.hpp"
+#include "certify/smooth_graph_forms.hpp"
 #include "certify/smooth_vector.hpp"
 
 namespace crest::certify::smooth {
@@ -47,6 +47,20 @@ Forms<M, K> immersion_forms(const Triple<Jet>& x) {
   f.c = {dot(x1, x11), dot(x1, x12) * 2.0 + dot(x2, x11), dot(x1, x22) + dot(x2, x12) * 2.0,
          dot(x2, x22)};
   return f;
+}
+
+/// By the cheaper of the two, where X is a height field.
+template <int K, int Order, class M, class Jet>
+Forms<M, K> surface_forms(const Triple<Jet>& x) {
+  if (const auto graph = height_field<M>(x)) return graph_forms<K, Order>(*graph);
+  return immersion_forms<K, Order, M>(x);
+}
+template <int K, int Order, class M, class Jet>
+void fill_surface(const Triple<Jet>& x, FirstSecond<M, K>& f) {
+  if (const auto graph = height_field<M>(x))
+    fill_graph<K, Order>(*graph, f);
+  else
+    fill_immersion<K, Order>(x, f);
 }
 
 }  // namespace crest::certify::smooth

@@ -15,7 +15,7 @@ std::optional<int> PatchProver<M>::turn(const Leaf& from, const Leaf& to) {
   // One r is enough: on all of the ray S(w) > 0 in both frames. At r = 0 it is cheapest.
   const auto f = ray_forms(*centre_, a.fan, from.side, a.w, M(0.0), M(from.t1));
   if (!f) return std::nullopt;
-  const auto sign = certain(inner(f->i, b.w, f->v1).value());
+  const auto sign = certain(inner(values(f->i), b.w, Pair<M>{f->v1[0].value(), f->v1[1].value()}));
   if (!nonzero(sign)) return std::nullopt;
   return static_cast<int>(*sign);
 }

@@ -65,15 +65,16 @@ auto PatchProver<M>::forms(const PlaneTriangle& t) -> std::optional<PlaneForms> 
     const auto x = lift(t);
     if (!x) return std::nullopt;
     const auto h = implicit_function<M, 5>(surface_.template implicit<5>(*x), m_);
-    r.forms = graph_forms<2, 5, M>(h, sign_);
-    fill_graph<3, 5>(h, sign_, r.second);
+    const auto graph = graph_of<M>(h, sign_);
+    r.forms = graph_forms<2, 5>(graph);
+    fill_graph<3, 5>(graph, r.second);
     return r;
   }
   const M u = M::linear(t.corner[0][0], t.corner[1][0], t.corner[2][0], t.error);
   const M v = M::linear(t.corner[0][1], t.corner[1][1], t.corner[2][1], t.error);
   const auto x = surface_.template immersion<5>(u, v);
-  r.forms = immersion_forms<2, 5, M>(x);
-  fill_immersion<3, 5>(x, r.second);
+  r.forms = surface_forms<2, 5, M>(x);
+  fill_surface<3, 5>(x, r.second);
   const auto& i = r.forms.i;
   if (!is_positive(i[0].value() * i[2].value() - i[1].value() * i[1].value())) return std::nullopt;
   return r;

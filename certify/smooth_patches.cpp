@@ -42,7 +42,7 @@ class PatchChecker {
     const bool proven =
         claim_.arithmetic == Arithmetic::mpfr
             ? check_umbilic<MpModel>(p, sign, height)
-            : check_umbilic<Model4>(p, sign, height) || check_umbilic<Model5>(p, sign, height);
+            : check_umbilic<Model3>(p, sign, height) || check_umbilic<Model5>(p, sign, height);
     if (!proven) throw Undecided(fmt::format("patch {}: the umbilic", number));
     return enclosure(p, height);
   }
