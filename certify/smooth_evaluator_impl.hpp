@@ -32,10 +32,10 @@ template <int n>
 kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
   using Jet = kernel::Jet<M, 3, n>;
   auto& program = std::get<Program<3, n>>(implicit_);
-  if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
+  if (!program) program = kernel::jet_evaluator<M, 3, n>(surface_.texts[0]);
   const std::array<Jet, 3> at = {Jet::variable(0, x[0]), Jet::variable(1, x[1]),
                                  Jet::variable(2, x[2])};
-  return program[0](at);
+  return (*program)(at);
 }
 
 template <class M>
@@ -47,7 +47,7 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& 
     // Without weights that are rounded to doubles.
     using Jet = kernel::Jet<M, 3, n>;
     auto& program = std::get<Program<3, n>>(implicit_);
-    if (program.empty()) program.push_back(kernel::jet_evaluator<M, 3, n>(surface_.texts[0]));
+    if (!program) program = kernel::jet_evaluator<M, 3, n>(surface_.texts[0]);
     std::array<Jet, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
       at[i] = Jet::constant(x[i]);
@@ -55,7 +55,7 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& 
       for (std::size_t k = 0; k < 3; ++k)
         if (frame[k][i] != 0) at[i].set(3 - k, M(frame[k][i]));
     }
-    return program[0](at);
+    return (*program)(at);
   }
 }
 
@@ -64,9 +64,8 @@ template <int n>
 std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, const M& v) {
   using Jet = kernel::Jet<M, 2, n>;
   auto& program = std::get<Program<2, n>>(immersion_);
-  if (program.empty())
-    for (std::size_t k = 0; k < 3; ++k)
-      program.push_back(kernel::jet_evaluator<M, 2, n>(surface_.texts[k]));
+  if (!program)
+    program = kernel::jet_evaluator<M, 2, n>(std::span(surface_.texts).template first<3>());
   if (domain_.empty()) {
     std::array<M, 4> bound;
     const auto convert = [](const kernel::Constant& c) {
@@ -82,7 +81,7 @@ std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, c
     return x;
   };
   const std::array<Jet, 2> at = {along(0, u), along(2, v)};
-  return {program[0](at), program[1](at), program[2](at)};
+  return program->template all<3>(at);
 }
 
 }  // namespace crest::certify::smooth

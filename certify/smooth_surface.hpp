@@ -64,12 +64,12 @@ class SurfaceEvaluator {
 
  private:
   template <int Variables, int n>
-  using Program = std::vector<kernel::Evaluator<kernel::Jet<M, Variables, n>>>;
+  using Program = std::optional<kernel::Evaluator<kernel::Jet<M, Variables, n>>>;
 
   const Surface& surface_;
   std::optional<kernel::Evaluator<M>> value_;
   std::optional<kernel::Evaluator<kernel::Jet<double, 3, 1>>> approximate_;
-  // Made when first called: one expression of kind 0, three of kind 1.
+  // Made when first called: F of kind 0, x, y, z of kind 1.
   std::tuple<Program<3, 1>, Program<3, 3>, Program<3, 4>, Program<3, 5>> implicit_;
   std::tuple<Program<2, 3>, Program<2, 4>, Program<2, 5>> immersion_;
   std::vector<M> domain_;  ///< u0, u1 - u0, v0, v1 - v0

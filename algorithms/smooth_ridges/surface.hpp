@@ -90,9 +90,8 @@ template <class T, int Order>
 class ParametricMap {
  public:
   using Number = kernel::Jet<T, 2, Order>;
-  explicit ParametricMap(const Surface& surface) {
-    for (const kernel::Expression& f : surface.functions())
-      f_.push_back(kernel::jet_evaluator<T, 2, Order>(f));
+  explicit ParametricMap(const Surface& surface)
+      : f_(kernel::jet_evaluator<T, 2, Order>(std::span(surface.functions()))) {
     for (std::size_t i = 0; i < 2; ++i) {
       start_[i] = kernel::jet_evaluator<T, 2, Order>(surface.domain()[2 * i])({});
       length_[i] = kernel::jet_evaluator<T, 2, Order>(surface.domain()[2 * i + 1])({}) - start_[i];
@@ -105,11 +104,11 @@ class ParametricMap {
   std::array<Number, 3> of(const std::array<Number, 2>& unit) {
     const std::array<Number, 2> at = {start_[0] + length_[0] * unit[0],
                                       start_[1] + length_[1] * unit[1]};
-    return {f_[0](at), f_[1](at), f_[2](at)};
+    return f_.template all<3>(at);
   }
 
  private:
-  std::vector<kernel::Evaluator<Number>> f_;
+  kernel::Evaluator<Number> f_;
   std::array<Number, 2> start_, length_;
 };
 

@@ -89,15 +89,19 @@ struct ElementaryFunctions<Jet<Rational, Variables, Order>> {
   }
 };
 
-/// The expression and its derivatives up to JetOrder in `Variables` variables; its arguments are
-/// jets, one for each variable that it was parsed with.
-/// Throws: std::domain_error for rationals unless expression.rational().
+/// The expressions and their derivatives up to JetOrder in `Variables` variables; their arguments
+/// are jets, one for each variable that they were parsed with.
+/// Throws: std::domain_error for rationals unless they are rational().
 template <class T, int Variables, int JetOrder>
-Evaluator<Jet<T, Variables, JetOrder>> jet_evaluator(const Expression& expression) {
+Evaluator<Jet<T, Variables, JetOrder>> jet_evaluator(std::span<const Expression> expressions) {
   using Number = Jet<T, Variables, JetOrder>;
   const T* const kind = nullptr;
   const auto convert = [&](const Constant& c) { return Number::constant(as_enclosure(c, kind)); };
-  return {expression, convert, Number::constant(number_like(1, kind))};
+  return {expressions, convert, Number::constant(number_like(1, kind))};
+}
+template <class T, int Variables, int JetOrder>
+Evaluator<Jet<T, Variables, JetOrder>> jet_evaluator(const Expression& expression) {
+  return jet_evaluator<T, Variables, JetOrder>(std::span(&expression, 1));
 }
 
 template <int Order, int Variables, int JetOrder>

@@ -2,6 +2,7 @@
 #pragma once
 
 // An expression over any number type.
+#include <array>
 #include <memory>
 #include <new>
 #include <span>
@@ -9,10 +10,11 @@
 #include <vector>
 
 #include "kernel/expressions/number_operations.hpp"
+#include "kernel/expressions/schedule.hpp"
 
 namespace crest::kernel {
 
-/// The program with its constants as numbers of T, and places for its values: made once, called
+/// A schedule with its constants as numbers of T, and places for its values: made once, called
 /// often. Jets are large: a value is made in its place and read there, not copied on the way.
 /// Not for two threads at a time.
 template <class T>
@@ -20,40 +22,37 @@ class Evaluator {
  public:
   /// `convert` makes a T of a Constant (as_double, as_rational, an enclosure); `one` is T's one.
   template <class Convert>
-  Evaluator(const Expression& expression, Convert&& convert, T one)
-      : places_(expression.stack_depth() + 1), one_(std::move(one)) {
-    for (const Constant& c : expression.constants()) constants_.push_back(convert(c));
-    std::vector<Place*> unused;
-    for (Place& place : places_) unused.push_back(&place);
-    std::vector<Operand> stack;
-    for (const Operation& operation : expression.program()) {
-      const auto index = static_cast<std::size_t>(operation.argument);
-      if (operation.code == Code::constant) {
-        stack.push_back({&constants_[index], 0, nullptr});
-      } else if (operation.code == Code::variable) {
-        stack.push_back({nullptr, index, nullptr});
-      } else {
-        // A place other than its operands': these are read while it is filled.
-        Place* const to = unused.back();
-        unused.pop_back();
-        const std::size_t count = is_binary(operation.code) ? 2 : 1;
-        const Operand first = stack[stack.size() - count], last = stack.back();
-        stack.resize(stack.size() - count);
-        if (first.place != nullptr) unused.push_back(first.place);
-        if (count == 2 && last.place != nullptr) unused.push_back(last.place);
-        steps_.push_back({operation, first, last, to});
-        stack.push_back({to->address(), 0, to});
-      }
-    }
-    result_ = stack.back();
+  Evaluator(std::span<const Expression> expressions, Convert&& convert, T one) {
+    const Schedule plan = schedule(expressions);
+    places_ = std::vector<Place>(plan.places);
+    for (const Constant& c : plan.constants) constants_.push_back(convert(c));
+    constants_.push_back(std::move(one));
+    const auto operand = [&](const Schedule::Operand& x) -> Operand {
+      using Kind = Schedule::Operand::Kind;
+      if (x.kind == Kind::variable) return {nullptr, x.index};
+      if (x.kind == Kind::step) return {places_[plan.steps[x.index].place].address(), 0};
+      return {x.kind == Kind::one ? &constants_.back() : &constants_[x.index], 0};
+    };
+    for (const Schedule::Step& s : plan.steps)
+      steps_.push_back({s.code, operand(s.first), operand(s.last), &places_[s.place]});
+    for (const Schedule::Operand& x : plan.results) results_.push_back(operand(x));
   }
+  template <class Convert>
+  Evaluator(const Expression& expression, Convert&& convert, T one)
+      : Evaluator(std::span(&expression, 1), convert, std::move(one)) {}
   Evaluator(Evaluator&&) noexcept = default;
   Evaluator& operator=(Evaluator&&) noexcept = default;
 
   /// Requires: as many variables as the expression was parsed with.
-  T operator()(std::span<const T> variables) {
+  T operator()(std::span<const T> variables) { return all<1>(variables)[0]; }
+  /// The first n expressions' values.
+  template <std::size_t n>
+  std::array<T, n> all(std::span<const T> variables) {
     for (const Step& step : steps_) run(step, variables);
-    return value(result_, variables);
+    return [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return std::array<T, n>{value(results_[k], variables)...};
+    }
+    (std::make_index_sequence<n>());
   }
 
  private:
@@ -88,25 +87,20 @@ class Evaluator {
   struct Operand {
     const T* value;        ///< null: that of a variable
     std::size_t variable;  ///< its number
-    Place* place;          ///< that holds the value, if one does
   };
   struct Step {
-    Operation operation;
+    Code code;
     Operand first, last;
     Place* to;
   };
 
-  static bool is_binary(Code code) {
-    return code == Code::add || code == Code::subtract || code == Code::multiply ||
-           code == Code::divide;
-  }
   static const T& value(const Operand& operand, std::span<const T> variables) {
     return operand.value != nullptr ? *operand.value : variables[operand.variable];
   }
 
   void run(const Step& step, std::span<const T> variables) {
     const T &a = value(step.first, variables), &b = value(step.last, variables);
-    switch (step.operation.code) {
+    switch (step.code) {
       case Code::add:
         return step.to->make([&] { return T(a + b); });
       case Code::subtract:
@@ -117,18 +111,15 @@ class Evaluator {
         return step.to->make([&] { return T(a / b); });
       case Code::negate:
         return step.to->make([&] { return T(-a); });
-      case Code::power:
-        return step.to->make([&] { return integer_power(a, step.operation.argument, one_); });
       default:
-        return step.to->make([&] { return ElementaryFunctions<T>::apply(step.operation.code, a); });
+        return step.to->make([&] { return ElementaryFunctions<T>::apply(step.code, a); });
     }
   }
 
   std::vector<T> constants_;
   std::vector<Place> places_;
   std::vector<Step> steps_;
-  Operand result_{};
-  T one_;
+  std::vector<Operand> results_;
 };
 
 inline Evaluator<double> double_evaluator(const Expression& expression) {

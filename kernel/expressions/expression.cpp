@@ -55,12 +55,11 @@ class Parser {
          std::vector<Operation>& program, std::vector<Constant>& constants)
       : text_(text), variables_(variables), program_(program), constants_(constants) {}
 
-  std::size_t run() {
+  void run() {
     sum();
     if (peek() != '\0' || at_ < text_.size()) {
       expected("an operator or the end");
     }
-    return deepest_;
   }
 
  private:
@@ -102,10 +101,8 @@ class Parser {
     return true;
   }
 
-  void emit(Code code, std::size_t argument, int change) {
+  void emit(Code code, std::size_t argument = 0) {
     program_.push_back({code, static_cast<std::int32_t>(argument)});
-    depth_ += change;
-    deepest_ = std::max(deepest_, static_cast<std::size_t>(depth_));
   }
 
   void sum() {
@@ -113,10 +110,10 @@ class Parser {
     for (;;) {
       if (accept('+')) {
         product();
-        emit(Code::add, 0, -1);
+        emit(Code::add);
       } else if (accept('-')) {
         product();
-        emit(Code::subtract, 0, -1);
+        emit(Code::subtract);
       } else {
         return;
       }
@@ -128,10 +125,10 @@ class Parser {
     for (;;) {
       if (accept('*')) {
         sign();
-        emit(Code::multiply, 0, -1);
+        emit(Code::multiply);
       } else if (accept('/')) {
         sign();
-        emit(Code::divide, 0, -1);
+        emit(Code::divide);
       } else {
         return;
       }
@@ -143,7 +140,7 @@ class Parser {
     if (accept('+')) return sign();
     if (accept('-')) {
       sign();
-      return emit(Code::negate, 0, 0);
+      return emit(Code::negate);
     }
     atom();
     if (accept('^')) {
@@ -241,7 +238,7 @@ class Parser {
 
   void push(Constant c) {
     constants_.push_back(std::move(c));
-    emit(Code::constant, constants_.size() - 1, 1);
+    emit(Code::constant, constants_.size() - 1);
   }
 
   void name() {
@@ -250,7 +247,7 @@ class Parser {
     const std::string_view word = text_.substr(begin, at_ - begin);
     const auto variable = std::find(variables_.begin(), variables_.end(), word);
     if (variable != variables_.end()) {
-      return emit(Code::variable, static_cast<std::size_t>(variable - variables_.begin()), 1);
+      return emit(Code::variable, static_cast<std::size_t>(variable - variables_.begin()));
     }
     if (word == "pi") return push({Constant::Kind::pi, 0, std::numbers::pi});
     if (word == "e") return push({Constant::Kind::e, 0, std::numbers::e});
@@ -259,7 +256,7 @@ class Parser {
       if (!accept('(')) expected(std::string("'(' after ").append(word));
       sum();
       if (!accept(')')) expected("an operator or ')'");
-      return emit(code, 0, 0);
+      return emit(code);
     }
     std::string known;
     for (const std::string& v : variables_) known.append(v).append(", ");
@@ -273,8 +270,8 @@ class Parser {
   const std::vector<std::string>& variables_;
   std::vector<Operation>& program_;
   std::vector<Constant>& constants_;
-  std::size_t at_ = 0, deepest_ = 0;
-  int level_ = 0, depth_ = 0;
+  std::size_t at_ = 0;
+  int level_ = 0;
 };
 
 }  // namespace
@@ -286,7 +283,7 @@ Expression Expression::parse(std::string_view text, const std::vector<std::strin
   Expression result;
   result.text_ = text;
   result.variable_count_ = variables.size();
-  result.stack_depth_ = Parser(text, variables, result.program_, result.constants_).run();
+  Parser(text, variables, result.program_, result.constants_).run();
   return result;
 }
 

@@ -73,7 +73,6 @@ class Expression {
   const std::vector<Operation>& program() const { return program_; }
   const std::vector<Constant>& constants() const { return constants_; }
   std::size_t variable_count() const { return variable_count_; }
-  std::size_t stack_depth() const { return stack_depth_; }
   /// No constants pi and e, no functions: rationals give rationals.
   bool rational() const;
   /// Of degree 0 or 1 in the variables as it is written: sums and multiples of them. (x*y - x*y + x
@@ -84,7 +83,7 @@ class Expression {
   std::string text_;
   std::vector<Operation> program_;
   std::vector<Constant> constants_;
-  std::size_t variable_count_ = 0, stack_depth_ = 0;
+  std::size_t variable_count_ = 0;
 };
 
 }  // namespace crest::kernel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What an expression asks of a number type: functions, powers, constants.
+// What an expression asks of a number type: functions, constants.
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -45,22 +45,6 @@ inline double as_double(const Constant& c) {
 inline Rational as_rational(const Constant& c) {
   if (c.kind != Constant::Kind::number) throw std::domain_error("pi and e are not rational");
   return c.exact;
-}
-
-/// x^n by repeated squaring. Requires: n >= 2.
-template <class T>
-T power(const T& x, std::uint32_t n) {
-  if (n == 2) return x * x;
-  if (n % 2 == 1) return power(x, n - 1) * x;
-  const T half = power(x, n / 2);
-  return half * half;
-}
-/// Requires: T(x) / T(x) is one; |n| <= 1000, as expressions have it.
-template <class T>
-T integer_power(const T& x, std::int32_t n, const T& one) {
-  if (n < 0) return one / integer_power(x, -n, one);
-  if (n < 2) return n == 0 ? one : x;
-  return power(x, static_cast<std::uint32_t>(n));
 }
 
 }  // namespace crest::kernel

@@ -14,9 +14,9 @@ using namespace certify::smooth;
 using u32 = std::uint32_t;
 
 SmoothSampler::SmoothSampler(RidgesSmoothCertificate& c)
-    : c_(c), surface_(parse_surface(c.surface)) {
-  for (std::size_t k = 0; k < 3; ++k)
-    immersion_.push_back(kernel::jet_evaluator<double, 2, 5>(surface_.texts[k]));
+    : c_(c),
+      surface_(parse_surface(c.surface)),
+      immersion_(kernel::jet_evaluator<double, 2, 5>(std::span(surface_.texts).first<3>())) {
   for (std::size_t k = 0; k < 4; ++k)
     domain_[k] = kernel::double_evaluator(surface_.texts[3 + k])({});
 }
@@ -25,8 +25,7 @@ SmoothSampler::Forms SmoothSampler::forms_at(const std::array<double, 2>& x) {
   using Jet = kernel::Jet<double, 2, 5>;
   const std::array<Jet, 2> at = {Jet::variable(0, x[0]) * (domain_[1] - domain_[0]) + domain_[0],
                                  Jet::variable(1, x[1]) * (domain_[3] - domain_[2]) + domain_[2]};
-  const std::array<Jet, 3> jets = {immersion_[0](at), immersion_[1](at), immersion_[2](at)};
-  return immersion_forms<2, 5, double>(jets);
+  return immersion_forms<2, 5, double>(immersion_.all<3>(at));
 }
 
 std::array<double, 2> SmoothSampler::point(u32 face, const Barycentric& l) {

@@ -43,7 +43,7 @@ class SmoothSampler {
 
   certify::RidgesSmoothCertificate& c_;
   certify::smooth::Surface surface_;
-  std::vector<kernel::Evaluator<kernel::Jet<double, 2, 5>>> immersion_;
+  kernel::Evaluator<kernel::Jet<double, 2, 5>> immersion_;
   std::array<double, 4> domain_{};
 };
 

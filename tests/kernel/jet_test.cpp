@@ -67,7 +67,7 @@ void check_against_definition(Draw& d) {
   for (int v = 0; v < V; ++v) {
     x[v] = draw_rational(d);
     m[v] = d.integer(0, 6);
-    f = f * integer_power(Exact<V, O>::variable(v, x[v]), m[v], Exact<V, O>::constant(1));
+    for (int i = 0; i < m[v]; ++i) f = f * Exact<V, O>::variable(v, x[v]);
   }
   for (std::size_t k = 0; k < f.kCount; ++k) {
     Rational c = 1;
