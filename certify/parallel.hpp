@@ -2,6 +2,8 @@
 #pragma once
 
 // A loop over independent checks on all cores.
+#include <mpfr.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -40,7 +42,10 @@ void parallel_for(std::size_t count, Make&& make, Body&& body) {
   const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> others;
   for (std::size_t k = 1; k < std::min(most, (count + chunk - 1) / chunk); ++k)
-    others.emplace_back(run);
+    others.emplace_back([&] {
+      run();
+      mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // of this thread: pi, log 2
+    });
   run();
   others.clear();
   if (problem) std::rethrow_exception(problem);
