@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// An expression over any number type.
+// Expressions over any number type.
 #include <array>
 #include <memory>
 #include <new>
@@ -43,9 +43,9 @@ class Evaluator {
   Evaluator(Evaluator&&) noexcept = default;
   Evaluator& operator=(Evaluator&&) noexcept = default;
 
-  /// Requires: as many variables as the expression was parsed with.
+  /// Requires: as many variables as the expressions were parsed with.
   T operator()(std::span<const T> variables) { return all<1>(variables)[0]; }
-  /// The first n expressions' values.
+  /// The first n expressions' values. Requires: there are so many.
   template <std::size_t n>
   std::array<T, n> all(std::span<const T> variables) {
     for (const Step& step : steps_) run(step, variables);
