@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/smooth_records.hpp"
+#include "certify/ridges_smooth/records.hpp"
 
 namespace crest::certify {
 

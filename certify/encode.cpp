@@ -4,9 +4,9 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "certify/canonical.hpp"
-#include "certify/container.hpp"
-#include "certify/sha256.hpp"
+#include "certify/container/container.hpp"
+#include "certify/container/sha256.hpp"
+#include "certify/ridges_mesh/canonical.hpp"
 
 namespace crest::certify {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <array>
 
-#include "certify/container.hpp"
-#include "certify/features_mesh.hpp"
-#include "certify/reeb.hpp"
-#include "certify/reject.hpp"
-#include "certify/ridges_mesh.hpp"
-#include "certify/ridges_smooth.hpp"
+#include "certify/container/container.hpp"
+#include "certify/container/reject.hpp"
+#include "certify/features_mesh/claim.hpp"
+#include "certify/reeb/claim.hpp"
+#include "certify/ridges_mesh/claim.hpp"
+#include "certify/ridges_smooth/claim.hpp"
 
 namespace crest::certify {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 

@@ -16,11 +16,11 @@
 #include "cli/outputs.hpp"
 #include "cli/references.hpp"
 #include "cli/report.hpp"
-#include "io/atomic_file.hpp"
-#include "io/curvature_picture.hpp"
-#include "io/curvature_writer.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/normals_reader.hpp"
+#include "io/curvature/curvature_picture.hpp"
+#include "io/curvature/curvature_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/read/normals_reader.hpp"
+#include "io/write/atomic_file.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {

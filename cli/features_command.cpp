@@ -20,10 +20,10 @@
 #include "cli/outputs.hpp"
 #include "cli/references.hpp"
 #include "cli/report.hpp"
-#include "io/atomic_file.hpp"
-#include "io/feature_writer.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/point_field.hpp"
+#include "io/features/feature_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/read/point_field.hpp"
+#include "io/write/atomic_file.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {

@@ -8,7 +8,7 @@
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 #include "cli/report.hpp"
-#include "io/reeb_writer.hpp"
+#include "io/reeb/reeb_writer.hpp"
 
 namespace crest::cli {
 

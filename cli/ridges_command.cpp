@@ -18,10 +18,10 @@
 #include "cli/report.hpp"
 #include "cli/ridges_report.hpp"
 #include "cli/smooth_ridges_run.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/picture.hpp"
-#include "io/ridge_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/ridges/ridge_picture.hpp"
+#include "io/ridges/ridge_writer.hpp"
+#include "io/write/atomic_file.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest::cli {

@@ -11,8 +11,8 @@
 #include "cli/common_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mesh_writer.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/mesh_writer.hpp"
 
 namespace crest::cli {
 namespace {

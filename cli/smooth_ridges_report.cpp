@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/smooth_ridge_lines.hpp"
+#include "io/ridges/smooth_ridge_lines.hpp"
 
 namespace crest::cli {
 namespace {

@@ -14,9 +14,9 @@
 #include "cli/outputs.hpp"
 #include "cli/references.hpp"
 #include "cli/smooth_ridges_report.hpp"
-#include "io/atomic_file.hpp"
-#include "io/smooth_ridge_picture.hpp"
-#include "io/smooth_ridge_writer.hpp"
+#include "io/ridges/smooth_ridge_picture.hpp"
+#include "io/ridges/smooth_ridge_writer.hpp"
+#include "io/write/atomic_file.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "kernel/geometry/input_error.hpp"
 

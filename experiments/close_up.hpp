@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "algorithms/curvature/curvature.hpp"
-#include "io/atomic_file.hpp"
+#include "io/write/atomic_file.hpp"
 
 namespace crest::experiments {
 

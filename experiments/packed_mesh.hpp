@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 
 namespace crest::experiments {
 

@@ -104,8 +104,8 @@ instantiate "cli/${name}_command.cpp" <<'END'
 #include "cli/common_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/read/mesh_reader.hpp"
 
 namespace crest::cli {
 namespace {
@@ -190,7 +190,7 @@ instantiate "experiments/$name/${name}_table.cpp" <<'END'
 #include <exception>
 
 #include "algorithms/@NAME@/@NAME@.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 
 int main(int argc, char** argv) try {
   fmt::print("{:<40} {:>9} {:>9} {:>5}\n", "mesh", "vertices", "faces", "chi");

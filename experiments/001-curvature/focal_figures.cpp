@@ -13,7 +13,7 @@
 #include "experiments/001-curvature/test_meshes.hpp"
 #include "experiments/close_up.hpp"
 #include "experiments/packed_mesh.hpp"
-#include "io/curvature_picture.hpp"
+#include "io/curvature/curvature_picture.hpp"
 
 namespace crest::experiments {
 namespace {

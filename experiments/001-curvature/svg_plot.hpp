@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.hpp"
+#include "io/write/atomic_file.hpp"
 
 namespace crest::experiments {
 

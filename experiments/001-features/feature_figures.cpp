@@ -10,9 +10,9 @@
 #include "algorithms/feature_lines/skeleton.hpp"
 #include "experiments/001-features/feature_field.hpp"
 #include "experiments/close_up.hpp"
-#include "io/curvature_picture.hpp"
-#include "io/feature_writer.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/curvature/curvature_picture.hpp"
+#include "io/features/feature_writer.hpp"
+#include "io/read/mesh_reader.hpp"
 
 namespace crest {
 namespace {

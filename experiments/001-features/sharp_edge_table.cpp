@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "experiments/001-features/feature_field.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 
 namespace crest {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/picture.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/ridges/ridge_picture.hpp"
 
 namespace crest {
 namespace {

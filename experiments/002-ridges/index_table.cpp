@@ -14,7 +14,7 @@
 #include "certify/verify.hpp"
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest {

@@ -10,7 +10,7 @@
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
-#include "io/smooth_ridge_picture.hpp"
+#include "io/ridges/smooth_ridge_picture.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {

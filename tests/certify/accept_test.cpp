@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "certify/canonical.hpp"
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
+#include "certify/ridges_mesh/canonical.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/reference_ridges.hpp"
 #include "tests/certify/sample_meshes.hpp"

@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "certify/angle_index.hpp"
-#include "certify/argument.hpp"
-#include "certify/filtered.hpp"
-#include "certify/vertex_angles.hpp"
+#include "certify/exact/argument.hpp"
+#include "certify/exact/filtered.hpp"
+#include "certify/ridges_mesh/angle_index.hpp"
+#include "certify/ridges_mesh/vertex_angles.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 #include "tests/certify/sample_meshes.hpp"
 #include "tests/support/environment.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 
 namespace crest::tests {
 namespace {

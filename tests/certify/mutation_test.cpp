@@ -6,8 +6,8 @@
 #include <iostream>
 #include <set>
 
-#include "certify/canonical.hpp"
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
+#include "certify/ridges_mesh/canonical.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/reference_ridges.hpp"

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/reeb_mutants.hpp"

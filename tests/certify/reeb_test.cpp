@@ -5,7 +5,7 @@
 #include <iostream>
 #include <set>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/reeb_samples.hpp"
 #include "tests/certify/reference_reeb.hpp"

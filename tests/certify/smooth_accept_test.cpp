@@ -3,7 +3,7 @@
 // arithmetics; periods that the claim does not cover are refused.
 #include <catch2/catch.hpp>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/smooth_producer.hpp"
 #include "tests/support/program.hpp"

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "certify/smooth_immersion.hpp"
-#include "certify/smooth_slopes.hpp"
-#include "certify/smooth_surface.hpp"
+#include "certify/ridges_smooth/immersion.hpp"
+#include "certify/ridges_smooth/slopes.hpp"
+#include "certify/ridges_smooth/surface.hpp"
 #include "tests/kernel/triangle_points.hpp"
 
 namespace {

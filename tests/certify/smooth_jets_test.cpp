@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "certify/smooth_implicit_impl.hpp"
-#include "certify/smooth_substitution.hpp"
+#include "certify/ridges_smooth/implicit_impl.hpp"
+#include "certify/ridges_smooth/substitution.hpp"
 #include "tests/kernel/triangle_points.hpp"
 
 namespace {

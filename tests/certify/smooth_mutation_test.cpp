@@ -6,7 +6,7 @@
 #include <iostream>
 #include <map>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/smooth_mutants.hpp"

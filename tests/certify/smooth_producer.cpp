@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "certify/mesh_checks.hpp"
+#include "certify/surface/mesh_checks.hpp"
 #include "tests/certify/smooth_samples.hpp"
 
 namespace crest::tests {

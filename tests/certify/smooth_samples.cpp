@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/smooth_immersion.hpp"
-#include "certify/smooth_mesh.hpp"
+#include "certify/ridges_smooth/immersion.hpp"
+#include "certify/ridges_smooth/mesh.hpp"
 
 namespace crest::tests {
 

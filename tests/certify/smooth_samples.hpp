@@ -4,8 +4,8 @@
 // Values of the forms of claim 4, kind 1, in plain double, for the tests' producer.
 #include <optional>
 
-#include "certify/smooth_forms.hpp"
-#include "certify/smooth_surface.hpp"
+#include "certify/ridges_smooth/forms.hpp"
+#include "certify/ridges_smooth/surface.hpp"
 
 namespace crest::tests {
 

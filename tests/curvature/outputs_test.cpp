@@ -3,10 +3,10 @@
 #include <bit>
 #include <catch2/catch.hpp>
 
-#include "io/curvature_picture.hpp"
-#include "io/curvature_writer.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/normals_reader.hpp"
+#include "io/curvature/curvature_picture.hpp"
+#include "io/curvature/curvature_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/read/normals_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/curvature/shapes.hpp"
 #include "tests/support/program.hpp"

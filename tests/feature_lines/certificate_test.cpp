@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "tests/feature_lines/meshes.hpp"
 #include "tests/support/environment.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/quadratic_reader.hpp"
+#include "io/read/quadratic_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

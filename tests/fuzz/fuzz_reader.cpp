@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

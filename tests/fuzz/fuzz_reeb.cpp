@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 #include "certify/verify.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "tests/certify/reeb_samples.hpp"

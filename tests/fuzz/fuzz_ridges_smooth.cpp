@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "certify/container.hpp"
+#include "certify/container/container.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace crest::certify;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "io/quadratic_reader.hpp"
+#include "io/read/quadratic_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/support/quadratic_files.hpp"
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "io/mesh_writer.hpp"
-#include "io/quadratic_reader.hpp"
+#include "io/read/quadratic_reader.hpp"
+#include "io/write/mesh_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/support/quadratic_files.hpp"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/support/environment.hpp"
 

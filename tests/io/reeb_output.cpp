@@ -4,11 +4,11 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/reeb/certificate.hpp"
-#include "io/graph_layout.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/quadratic_reader.hpp"
-#include "io/reeb_picture.hpp"
-#include "io/reeb_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/read/quadratic_reader.hpp"
+#include "io/reeb/graph_layout.hpp"
+#include "io/reeb/reeb_picture.hpp"
+#include "io/reeb/reeb_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/support/quadratic_files.hpp"

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "io/mesh_reader.hpp"
-#include "io/quadratic_reader.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/read/quadratic_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 

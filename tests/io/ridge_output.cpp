@@ -19,8 +19,8 @@
 #include <sstream>
 
 #include "algorithms/ridges/ridges.hpp"
-#include "io/picture.hpp"
-#include "io/ridge_writer.hpp"
+#include "io/ridges/ridge_picture.hpp"
+#include "io/ridges/ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <random>
 
-#include "io/atomic_file.hpp"
-#include "io/mesh_reader.hpp"
-#include "io/mesh_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/mesh_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/support/environment.hpp"

@@ -18,10 +18,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "io/mesh_reader.hpp"
-#include "io/smooth_ridge_lines.hpp"
-#include "io/smooth_ridge_picture.hpp"
-#include "io/smooth_ridge_writer.hpp"
+#include "io/read/mesh_reader.hpp"
+#include "io/ridges/smooth_ridge_lines.hpp"
+#include "io/ridges/smooth_ridge_picture.hpp"
+#include "io/ridges/smooth_ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 

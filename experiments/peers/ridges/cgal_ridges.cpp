@@ -21,7 +21,7 @@
 
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
-#include "io/mesh_reader.hpp"
+#include "io/read/mesh_reader.hpp"
 
 namespace crest::peers {
 namespace {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/reeb/claim.hpp"
+
+#include "certify/container/container.hpp"
+#include "certify/container/reject.hpp"
+#include "certify/reeb/checks.hpp"
+
+namespace crest::certify {
+namespace {
+
+template <class... Arguments>
+void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+  verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
+}
+
+/// Steps 1 and 2.
+reeb::SurfaceFacts prove_surface(const ReebContents& c, const reeb::Gluing& mesh,
+                                 Verdict& verdict) {
+  const bool quadratic = !c.edge_values.empty();
+  const auto facts = reeb::check_surface(c.faces, mesh, c.vertices);
+  require(!quadratic || c.edge_values.size() == mesh.edge_count,
+          "data: {} midpoint values for {} edges", c.edge_values.size(), mesh.edge_count);
+  prove(verdict, "data: a surface of {} vertices, {} faces, a {} function; digests match",
+        c.vertices, c.faces.size(), quadratic ? "quadratic" : "linear");
+  require_equal(c.euler_characteristic, facts.euler_characteristic, "Euler characteristic");
+  require_equal(c.boundary_loops, facts.boundary_loops, "boundary loops");
+  require_equal(c.components, facts.components, "components");
+  prove(verdict, "topology: Euler characteristic {}, {} boundary loops, {} components{}",
+        facts.euler_characteristic, facts.boundary_loops, facts.components,
+        facts.orientable ? "" : ", not orientable");
+  return facts;
+}
+
+/// Step 3. With degree 1 the tiles are the faces: nothing is built.
+reeb::Tiling prove_tiles(const ReebContents& c, const reeb::Gluing& mesh, SignLadder& sign,
+                         Verdict& verdict) {
+  reeb::Tiling tiling;
+  if (!c.edge_values.empty()) tiling = reeb::tessellate(c, mesh, sign);
+  require_equal(c.line_critical, tiling.line_edges.size(), "line-critical nodes");
+  require_equal(c.face_critical, tiling.critical_faces.size(), "face-critical nodes");
+  const std::size_t tiles = c.edge_values.empty() ? c.faces.size() : tiling.tiles.size();
+  require_equal(c.tiles, tiles, "tiles");
+  prove(verdict, "tiles: {}, with {} line-critical and {} face-critical nodes", tiles,
+        c.line_critical, c.face_critical);
+  return tiling;
+}
+
+/// The first Betti number of the graph.
+std::int64_t loops_of(const ReebContents& c) {
+  return std::int64_t{c.components} + static_cast<std::int64_t>(c.arcs.size()) -
+         static_cast<std::int64_t>(c.critical_nodes.size());
+}
+
+void prove_graph(const ReebContents& c, const reeb::SurfaceFacts& facts, bool simple,
+                 Verdict& verdict) {
+  std::string beside;
+  if (facts.boundary_loops == 0 && facts.orientable) {
+    const std::int64_t genus = facts.components - facts.euler_characteristic / 2;
+    // Theorem 7 says so for any data: a difference would be an error of the checker.
+    if (simple && genus != loops_of(c))
+      throw std::logic_error("loops and genus contradict theorem 7");
+    beside = fmt::format(", genus {}", genus);
+  }
+  prove(verdict, "graph: {} nodes, {} arcs, {} loops{}: the Reeb graph", c.critical_nodes.size(),
+        c.arcs.size(), loops_of(c), beside);
+}
+
+}  // namespace
+
+void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
+                 const VerifyOptions& options, Verdict& verdict) {
+  const ReebContents c = open_reeb(data, claims);
+  if (options.input)
+    throw TieUnavailable(*options.input +
+                         ": --input cannot compare the values of a Reeb graph's function; compare "
+                         "the data digest with the one in the output");
+  SignLadder sign(options.arithmetic);
+  const bool quadratic = !c.edge_values.empty();
+  const reeb::Gluing mesh = reeb::glue(c.faces, c.vertices, quadratic);
+  const auto facts = prove_surface(c, mesh, verdict);
+  const reeb::Tiling tiling = prove_tiles(c, mesh, sign, verdict);
+
+  SignCounts comparisons;
+  const auto rank = reeb::check_order(c, mesh, tiling, options.arithmetic, comparisons);
+  prove(verdict, "order: {} nodes ascend", rank.size());
+  verdict.signs = sign.counts();
+  verdict.signs.calls += comparisons.calls;
+  verdict.signs.interval += comparisons.interval;
+  verdict.signs.exact += comparisons.exact;
+
+  const reeb::Complex k{c.faces, mesh, facts, tiling, rank};
+  const reeb::NodeTypes types = reeb::check_types(c, k);
+  prove(verdict,
+        "nodes: {} minima, {} saddles with multiplicity, {} maxima; indices sum to the Euler "
+        "characteristic",
+        types.minima, types.saddles, types.maxima);
+  const reeb::Cuts cuts = reeb::check_cuts(c, k);
+  prove(verdict, "cuts: {} contours across {} edges, none twice", c.cuts.size(),
+        cuts.crossings.size());
+  reeb::check_trees(c, k, types, cuts);
+  prove_graph(c, facts, types.simple, verdict);
+}
+
+}  // namespace crest::certify

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/ridges_mesh/claim.hpp"
+
+#include <algorithm>
+
+#include "certify/container/container.hpp"
+#include "certify/container/reject.hpp"
+#include "certify/ridges_mesh/angle_index.hpp"
+#include "certify/surface/input_tie.hpp"
+
+namespace crest::certify {
+namespace {
+
+/// Step 4: the list is exactly the faces of non-zero index; returns twice their sum.
+std::int64_t check_indices(const RidgesMeshCertificate& c, const Topology& topology,
+                           const std::vector<std::int8_t>& twice_index) {
+  std::size_t listed = 0;
+  std::int64_t sum = 0;
+  for (std::size_t f = 0; f < twice_index.size(); ++f) {
+    if (twice_index[f] == 0) continue;
+    sum += twice_index[f];
+    require(listed < c.face_indices.size() && c.face_indices[listed].face == f,
+            "face {}: its index is not zero and not listed in its place", f);
+    require(c.face_indices[listed].twice_index == twice_index[f],
+            "face {}: twice the index is {}, {} stated", f, twice_index[f],
+            c.face_indices[listed].twice_index);
+    ++listed;
+  }
+  require(listed == c.face_indices.size(), "face indices: a face of index zero is listed");
+  require_equal(c.twice_index_sum, sum, "sum of twice the indices");
+  // Theorem 1 says so for any data: a difference would be an error of the checker.
+  if (topology.boundary_loops == 0 && sum != 2 * topology.euler_characteristic)
+    throw std::logic_error("index sum and Euler characteristic contradict theorem 1");
+  return sum;
+}
+
+void check_counts(const RidgesMeshCertificate& c, const MeshSigns& signs) {
+  require_equal(c.conflict_triangles, signs.conflict_triangles, "conflict triangles");
+  require_equal(c.ambiguous_edges, signs.ambiguous_edges, "ambiguous edges");
+  require_equal(c.zero_extremalities[blue], signs.zero_extremalities[blue], "zeros of b0");
+  require_equal(c.zero_extremalities[red], signs.zero_extremalities[red], "zeros of b3");
+}
+
+std::string half(std::int64_t twice) {
+  return twice % 2 == 0 ? fmt::format("{}", twice / 2) : fmt::format("{}/2", twice);
+}
+
+template <class... Arguments>
+void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+  verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
+}
+
+}  // namespace
+
+void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
+                        const VerifyOptions& options, Verdict& verdict) {
+  RidgesMeshCertificate c;
+  c.data = decode_data(data);
+  decode_claims(claims, c);
+  SignLadder sign(options.arithmetic);
+  const Topology topology = build_topology(c.data);
+  check_geometry(c.data, sign);
+  prove(verdict, "data: an oriented manifold of {} vertices, {} faces; digests match",
+        c.data.positions.size(), c.data.faces.size());
+  if (options.input) {
+    check_input(*options.input, c.data);
+    prove(verdict, "input: {} holds the same positions and faces", *options.input);
+  }
+  require_equal(c.euler_characteristic, topology.euler_characteristic, "Euler characteristic");
+  require_equal(c.boundary_loops, topology.boundary_loops, "boundary loops");
+  prove(verdict, "topology: Euler characteristic {}, {} boundary loops",
+        topology.euler_characteristic, topology.boundary_loops);
+
+  const MeshSigns signs = decide_signs(c.data, topology, sign);
+  check_counts(c, signs);
+  prove(verdict,
+        "signs: acute rule on {} edges, {} ambiguous; {} conflict triangles; b0 = 0 at {}, b3 = 0 "
+        "at {} vertices",
+        topology.edges.size(), signs.ambiguous_edges, signs.conflict_triangles,
+        signs.zero_extremalities[blue], signs.zero_extremalities[red]);
+
+  const auto twice_index =
+      face_indices(c.data, topology, signs, options.arithmetic, verdict.angles);
+  const std::int64_t sum = check_indices(c, topology, twice_index);
+  prove(verdict, "indices: {} faces of non-zero index, sum {}{}", c.face_indices.size(), half(sum),
+        topology.boundary_loops == 0 ? ", the Euler characteristic" : "");
+
+  const CheckedMesh mesh{c.data, topology, signs, twice_index};
+  const auto patch_of = check_patches(mesh, c.patches, sign);
+  prove(verdict,
+        "umbilics: {} disjoint disks of non-zero index, {} coherent, hold every conflict triangle",
+        c.patches.size(),
+        std::count_if(c.patches.begin(), c.patches.end(),
+                      [](const PatchRecord& p) { return p.coherent == 1; }));
+  check_ridges(mesh, patch_of, c.ridges, c.counts, sign);
+  prove(verdict,
+        "ridges: blue {} loops, {} paths; red {} loops, {} paths; all crossings, no open end",
+        c.counts[0], c.counts[1], c.counts[2], c.counts[3]);
+  verdict.signs = sign.counts();
+}
+
+}  // namespace crest::certify

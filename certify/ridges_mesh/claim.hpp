@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Claim 1, ridges-mesh: the steps of certify/SPEC.md, "What the checker proves, in order".
+#include <span>
+
+#include "certify/ridges_mesh/signs.hpp"
+
+namespace crest::certify {
+
+/// Steps 1 (data) to 7; appends a line to the verdict for each claim proved. Throws Reject,
+/// Malformed, TieUnavailable, InputUnreadable.
+void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
+                        const VerifyOptions& options, Verdict& verdict);
+
+/// What steps 2 to 4 have established.
+struct CheckedMesh {
+  const MeshData& data;
+  const Topology& topology;
+  const MeshSigns& signs;
+  const std::vector<std::int8_t>& twice_index;  ///< F
+};
+
+/// Step 5. Returns the patch of every face, kNone outside. Throws Reject.
+std::vector<std::uint32_t> check_patches(const CheckedMesh& mesh,
+                                         const std::vector<PatchRecord>& patches, SignLadder& sign);
+
+/// Steps 6 and 7. Requires: every conflict triangle in a patch (check_patches). Throws Reject.
+void check_ridges(const CheckedMesh& mesh, const std::vector<std::uint32_t>& patch_of,
+                  const std::vector<RidgeRecord>& ridges,
+                  const std::array<std::uint32_t, 4>& counts, SignLadder& sign);
+
+}  // namespace crest::certify

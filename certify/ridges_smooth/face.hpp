@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Statements about one face, or a piece of it, with one model type (certify/SPEC.md, claim 4,
+// "Triangulation" and "Faces outside patches").
+#include "certify/ridges_smooth/foot.hpp"
+#include "certify/ridges_smooth/forms.hpp"
+#include "certify/ridges_smooth/mesh.hpp"
+
+namespace crest::certify::smooth {
+
+enum Statement : unsigned {
+  kChart = 1,    ///< (F), (J)
+  kRegular = 2,  ///< F_m has one sign (kind 0), (R)
+  kVerdict = 4,  ///< of blue; red: times 2
+  kType = 16,    ///< of blue; red: times 2. G_j has its sign, or det(grad E_j, grad G_j) has one
+  kApart = 64,   ///< a combination of E1 and E2 has no zero
+  kCross = 128   ///< det(grad E1, grad E2) has none
+};
+
+/// E_j, its derivative along an edge of the face, or G_j.
+enum class Quantity : std::uint8_t { value, along_edge, growth };
+struct Question {
+  std::uint32_t face;
+  std::size_t colour;  ///< 0 blue, 1 red
+  Quantity quantity;
+  std::size_t edge;  ///< from this corner to the next
+};
+
+/// Found on the whole face on the way; signs for colours with a direction c.
+struct FaceFindings {
+  std::optional<std::array<kernel::Range, 3>> box;           ///< kind 0: of the image
+  std::array<std::array<kernel::MaybeSign, 3>, 2> corner{};  ///< of E_j
+  /// Bit i: E_j, or its derivative along edge i, has no zero there.
+  std::array<std::uint8_t, 2> decided{};
+};
+
+/// Not for two threads at a time.
+template <class M>
+class FaceProver {
+ public:
+  FaceProver(const Surface& surface, const RidgesSmoothCertificate& c) : surface_(surface), c_(c) {}
+
+  /// The statements of `open` that are not proven on the piece. `findings` may be null. `ends`
+  /// collects the types that rest on a determinant, and so on the signs of G_j at the crossings.
+  unsigned prove(std::uint32_t face, const Piece& piece, unsigned open, FaceFindings* findings,
+                 unsigned& ends);
+  /// The one sign on the piece, if it is certain.
+  kernel::MaybeSign sign(const Question& q, const Piece& piece);
+
+  /// Kind 0: the points of S over the piece, their derivatives by l1 and l2 at constant sum.
+  struct Image {
+    std::array<M, 3> x;
+    std::array<std::array<M, 3>, 2> derivative;
+  };
+  std::optional<Image> image(std::uint32_t face, const Piece& piece, bool with_derivatives);
+
+ private:
+  using Vector3 = std::array<M, 3>;
+  using Vector2 = std::array<M, 2>;
+  /// The point Phi(l) on the piece. Kind 0: x, m, s; kind 1: u, v.
+  struct Place {
+    Vector3 x, m;
+    M s, u, v;
+  };
+  template <int K>
+  struct Jets {
+    Forms<M, K> forms;
+    std::array<Vector2, 3> edge;  ///< derivative of the coordinates along each edge
+  };
+  template <int K>
+  struct Extremality {
+    Local<M, K> e;
+    std::array<Local<M, K>, 2> v;
+    M growth() const;                   ///< G; K >= 1
+    M turn() const;                     ///< det(grad E, grad G); K = 2
+    M slope(double x, double y) const;  ///< (x, y) . grad E
+  };
+
+  M affine(std::uint32_t face, std::size_t coordinate, const Piece& piece,
+           const std::array<M, 3>& l) const;
+  std::optional<Place> place(std::uint32_t face, const Piece& piece);
+  /// x_j - x_i + s (N_j - N_i): along an edge at constant s.
+  Vector3 step(const Place& at, std::uint32_t face, std::size_t i, std::size_t j) const;
+  bool keeps_orientation(const Place& at, std::uint32_t face) const;
+  template <int K>
+  std::optional<Jets<K>> jets(const Place& at, std::uint32_t face, bool with_edges);
+  template <int K>
+  unsigned prove_order(const Place& at, std::uint32_t face, unsigned open, FaceFindings* findings,
+                       unsigned& ends);
+  template <int K>
+  unsigned prove_colour(std::size_t j, const SmoothFaceRecord& record, const Extremality<K>& e,
+                        unsigned open, unsigned& ends);
+  template <int K>
+  void find_signs(std::size_t j, const Extremality<K>& e, const Jets<K>& jets,
+                  FaceFindings& findings);
+  template <int K>
+  kernel::MaybeSign sign_order(const Question& q, const Place& at);
+
+  SurfaceEvaluator<M> surface_;
+  const RidgesSmoothCertificate& c_;
+};
+
+}  // namespace crest::certify::smooth

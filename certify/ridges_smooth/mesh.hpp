@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Step 2 of claim 4: the complex |T|, its components, the patches as disks; and the chart
+// conditions of kind 1, which are exact (certify/SPEC.md, "Triangulation").
+#include "certify/surface/mesh_checks.hpp"
+
+namespace crest::certify::smooth {
+
+struct Mesh {
+  Topology topology;
+  std::vector<std::uint32_t> component;  ///< F: numbered by their first faces
+  std::uint32_t components = 0;
+  std::vector<std::uint32_t> patch_of;  ///< F: kNone outside
+};
+
+/// Throws Reject: no oriented manifold; boundary where none may be; patches that are not disjoint
+/// disks in ascending order, or not those that the face records mark.
+Mesh check_mesh(const RidgesSmoothCertificate& c);
+
+/// Bit i of U (V: bit 3 + i) of face f; zero without lifts.
+inline int lift_of(const RidgesSmoothCertificate& c, std::uint32_t f, std::size_t corner,
+                   std::size_t direction) {
+  return c.lifts.empty() ? 0 : c.lifts[f] >> (3 * direction + corner) & 1;
+}
+
+/// Kind 1: positive areas that sum to 1, consistent lifts, boundary on the sides of the square.
+/// Throws Reject.
+void check_unit_square(const RidgesSmoothCertificate& c, const Mesh& mesh, SignLadder& sign);
+
+}  // namespace crest::certify::smooth

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions over Taylor models of order 4.
-#include "certify/smooth_evaluator_impl.hpp"
-
-namespace crest::certify::smooth {
-
-CREST_SMOOTH_EVALUATOR(Model4);
-
-}  // namespace crest::certify::smooth

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions over Taylor models over MPFR intervals.
-#include "certify/smooth_evaluator_impl.hpp"
-
-namespace crest::certify::smooth {
-
-CREST_SMOOTH_EVALUATOR(MpModel);
-
-}  // namespace crest::certify::smooth

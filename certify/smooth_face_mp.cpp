@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Faces with Taylor models over MPFR intervals.
-#include "certify/smooth_face_impl.hpp"
-
-namespace crest::certify::smooth {
-
-template class FaceProver<MpModel>;
-
-}  // namespace crest::certify::smooth

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Umbilics with Taylor models of order 3.
-#include "certify/smooth_patch_impl.hpp"
-
-namespace crest::certify::smooth {
-
-template class PatchProver<Model3>;
-
-}  // namespace crest::certify::smooth

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Umbilics with Taylor models of order 5.
-#include "certify/smooth_patch_impl.hpp"
-
-namespace crest::certify::smooth {
-
-template class PatchProver<Model5>;
-
-}  // namespace crest::certify::smooth

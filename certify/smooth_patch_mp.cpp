@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Umbilics with Taylor models over MPFR intervals.
-#include "certify/smooth_patch_impl.hpp"
-
-namespace crest::certify::smooth {
-
-template class PatchProver<MpModel>;
-
-}  // namespace crest::certify::smooth

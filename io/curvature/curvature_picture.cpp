@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/curvature/curvature_picture.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/camera.hpp"
+#include "io/picture/drawing.hpp"
+#include "io/picture/rasteriser.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using kernel::Vec3;
+
+constexpr double kQuantile = 0.95;
+constexpr int kBarHeight = 40;    // pixels
+constexpr int kLabelHeight = 24;  // pixels
+constexpr double kRoom = 0.8;     // of the picture for the mesh, the rest for what stands off it
+
+double largest_shown(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  for (const double x : values) sizes.push_back(std::abs(x));
+  const auto rank = static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+  const double largest = sizes[static_cast<std::size_t>(rank)];
+  return largest > 0 ? largest : 1;
+}
+
+/// t in [-1, 1]: factors on red, green and blue of the surface's own tone.
+Vec3 tint(double t) {
+  const double s = std::clamp(std::abs(t), 0.0, 1.0);
+  const Vec3 end = t < 0 ? Vec3{0.16, 0.34, 0.80} : Vec3{0.84, 0.16, 0.14};
+  return {1 + s * (end[0] - 1), 1 + s * (end[1] - 1), 1 + s * (end[2] - 1)};
+}
+
+void draw_bar(Canvas& canvas, const Camera& camera, double largest, const std::string& label) {
+  canvas.extend(kBarHeight);
+  const double y = camera.height + 8, left = 0.3 * camera.width, width = 0.4 * camera.width;
+  constexpr int kBoxes = 101;
+  for (int i = 0; i < kBoxes; ++i) {
+    const Vec3 c = tint(2.0 * i / (kBoxes - 1) - 1);
+    const auto channel = [](double x) { return static_cast<std::uint8_t>(235 * x + 0.5); };
+    canvas.fill_box(left + width * i / kBoxes, y, left + width * (i + 1) / kBoxes, y + 12,
+                    {channel(c[0]), channel(c[1]), channel(c[2])});
+  }
+  const double dot = std::max(1.0, std::round(camera.width / 800.0));
+  const std::string low = fmt::format("{:.3g}", -largest), high = fmt::format("{:.3g}", largest);
+  draw_text(canvas, left - dot * (text_width(low) + 6), y + 2, dot, low);
+  draw_text(canvas, left + width + 8 * dot, y + 2, dot, high);
+  draw_text(canvas, left + 0.5 * (width - dot * text_width(label)), y + 18, dot, label);
+}
+
+std::string svg_of(const std::string& png, int width, int height) {
+  std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');
+  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                     reinterpret_cast<const unsigned char*>(png.data()),
+                                     static_cast<int>(png.size()));
+  text.resize(static_cast<std::size_t>(length));
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+      "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
+      "<image width=\"{0}\" height=\"{1}\" xlink:href=\"data:image/png;base64,{2}\"/>\n</svg>\n",
+      width, height, text);
+}
+
+}  // namespace
+
+namespace {
+
+void require_picture(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png" || extension == ".svg") return;
+  throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+}
+
+void write_canvas(const std::string& path, const Canvas& canvas, int width, int height) {
+  const std::string png = canvas.png();
+  write_atomically(path, lower_extension(path) == ".png" ? png : svg_of(png, width, height));
+}
+
+Camera camera_of(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                 const ColourPicture& options) {
+  return fit_camera(mesh, options.view ? *options.view : automatic_view(mesh, normals, {}),
+                    options.width);
+}
+
+}  // namespace
+
+void write_colour_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                          const std::vector<double>& values, const ColourPicture& options) {
+  require_picture(path);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const Camera camera = camera_of(mesh, normals, options);
+  const double largest = largest_shown(values);
+  std::vector<Vec3> tints;
+  for (const double x : values) tints.push_back(tint(x / largest));
+  Canvas canvas(camera.width, camera.height);
+  canvas.draw_surface(camera, mesh, normals, &tints);
+  draw_bar(canvas, camera, largest, options.label);
+  write_canvas(path, canvas, camera.width, camera.height + kBarHeight);
+}
+
+void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                         const curvature::FocalSurface& focal, const ColourPicture& options) {
+  require_picture(path);
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  Camera camera = camera_of(mesh, normals, options);
+  camera.scale *= kRoom;
+  Canvas canvas(camera.width, camera.height);
+  canvas.draw_surface(camera, mesh, normals);
+  const double width = std::max(0.5, camera.width / 2000.0);
+  for (const auto& curve : focal.curves) {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+      const Vec3 a = camera.project(focal.points[curve[i]]);
+      const Vec3 b = camera.project(focal.points[curve[i + 1]]);
+      if (!canvas.visible(a, 1) || !canvas.visible(b, 1)) continue;
+      const double value = focal.values[curve[i]];
+      const Colour colour = value > 0   ? Colour{0, 140, 40}
+                            : value < 0 ? Colour{200, 20, 20}
+                                        : Colour{128, 128, 128};
+      canvas.draw_stroke(a, b, width, colour);
+    }
+  }
+  canvas.extend(kLabelHeight);
+  const double dot = std::max(1.0, std::round(camera.width / 800.0));
+  draw_text(canvas, 0.5 * (camera.width - dot * text_width(options.label)), camera.height + 4, dot,
+            options.label);
+  write_canvas(path, canvas, camera.width, camera.height + kLabelHeight);
+}
+
+}  // namespace crest::io

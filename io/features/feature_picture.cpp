@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/ridges/ridge_graph.hpp"
+#include "io/features/feature_writer.hpp"
+#include "io/picture/drawing.hpp"
+#include "io/write/formats.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using feature_lines::FeatureGraph;
+using feature_lines::LineKind;
+using kernel::Index;
+using kernel::Vec3;
+
+/// In the order of LineKind, then the edges inside nodes.
+std::vector<StrokeClass> palette() {
+  return {{"arc", {28, 70, 222}, {}},
+          {"branch", {218, 26, 32}, {}},
+          {"loop", {22, 158, 60}, {}},
+          {"lone line", {250, 208, 20}, {}},
+          {"node", {30, 30, 30}, {}}};
+}
+
+/// Cuts mesh edges where the surface hides them.
+class Pen {
+ public:
+  Pen(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
+      const std::vector<Vec3>& normals)
+      : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals) {}
+
+  bool free(Index v) const { return faces_eye(v) && visible(camera_.project(mesh_.points()[v])); }
+  Vec3 pixel(Index v) const { return camera_.project(mesh_.points()[v]); }
+
+  void draw(Index v, Index w, StrokeClass& to) const {
+    to.in_graph = true;
+    if (!faces_eye(v) || !faces_eye(w)) return;
+    const Vec3 p = pixel(v), q = pixel(w);
+    const int steps =
+        static_cast<int>(std::clamp(std::ceil(std::hypot(q[0] - p[0], q[1] - p[1])), 1.0, 1e5));
+    std::vector<Vec3> stroke;
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      const Vec3 at = combine(1 - t, p, t, q);
+      if (visible(at)) {
+        // Two points make a straight stroke.
+        if (stroke.size() < 2) {
+          stroke.push_back(at);
+        } else {
+          stroke.back() = at;
+        }
+      }
+      if (!visible(at) || i == steps) {
+        if (stroke.size() == 2) to.strokes.push_back(stroke);
+        stroke.clear();
+      }
+    }
+  }
+
+ private:
+  bool visible(const Vec3& pixel) const { return surface_.visible(pixel, 0.003 * camera_.width); }
+  /// The bias does not tell at the outline of a closed surface.
+  bool faces_eye(Index v) const {
+    return !mesh_.closed() || dot(normals_[v], camera_.forward) < 0.1;
+  }
+  const Camera& camera_;
+  const Canvas& surface_;
+  const kernel::TriangleMesh& mesh_;
+  const std::vector<Vec3>& normals_;
+};
+
+void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
+  for (const auto& line : graph.lines) {
+    StrokeClass& to = drawing.classes[static_cast<std::size_t>(line.kind)];
+    const std::size_t n = line.vertices.size();
+    for (std::size_t i = 0; i + (line.kind == LineKind::loop ? 0 : 1) < n; ++i) {
+      pen.draw(line.vertices[i], line.vertices[(i + 1) % n], to);
+    }
+  }
+  for (const auto& [v, w] : graph.node_edges) pen.draw(v, w, drawing.classes[4]);
+  for (const auto& node : graph.nodes) {
+    const Index v = node.front();
+    if (pen.free(v)) drawing.dots.push_back({pen.pixel(v), drawing.classes[4].colour});
+  }
+}
+
+}  // namespace
+
+void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                           const FeatureGraph& graph) {
+  const std::string extension = lower_extension(path);
+  if (extension != ".png" && extension != ".svg") {
+    throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+  }
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const Camera camera = fit_camera(mesh, automatic_view(mesh, normals, ridges::RidgeGraph{}), 1200);
+  Canvas canvas(camera.width, camera.height);
+  canvas.draw_surface(camera, mesh, normals);
+  Drawing drawing{};
+  drawing.classes = palette();
+  draw_graph(Pen(camera, canvas, mesh, normals), graph, drawing);
+  drawing.stroke_width = 2.4;
+  drawing.casing_width = 3.4;
+  drawing.dot_radius = 4;
+  for (const StrokeClass& c : drawing.classes) {
+    if (c.in_graph && &c != &drawing.classes[4]) {
+      drawing.legend.push_back({c.label, c.colour, false});
+    }
+  }
+  if (!graph.nodes.empty()) {
+    drawing.legend.push_back({drawing.classes[4].label, drawing.classes[4].colour, true});
+  }
+  write_drawing(path, camera, canvas, drawing, true);
+}
+
+}  // namespace crest::io

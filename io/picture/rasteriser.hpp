@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A z-buffer in software: no display, no driver, the same pixels everywhere.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/picture/camera.hpp"
+
+namespace crest::io {
+
+struct Colour {
+  std::uint8_t red, green, blue;
+};
+
+/// Samples per pixel and axis.
+inline constexpr int kSamples = 2;
+
+/// A picture of kSamples x kSamples samples a pixel, with depth.
+class Canvas {
+ public:
+  Canvas(int width, int height);
+  int sample_width() const { return width_; }
+  int sample_height() const { return height_; }
+
+  /// Smoothly shaded, two-sided; tints: factors on red, green and blue at each vertex.
+  /// Requires: one unit normal a vertex, and one tint if there are any.
+  void draw_surface(const Camera& camera, const SurfaceView& mesh,
+                    const std::vector<kernel::Vec3>& normals,
+                    const std::vector<kernel::Vec3>* tints = nullptr);
+  /// True where a point of the surface is nearest to the eye, up to `bias` (all in pixels).
+  bool visible(const kernel::Vec3& pixel, double bias) const;
+
+  /// A stroke with round ends, in front of everything.
+  void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Colour colour);
+  void fill_disk(const kernel::Vec3& centre, double radius, Colour colour);
+  /// Convex; corners in either order.
+  void fill_polygon(const std::vector<kernel::Vec3>& corners, Colour colour);
+  /// Axis-parallel, in pixels; clipped.
+  void fill_box(double x0, double y0, double x1, double y1, Colour colour);
+
+  /// Adds white rows of pixels below.
+  void extend(int rows);
+
+  /// The averaged samples as a PNG file's bytes.
+  std::string png() const;
+
+ private:
+  void draw_triangle(const kernel::Vec3 (&corner)[3], const kernel::Vec3 (&normal)[3],
+                     const kernel::Vec3 (*tint)[3]);
+  /// Sets every sample whose centre satisfies the predicate, within a box of samples.
+  template <class Inside>
+  void paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside);
+
+  int width_, height_;  ///< in samples
+  std::vector<Colour> colour_;
+  std::vector<float> depth_;
+};
+
+}  // namespace crest::io

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A surface with level lines and critical points, its Reeb graph beside it.
+#include <string>
+
+#include "io/reeb/reeb_writer.hpp"
+
+namespace crest::io {
+
+/// Writes .png or .svg, by the extension in any case. Left: the surface, tinted by the arc of the
+/// graph that a point lies on, with the scene's level lines and its visible critical points. Right:
+/// the graph, its arcs in the same colours, y the value (graph_layout.hpp has x). Where the values
+/// are nearly a height, that direction points up.
+/// Minima blue, saddles yellow, maxima red.
+/// Guarantees: the same bytes for the same scene; no half-written file.
+/// Throws: kernel::InputError for another extension or a place that cannot be written.
+void write_reeb_picture(const std::string& path, const ReebScene& scene);
+
+}  // namespace crest::io

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ridges/ridge_writer.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <array>
+#include <iterator>
+
+#include "io/ridges/ridge_lines.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
+#include "io/write/vtk_columns.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using kernel::Index;
+using ridges::Ridge;
+using ridges::RidgeGraph;
+using ridges::Umbilic;
+
+/// Columns of the point data, the same for every format.
+constexpr std::array kPointCodes = {"colour",        "type", "type_third_order",
+                                    "crossing_type", "kind", "coherent"};
+constexpr std::array kPointNumbers = {"k1", "k2", "b", "P", "strength", "sharpness", "index"};
+
+struct Row {
+  kernel::Vec3 point;
+  std::array<int, kPointCodes.size()> codes;
+  std::array<double, kPointNumbers.size()> numbers;
+};
+
+/// Umbilics first, then the ridges' points; lines index into the rows.
+struct Table {
+  std::vector<Row> rows;
+  std::vector<std::vector<Index>> lines;
+};
+
+double index_of(const Umbilic& umbilic) {
+  return 0.5 * umbilic.twice_index;
+}
+
+Row umbilic_row(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
+                const Umbilic& umbilic) {
+  double k1 = 0, k2 = 0;
+  for (Index v : mesh.faces()[umbilic.face]) {
+    k1 += fit.forms[v].k1 / 3;
+    k2 += fit.forms[v].k2 / 3;
+  }
+  return {umbilic.point,
+          {-1, -1, -1, -1, static_cast<int>(umbilic.kind), umbilic.coherent ? 1 : 0},
+          {k1, k2, 0, 0, 0, 0, index_of(umbilic)}};
+}
+
+Row ridge_row(const Ridge& ridge, const LinePoint& p) {
+  Row row{p.point,
+          {static_cast<int>(ridge.colour), static_cast<int>(p.fourth_order),
+           static_cast<int>(p.third_order), -1, -1, -1},
+          {0, 0, 0, 0, ridge.strength, ridge.sharpness, 0}};
+  if (p.crossing != nullptr) {
+    row.codes[3] = static_cast<int>(p.crossing->type);
+    row.numbers[0] = p.crossing->k1;
+    row.numbers[1] = p.crossing->k2;
+    row.numbers[2] = p.crossing->b;
+    row.numbers[3] = p.crossing->p;
+  }
+  return row;
+}
+
+Table table_of(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
+               const RidgeGraph& graph) {
+  Table table;
+  for (const Umbilic& umbilic : graph.umbilics) {
+    table.rows.push_back(umbilic_row(mesh, fit, umbilic));
+  }
+  for (const Ridge& ridge : graph.ridges) {
+    std::vector<Index> line;
+    for (const LinePoint& p : line_points(ridge)) {
+      line.push_back(static_cast<Index>(table.rows.size()));
+      table.rows.push_back(ridge_row(ridge, p));
+    }
+    if (ridge.loop && !line.empty()) line.push_back(line.front());
+    table.lines.push_back(std::move(line));
+  }
+  return table;
+}
+
+int umbilic_id(const ridges::RidgeEnd& end) {
+  return end.kind == ridges::EndKind::umbilic ? static_cast<int>(end.umbilic) : -1;
+}
+
+struct Cell {
+  const Ridge* ridge = nullptr;      ///< of a polyline
+  const Umbilic* umbilic = nullptr;  ///< of a vertex
+  int number = -1;                   ///< the umbilic's
+};
+
+void add_cell(Columns& cells, const Cell& cell) {
+  const Ridge* r = cell.ridge;
+  const Umbilic* u = cell.umbilic;
+  cells.add("colour", r ? static_cast<int>(r->colour) : -1);
+  cells.add("loop", r ? static_cast<int>(r->loop) : -1);
+  cells.add("end_kind_0", r ? static_cast<int>(r->ends[0].kind) : -1);
+  cells.add("end_kind_1", r ? static_cast<int>(r->ends[1].kind) : -1);
+  cells.add("end_umbilic_0", r ? umbilic_id(r->ends[0]) : -1);
+  cells.add("end_umbilic_1", r ? umbilic_id(r->ends[1]) : -1);
+  cells.add("length", r ? r->length : 0.0);
+  cells.add("strength", r ? r->strength : 0.0);
+  cells.add("sharpness", r ? r->sharpness : 0.0);
+  cells.add("umbilic", cell.number);
+  cells.add("kind", u ? static_cast<int>(u->kind) : -1);
+  cells.add("coherent", u ? static_cast<int>(u->coherent) : -1);
+  cells.add("index", u ? index_of(*u) : 0.0);
+}
+
+void add_point_data(vtkPolyData& data, const Table& table) {
+  Columns points;
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < kPointCodes.size(); ++i) points.add(kPointCodes[i], row.codes[i]);
+    for (std::size_t i = 0; i < kPointNumbers.size(); ++i) {
+      points.add(kPointNumbers[i], row.numbers[i]);
+    }
+  }
+  points.move_to(*data.GetPointData());
+}
+
+void add_field_data(vtkPolyData& data, const std::string& digest, double scale) {
+  vtkNew<vtkStringArray> text;
+  text->SetName("data_digest");
+  text->InsertNextValue(digest);
+  data.GetFieldData()->AddArray(text);
+  vtkNew<vtkDoubleArray> number;
+  number->SetName("fit_scale");
+  number->InsertNextValue(scale);
+  data.GetFieldData()->AddArray(number);
+}
+
+std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::string& digest,
+                   double scale) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Row& row : table.rows) points->InsertNextPoint(row.point.data());
+  data->SetPoints(points);
+  vtkNew<vtkCellArray> vertices, lines;
+  Columns cells;
+  for (std::size_t i = 0; i < graph.umbilics.size(); ++i) {
+    vertices->InsertNextCell({static_cast<vtkIdType>(i)});
+    add_cell(cells, {nullptr, &graph.umbilics[i], static_cast<int>(i)});
+  }
+  for (std::size_t i = 0; i < graph.ridges.size(); ++i) {
+    lines->InsertNextCell(static_cast<int>(table.lines[i].size()));
+    for (Index p : table.lines[i]) lines->InsertCellPoint(p);
+    add_cell(cells, {&graph.ridges[i], nullptr, -1});
+  }
+  data->SetVerts(vertices);
+  data->SetLines(lines);
+  add_point_data(*data, table);
+  cells.move_to(*data->GetCellData());
+  add_field_data(*data, digest, scale);
+  return vtp_bytes(*data);
+}
+
+std::string obj_of(const Table& table, const RidgeGraph& graph, const std::string& digest) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "# ridges and umbilics, data digest {}\n", digest);
+  for (const Row& row : table.rows) {
+    fmt::format_to(out, "v {} {} {}\n", row.point[0], row.point[1], row.point[2]);
+  }
+  if (!graph.umbilics.empty()) fmt::format_to(out, "g umbilics\n");
+  for (std::size_t i = 0; i < graph.umbilics.size(); ++i) fmt::format_to(out, "p {}\n", i + 1);
+  for (const auto colour : {ridges::Colour::blue, ridges::Colour::red}) {
+    fmt::format_to(out, "g {}\n", colour == ridges::Colour::blue ? "blue" : "red");
+    for (std::size_t i = 0; i < graph.ridges.size(); ++i) {
+      // A polyline of one point is not a line for other programs.
+      if (graph.ridges[i].colour != colour || table.lines[i].size() < 2) continue;
+      fmt::format_to(out, "l");
+      for (Index p : table.lines[i]) fmt::format_to(out, " {}", p + 1);
+      fmt::format_to(out, "\n");
+    }
+  }
+  return fmt::to_string(text);
+}
+
+std::string ply_of(const Table& table, const std::string& digest) {
+  std::size_t edges = 0;
+  for (const auto& line : table.lines) edges += line.empty() ? 0 : line.size() - 1;
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "ply\nformat ascii 1.0\ncomment data_digest {}\nelement vertex {}\n", digest,
+                 table.rows.size());
+  for (const char* name : {"x", "y", "z"}) fmt::format_to(out, "property double {}\n", name);
+  for (const char* name : kPointCodes) fmt::format_to(out, "property int {}\n", name);
+  for (const char* name : kPointNumbers) fmt::format_to(out, "property double {}\n", name);
+  fmt::format_to(out, "element edge {}\n", edges);
+  for (const char* name : {"vertex1", "vertex2", "colour", "type"}) {
+    fmt::format_to(out, "property int {}\n", name);
+  }
+  fmt::format_to(out, "end_header\n");
+  for (const Row& row : table.rows) {
+    fmt::format_to(out, "{} {} {} {} {}\n", row.point[0], row.point[1], row.point[2],
+                   fmt::join(row.codes, " "), fmt::join(row.numbers, " "));
+  }
+  for (const auto& line : table.lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Row& row = table.rows[line[i]];
+      fmt::format_to(out, "{} {} {} {}\n", line[i], line[i + 1], row.codes[0], row.codes[1]);
+    }
+  }
+  return fmt::to_string(text);
+}
+
+}  // namespace
+
+void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
+                  const ridges::FitResult& fit, const RidgeGraph& graph,
+                  const std::string& data_digest_hex) {
+  const std::string extension = lower_extension(path);
+  const Table table = table_of(mesh, fit, graph);
+  std::string bytes;
+  if (extension == ".vtp") {
+    bytes = vtp_of(table, graph, data_digest_hex, fit.scale);
+  } else if (extension == ".obj") {
+    bytes = obj_of(table, graph, data_digest_hex);
+  } else if (extension == ".ply") {
+    bytes = ply_of(table, data_digest_hex);
+  } else {
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
+  }
+  write_atomically(path, bytes);
+}
+
+}  // namespace crest::io

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ridges/smooth_ridge_writer.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <array>
+#include <iterator>
+
+#include "io/ridges/smooth_ridge_lines.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
+#include "io/write/mesh_writer.hpp"
+#include "io/write/vtk_columns.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using kernel::Index;
+using smooth_ridges::ArcType;
+using smooth_ridges::SmoothRidge;
+using smooth_ridges::SmoothRidges;
+
+/// Columns of points and cells, the same for every format.
+constexpr std::array kCodes = {"kind",        "colour",        "type",
+                               "twice_index", "blue_branches", "red_branches"};
+constexpr std::array kNumbers = {"index", "size"};
+
+/// What a point or cell is.
+struct Row {
+  std::array<int, kCodes.size()> codes{kRidgePart, -1, -1, 0, 0, 0};
+  std::array<double, kNumbers.size()> numbers{};
+  void add_to(Columns& columns) const {
+    for (std::size_t i = 0; i < kCodes.size(); ++i) columns.add(kCodes[i], codes[i]);
+    for (std::size_t i = 0; i < kNumbers.size(); ++i) columns.add(kNumbers[i], numbers[i]);
+  }
+};
+
+struct Point {
+  kernel::Vec3 place;
+  Row row;
+};
+
+/// Vertices first (umbilics, turning points, purple points, undecided cells), then the ridges'
+/// points; lines index into the points.
+struct Table {
+  std::vector<Point> points;
+  std::array<std::size_t, 4> vertices{};  ///< how many of each
+  std::vector<Index> first;               ///< of each ridge's points
+};
+
+Row ridge_row(const SmoothRidge& ridge, ArcType type) {
+  return {{kRidgePart, static_cast<int>(ridge.colour), static_cast<int>(type), 0, 0, 0}, {}};
+}
+
+void add_vertices(const SmoothRidges& result, Table& table) {
+  for (const auto& u : result.umbilics) {
+    table.points.push_back({u.point,
+                            {{u.branches[0], -1, -1, u.twice_index, u.branches[0], u.branches[1]},
+                             {0.5 * u.twice_index, 0}}});
+  }
+  for (const auto& p : result.turning_points) {
+    table.points.push_back(
+        {p.point, {{kTurningPoint, static_cast<int>(p.colour), -1, 0, 0, 0}, {}}});
+  }
+  for (const auto& p : result.purple_points) {
+    table.points.push_back({p.point, {{kPurplePoint, -1, -1, 0, 0, 0}, {}}});
+  }
+  for (const auto& c : result.undecided) {
+    table.points.push_back({c.centre, {{kUndecidedCell, -1, -1, 0, 0, 0}, {0, c.size}}});
+  }
+  table.vertices = {result.umbilics.size(), result.turning_points.size(),
+                    result.purple_points.size(), result.undecided.size()};
+}
+
+Table table_of(const SmoothRidges& result) {
+  Table table;
+  add_vertices(result, table);
+  for (const SmoothRidge& ridge : result.ridges) {
+    table.first.push_back(static_cast<Index>(table.points.size()));
+    const std::vector<ArcType> types = drawn_types(ridge);
+    for (std::size_t i = 0; i < ridge.points.size(); ++i) {
+      const ArcType type = types.empty() ? ArcType::none : types[std::min(i, types.size() - 1)];
+      table.points.push_back({ridge.points[i], ridge_row(ridge, type)});
+    }
+  }
+  return table;
+}
+
+/// What the cells of whole ridges and umbilics say beyond their row.
+void add_ridge_columns(Columns& cells, const SmoothRidges& result, std::size_t number,
+                       const RidgeRun& run) {
+  const SmoothRidge& ridge = result.ridges[number];
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < run.points.size(); ++i) {
+    length += length_of(ridge, run.points[i], run.points[i + 1]);
+  }
+  const auto umbilic = [&](std::size_t end) {
+    return ridge.ends[end] == kernel::kNone ? -1 : static_cast<int>(ridge.ends[end]);
+  };
+  cells.add("ridge", static_cast<int>(number));
+  cells.add("loop", ridge.loop ? 1 : 0);
+  cells.add("end_kind_0", end_kind(result, ridge, 0));
+  cells.add("end_kind_1", end_kind(result, ridge, 1));
+  cells.add("end_umbilic_0", umbilic(0));
+  cells.add("end_umbilic_1", umbilic(1));
+  cells.add("umbilic", -1);
+  cells.add("length", length);
+}
+
+void add_vertex_columns(Columns& cells, int umbilic) {
+  for (const char* name :
+       {"ridge", "loop", "end_kind_0", "end_kind_1", "end_umbilic_0", "end_umbilic_1"}) {
+    cells.add(name, -1);
+  }
+  cells.add("umbilic", umbilic);
+  cells.add("length", 0.0);
+}
+
+void add_field_data(vtkPolyData& data, const SmoothRidges& result, const std::string& digest) {
+  Columns fields;
+  fields.add("certified", result.certified ? 1 : 0);
+  fields.add("undecided", static_cast<int>(result.undecided.size()));
+  fields.move_to(*data.GetFieldData());
+  vtkNew<vtkStringArray> text;
+  text->SetName("data_digest");
+  text->InsertNextValue(digest);
+  data.GetFieldData()->AddArray(text);
+}
+
+vtkSmartPointer<vtkPoints> vtk_points(std::size_t count, auto&& place_of) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (std::size_t i = 0; i < count; ++i) points->InsertNextPoint(place_of(i).data());
+  return points;
+}
+
+std::string vtp_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(
+      vtk_points(table.points.size(), [&](std::size_t i) { return table.points[i].place; }));
+  vtkNew<vtkCellArray> vertices, lines;
+  Columns points, cells;
+  for (const Point& p : table.points) p.row.add_to(points);
+  const std::size_t count =
+      table.vertices[0] + table.vertices[1] + table.vertices[2] + table.vertices[3];
+  for (std::size_t i = 0; i < count; ++i) {
+    vertices->InsertNextCell({static_cast<vtkIdType>(i)});
+    table.points[i].row.add_to(cells);
+    add_vertex_columns(cells, i < table.vertices[0] ? static_cast<int>(i) : -1);
+  }
+  for (std::size_t r = 0; r < result.ridges.size(); ++r) {
+    for (const RidgeRun& run : runs_of(result.ridges[r])) {
+      lines->InsertNextCell(static_cast<int>(run.points.size()));
+      for (const std::size_t p : run.points) {
+        lines->InsertCellPoint(table.first[r] + static_cast<vtkIdType>(p));
+      }
+      ridge_row(result.ridges[r], run.type).add_to(cells);
+      add_ridge_columns(cells, result, r, run);
+    }
+  }
+  data->SetVerts(vertices);
+  data->SetLines(lines);
+  points.move_to(*data->GetPointData());
+  cells.move_to(*data->GetCellData());
+  add_field_data(*data, result, digest);
+  return vtp_bytes(*data);
+}
+
+/// The line of text that goes before everything else.
+std::string headline(const SmoothRidges& result, const std::string& digest) {
+  if (result.certified) {
+    return fmt::format("ridges and umbilics, certified, data digest {}", digest);
+  }
+  return fmt::format("ridges and umbilics, NOT CERTIFIED, {} undecided cells",
+                     result.undecided.size());
+}
+
+/// The ridge's points in the table, a loop's first one again at its end.
+std::vector<std::size_t> line_of(const Table& table, const SmoothRidges& result, std::size_t r) {
+  std::vector<std::size_t> line;
+  for (std::size_t i = 0; i < result.ridges[r].points.size(); ++i) {
+    line.push_back(table.first[r] + i);
+  }
+  if (result.ridges[r].loop && !line.empty()) line.push_back(line.front());
+  return line;
+}
+
+std::string obj_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "# {}\n", headline(result, digest));
+  for (const Point& p : table.points) {
+    fmt::format_to(out, "v {} {} {}\n", p.place[0], p.place[1], p.place[2]);
+  }
+  std::size_t next = 1;
+  constexpr std::array groups = {"umbilics", "turning_points", "purple_points", "undecided_cells"};
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (table.vertices[g] > 0) fmt::format_to(out, "g {}\n", groups[g]);
+    for (std::size_t i = 0; i < table.vertices[g]; ++i) fmt::format_to(out, "p {}\n", next++);
+  }
+  for (const std::size_t colour : {0u, 1u}) {
+    fmt::format_to(out, "g {}\n", colour == 0 ? "blue" : "red");
+    for (std::size_t r = 0; r < result.ridges.size(); ++r) {
+      const std::vector<std::size_t> line = line_of(table, result, r);
+      // A polyline of one point is not a line for other programs.
+      if (result.ridges[r].colour != colour || line.size() < 2) continue;
+      fmt::format_to(out, "l");
+      for (const std::size_t p : line) fmt::format_to(out, " {}", p + 1);
+      fmt::format_to(out, "\n");
+    }
+  }
+  return fmt::to_string(text);
+}
+
+std::string ply_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+  fmt::memory_buffer text, edges;
+  auto out = std::back_inserter(text);
+  std::size_t edge_count = 0;
+  for (std::size_t r = 0; r < result.ridges.size(); ++r) {
+    const std::vector<std::size_t> line = line_of(table, result, r);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i, ++edge_count) {
+      const Row& row = table.points[line[i]].row;
+      fmt::format_to(std::back_inserter(edges), "{} {} {} {}\n", line[i], line[i + 1], row.codes[1],
+                     row.codes[2]);
+    }
+  }
+  fmt::format_to(out, "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n",
+                 headline(result, digest), table.points.size());
+  for (const char* name : {"x", "y", "z"}) fmt::format_to(out, "property double {}\n", name);
+  for (const char* name : kCodes) fmt::format_to(out, "property int {}\n", name);
+  for (const char* name : kNumbers) fmt::format_to(out, "property double {}\n", name);
+  fmt::format_to(out, "element edge {}\n", edge_count);
+  for (const char* name : {"vertex1", "vertex2", "colour", "type"}) {
+    fmt::format_to(out, "property int {}\n", name);
+  }
+  fmt::format_to(out, "end_header\n");
+  for (const Point& p : table.points) {
+    fmt::format_to(out, "{} {} {} {} {}\n", p.place[0], p.place[1], p.place[2],
+                   fmt::join(p.row.codes, " "), fmt::join(p.row.numbers, " "));
+  }
+  return fmt::to_string(text) + fmt::to_string(edges);
+}
+
+std::string mesh_vtp(const SmoothRidges& result, const std::string& digest) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(
+      vtk_points(result.points.size(), [&](std::size_t i) { return result.points[i]; }));
+  vtkNew<vtkCellArray> faces;
+  Columns cells;
+  const std::vector<bool> undecided = undecided_faces(result);
+  for (std::size_t f = 0; f < result.faces.size(); ++f) {
+    const kernel::Triangle& t = result.faces[f];
+    faces->InsertNextCell({vtkIdType{t[0]}, vtkIdType{t[1]}, vtkIdType{t[2]}});
+    cells.add("in_patch", result.in_patch[f] ? 1 : 0);
+    cells.add("undecided", undecided[f] ? 1 : 0);
+  }
+  data->SetPolys(faces);
+  cells.move_to(*data->GetCellData());
+  add_field_data(*data, result, digest);
+  return vtp_bytes(*data);
+}
+
+}  // namespace
+
+void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
+                         const std::string& data_digest_hex) {
+  const std::string extension = lower_extension(path);
+  const Table table = table_of(result);
+  std::string bytes;
+  if (extension == ".vtp") {
+    bytes = vtp_of(table, result, data_digest_hex);
+  } else if (extension == ".obj") {
+    bytes = obj_of(table, result, data_digest_hex);
+  } else if (extension == ".ply") {
+    bytes = ply_of(table, result, data_digest_hex);
+  } else {
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
+  }
+  write_atomically(path, bytes);
+}
+
+void write_smooth_mesh(const std::string& path, const SmoothRidges& result,
+                       const std::string& data_digest_hex) {
+  if (lower_extension(path) == ".vtp") {
+    write_atomically(path, mesh_vtp(result, data_digest_hex));
+  } else {
+    write_mesh(path, result.points, result.faces);
+  }
+}
+
+}  // namespace crest::io

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write/formats.hpp"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "io/formats/vtk_quiet.hpp"
+
+namespace crest::io {
+
+namespace {
+
+template <class Writer, class Data>
+std::string bytes_of(Data& data) {
+  const VtkQuiet quiet;
+  vtkNew<Writer> writer;
+  writer->SetInputData(&data);
+  writer->WriteToOutputStringOn();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetByteOrderToLittleEndian();
+  if (writer->Write() != 1 || quiet.failed()) throw std::runtime_error("VTK cannot write the data");
+  return writer->GetOutputString();
+}
+
+}  // namespace
+
+std::string vtp_bytes(vtkPolyData& data) {
+  return bytes_of<vtkXMLPolyDataWriter>(data);
+}
+
+std::string vtu_bytes(vtkUnstructuredGrid& data) {
+  return bytes_of<vtkXMLUnstructuredGridWriter>(data);
+}
+
+vtkSmartPointer<vtkIntArray> named_ints(const char* name) {
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> named_doubles(const char* name) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  return array;
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+}  // namespace crest::io

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write/mesh_writer.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <iterator>
+
+#include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using Points = std::vector<kernel::Vec3>;
+using Faces = std::vector<kernel::Triangle>;
+
+/// Header, then a line a point and a line a face with the given starts; indices from `base`.
+std::string text_of(const Points& points, const Faces& faces, const std::string& header,
+                    const char* vertex, const char* face, kernel::Index base) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}", header);
+  for (const kernel::Vec3& p : points) {
+    fmt::format_to(out, "{}{} {} {}\n", vertex, p[0], p[1], p[2]);
+  }
+  for (const kernel::Triangle& f : faces) {
+    fmt::format_to(out, "{}{} {} {}\n", face, f[0] + base, f[1] + base, f[2] + base);
+  }
+  return fmt::to_string(text);
+}
+
+std::string ply_header(std::size_t points, std::size_t faces) {
+  return fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      points, faces);
+}
+
+std::string vtp_of(const Points& points, const Faces& faces) {
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  for (const kernel::Vec3& p : points) positions->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> cells;
+  for (const kernel::Triangle& f : faces) {
+    cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(positions);
+  data->SetPolys(cells);
+  return vtp_bytes(*data);
+}
+
+}  // namespace
+
+void write_mesh(const std::string& path, const Points& points, const Faces& faces) {
+  const std::string extension = lower_extension(path);
+  std::string bytes;
+  if (extension == ".off") {
+    bytes = text_of(points, faces, fmt::format("OFF\n{} {} 0\n", points.size(), faces.size()), "",
+                    "3 ", 0);
+  } else if (extension == ".obj") {
+    bytes = text_of(points, faces, "", "v ", "f ", 1);
+  } else if (extension == ".ply") {
+    bytes = text_of(points, faces, ply_header(points.size(), faces.size()), "", "3 ", 0);
+  } else if (extension == ".vtp") {
+    bytes = vtp_of(points, faces);
+  } else {
+    throw kernel::InputError(path + ": file: has an unknown extension; write .off .obj .ply .vtp");
+  }
+  write_atomically(path, bytes);
+}
+
+}  // namespace crest::io
