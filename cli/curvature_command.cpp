@@ -86,9 +86,8 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
 
 std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
   if (o.reference.empty()) {
-    if (!o.parameters.empty() || o.rotate) {
+    if (!o.parameters.empty() || o.rotate)
       throw UsageError("--parameters and --rotate belong to --reference");
-    }
     return std::nullopt;
   }
   try {
@@ -102,15 +101,12 @@ std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
 std::string normals_source(const CurvatureOptions& o) {
   const bool perfect = o.estimate.method == Method::np;
   if (!o.normals.empty()) {
-    if (perfect && o.normals == "estimated") {
+    if (perfect && o.normals == "estimated")
       throw UsageError("--normals estimated: with these np is ne; say --method ne");
-    }
-    if (o.estimate.method == Method::ne && o.normals != "estimated") {
+    if (o.estimate.method == Method::ne && o.normals != "estimated")
       throw UsageError("--normals " + o.normals + ": ne estimates them; say --method np");
-    }
-    if (o.normals == "gradient" && o.reference.empty()) {
+    if (o.normals == "gradient" && o.reference.empty())
       throw UsageError("--normals gradient needs --reference");
-    }
     return o.normals;
   }
   if (!perfect) return "estimated";
@@ -123,9 +119,8 @@ std::vector<kernel::Vec3> given_normals(const CurvatureOptions& o, const std::st
   if (source == "estimated") return {};
   if (source == "gradient") {
     std::vector<kernel::Vec3> normals;
-    for (const kernel::Vec3& p : mesh.points()) {
+    for (const kernel::Vec3& p : mesh.points())
       normals.push_back(sampling::to_vec3(surface->gradient(sampling::to_point(p)).gradient));
-    }
     return normals;
   }
   auto normals = io::read_normals(o.common.input);
@@ -240,9 +235,8 @@ std::vector<std::string> used_references(const CurvatureOptions& o) {
 void talk(const CurvatureOptions& o, Report& report) {
   const Json& json = report.json();
   if (!o.common.quiet) {
-    for (const auto& warning : json["warnings"]) {
+    for (const auto& warning : json["warnings"])
       std::fprintf(stderr, "crest curvature: warning: %s\n", warning.get<std::string>().c_str());
-    }
     std::string text = fmt::format("{}: {} vertices, {} faces\n", o.method,
                                    json["vertices"].get<Index>(), json["faces"].get<Index>());
     for (const char* name : {"k1", "k2", "K", "H"}) {

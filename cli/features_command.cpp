@@ -47,9 +47,8 @@ struct FeaturesOptions {
 CLI::Validator finite_number(double least) {
   return {[least](std::string& text) -> std::string {
             double x = 0;
-            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x)) {
+            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x))
               return fmt::format("{} is not a finite number", text);
-            }
             return x < least ? fmt::format("{} is less than {}", text, least) : std::string();
           },
           ""};
@@ -67,9 +66,8 @@ void add_field_options(CLI::App& app, FeaturesOptions& o) {
   o.value_given = app.add_option("--value", o.value, "mark where the field is at least V");
   o.value_given->check(finite_number(-HUGE_VAL))->type_name("V")->excludes(quantile);
   std::vector<std::string> methods = {"fit"};
-  for (const curvature::Method m : curvature::kMethods) {
+  for (const curvature::Method m : curvature::kMethods)
     if (m != curvature::Method::np) methods.push_back(curvature::name_of(m));
-  }
   auto* method = app.add_option(
       "--method", o.method,
       "the field is max(|k1|, |k2|), curvatures by fit (default: a polynomial over several "
@@ -125,17 +123,14 @@ void add_features_options(CLI::App& app, FeaturesOptions& o) {
 void check_options(FeaturesOptions& o) {
   if (o.value_given->count() > 0) o.lines.value = o.value;
   if (o.rings_given->count() > 0) {
-    if (o.method != "fit" && o.method != "normal-cycle") {
+    if (o.method != "fit" && o.method != "normal-cycle")
       throw UsageError("--rings belongs to fit and normal-cycle; " + o.method + " has none");
-    }
     if (o.method == "fit" && o.rings == 0) throw UsageError("--rings: fit needs at least one");
   }
   if (o.lines.neighbourhood != Neighbourhood::rings) return;
-  for (const double size : {o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close}) {
-    if (size != std::floor(size)) {
+  for (const double size : {o.lines.dilate, o.lines.erode, o.lines.open, o.lines.close})
+    if (size != std::floor(size))
       throw UsageError(fmt::format("{} rings are not a whole number; see --neighbourhood", size));
-    }
-  }
 }
 
 /// The larger absolute principal curvature of the fitted Monge forms.
@@ -143,9 +138,8 @@ std::vector<double> fitted_curvature(const kernel::TriangleMesh& mesh, int rings
   ridges::FitOptions options;
   options.rings = rings;
   std::vector<double> field;
-  for (const kernel::MongeForm& form : ridges::fit_monge_forms(mesh, options).forms) {
+  for (const kernel::MongeForm& form : ridges::fit_monge_forms(mesh, options).forms)
     field.push_back(std::max(std::fabs(form.k1), std::fabs(form.k2)));
-  }
   return field;
 }
 
@@ -160,9 +154,7 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
         fmt::format("{} vertices have no finite curvature; it is zero there", result.undetermined));
   }
   std::vector<double> field;
-  for (const auto& c : result.vertices) {
-    field.push_back(std::max(std::fabs(c.k1), std::fabs(c.k2)));
-  }
+  for (const auto& c : result.vertices) field.push_back(std::max(std::fabs(c.k1), std::fabs(c.k2)));
   return field;
 }
 
@@ -189,9 +181,8 @@ std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMes
     throw kernel::InputError(o.common.input + ": field '" + o.field +
                              "': the file has vertices without faces; remove them");
   }
-  if (o.absolute) {
+  if (o.absolute)
     for (double& x : field) x = std::fabs(x);
-  }
   return field;
 }
 
@@ -243,9 +234,8 @@ void fill_report(Report& report, const FeaturesOptions& o, const kernel::Triangl
 
 void talk(const FeaturesOptions& o, const FeatureLines& f, Report& report) {
   if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"]) {
+    for (const auto& warning : report.json()["warnings"])
       std::fprintf(stderr, "crest features: warning: %s\n", warning.get<std::string>().c_str());
-    }
     fmt::print("region: {} of {} vertices from {:.6g} on\n", f.marked, f.marks.size(), f.value);
     fmt::print("lines: {} arcs, {} branches, {} loops, {} isolated; {} nodes, {} patches\n",
                f.graph.count(LineKind::arc), f.graph.count(LineKind::branch),
@@ -259,12 +249,10 @@ void talk(const FeaturesOptions& o, const FeatureLines& f, Report& report) {
   }
   if (o.common.cite) {
     std::vector<std::string> keys = {"roessl2005surfaces"};
-    if (o.field.empty() && (o.method == "fit" || o.method == "jet")) {
+    if (o.field.empty() && (o.method == "fit" || o.method == "jet"))
       keys.push_back("cazals2003jets");
-    }
-    if (o.field.empty() && (o.method == "cf" || o.method == "qf")) {
+    if (o.field.empty() && (o.method == "cf" || o.method == "qf"))
       keys.push_back("goldfeather2004novel");
-    }
     if (o.field.empty() && o.method == "qt") keys.push_back("welch1994free");
     if (o.field.empty() && o.method == "normal-cycle") keys.push_back("cohensteiner2003restricted");
     if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");

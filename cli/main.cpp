@@ -44,9 +44,8 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
     runs.emplace_back(sub, command->add(*sub));
     sub->footer(examples_footer(sub->get_footer(), *command));
   }
-  if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) {
+  if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1]))
     return usage_error(app, std::string("there is no command ") + argv[1]);
-  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
@@ -56,9 +55,8 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
     return usage_error(app, error.what());
   }
   try {
-    for (const auto& [sub, run] : runs) {
+    for (const auto& [sub, run] : runs)
       if (sub->parsed()) return run();
-    }
   } catch (const crest::cli::UsageError& error) {
     return usage_error(app, error.what());
   }

@@ -43,9 +43,8 @@ void check_extension(const std::string& option, const fs::path& path,
 /// Makes and removes the temporary file: the only sure way to learn whether it can be made.
 void probe(const std::string& path, const std::string& temporary) {
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) {
+  if (file < 0)
     throw InputError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-  }
   ::close(file);
   ::unlink(temporary.c_str());
 }
@@ -53,9 +52,8 @@ void probe(const std::string& path, const std::string& temporary) {
 }  // namespace
 
 Outputs::~Outputs() {
-  for (const File& file : files_) {
+  for (const File& file : files_)
     if (file.written && file.temporary != file.path) ::unlink(file.temporary.c_str());
-  }
 }
 
 void Outputs::add(const std::string& option, const std::string& path,
@@ -68,11 +66,9 @@ void Outputs::add(const std::string& option, const std::string& path,
   const std::string place = resolved.empty() ? path : resolved.string();
   const auto status = fs::status(place, ignored);
   if (fs::is_directory(status)) throw InputError(path + ": cannot be written: is a directory");
-  for (const File& other : files_) {
-    if (other.path == place) {
+  for (const File& other : files_)
+    if (other.path == place)
       throw UsageError(fmt::format("{} and {} name the same file", other.option, option));
-    }
-  }
   if (fs::exists(status) && !fs::is_regular_file(status)) {  // a device or pipe: written directly
     files_.push_back({option, place, place, false});
     return;
@@ -98,11 +94,10 @@ void Outputs::write(const std::string& option,
       throw;
     } catch (const std::exception& error) {
       std::string what = error.what();
-      if (const auto at = what.find(file.temporary); at != std::string::npos) {
+      if (const auto at = what.find(file.temporary); at != std::string::npos)
         what.replace(at, file.temporary.size(), file.path);
-      } else {
+      else
         what = file.path + ": " + what;
-      }
       throw InputError(what);
     }
   }
@@ -111,9 +106,8 @@ void Outputs::write(const std::string& option,
 void Outputs::commit() {
   for (File& file : files_) {
     if (!file.written || file.temporary == file.path) continue;
-    if (std::rename(file.temporary.c_str(), file.path.c_str()) != 0) {
+    if (std::rename(file.temporary.c_str(), file.path.c_str()) != 0)
       throw InputError(fmt::format("{}: cannot be written: {}", file.path, std::strerror(errno)));
-    }
     file.written = false;
   }
 }

@@ -139,9 +139,8 @@ io::TreeLines contour_tree_lines(const std::string& input, const reeb::OrderedCo
   try {
     const reeb::ContourTree tree = reeb::contour_tree(complex);
     io::TreeLines lines{io::kContourTreeKind, {}};
-    for (const auto& [low, high] : tree.arcs) {
+    for (const auto& [low, high] : tree.arcs)
       lines.arcs.push_back({tree.vertices[low], tree.vertices[high]});
-    }
     return lines;
   } catch (const std::invalid_argument&) {
     throw kernel::InputError(
@@ -182,9 +181,8 @@ void label(const ReebOptions& o, const reeb::TileComplex& tiles, WrittenGraph& w
   }
   reeb::Segmentation segmentation = reeb::segmentation(complex, w.graph);
   w.arc_of_node = std::move(segmentation.arc_of_vertex);
-  for (const reeb::TriangleArcs& arcs : segmentation.triangles) {
+  for (const reeb::TriangleArcs& arcs : segmentation.triangles)
     w.arc_of_tile.push_back(arcs.middle);
-  }
 }
 
 bool to_simplify(const ReebOptions& o) {
@@ -220,16 +218,14 @@ std::vector<LevelCount> count_lines(const std::vector<io::LevelLines>& lines) {
 
 void talk(const ReebOptions& o, const ReebRun& run, Report& report) {
   if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"]) {
+    for (const auto& warning : report.json()["warnings"])
       std::fprintf(stderr, "crest reeb: warning: %s\n", warning.get<std::string>().c_str());
-    }
     fmt::print("{}time: {:.3g} s\n", summary_text(run), report.elapsed());
   }
   if (o.common.cite) {
     std::vector<std::string> keys = {"dillard2006tessellation", "edelsbrunner1990simulation"};
-    if (!o.common.certificate.empty()) {
+    if (!o.common.certificate.empty())
       keys.insert(keys.end(), {"mcconnell2011certifying", "carr2003contour"});
-    }
     fmt::print("{}", bibtex(keys));
   }
 }
@@ -309,16 +305,14 @@ Shown compute_shown(const ReebOptions& o, const Extraction& x, Steps& step, bool
         step("places", "placing nodes", [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
   if (drawn) step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
-  if (to_simplify(o)) {
+  if (to_simplify(o))
     step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
-  }
   return shown;
 }
 
 void check_options(const ReebOptions& o) {
-  for (const double level : o.levels) {
+  for (const double level : o.levels)
     if (!std::isfinite(level)) throw UsageError("--level: give a finite number");
-  }
   if (!(o.persistence >= 0)) throw UsageError("--persistence: give a number from 0 on");
 }
 

@@ -69,9 +69,8 @@ const char* tree_name(int kind) {
 /// Ends of one arc only, roots included.
 std::size_t leaves(const io::TreeLines& tree) {
   std::unordered_map<Index, int> degree;
-  for (const auto& arc : tree.arcs) {
+  for (const auto& arc : tree.arcs)
     for (const Index v : arc) ++degree[v];
-  }
   return static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(),
                                                 [](const auto& node) { return node.second == 1; }));
 }
@@ -104,9 +103,8 @@ void fill_report(Report& report, const ReebRun& run) {
                              {"index_sum", counts.index_sum}};
   json["graph"] = graph_json(run.graph);
   json["written"] = graph_json(run.written);
-  for (const io::TreeLines& tree : run.trees) {
+  for (const io::TreeLines& tree : run.trees)
     json[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
-  }
   json["levels"] = Json::array();
   for (const LevelCount& level : run.levels) {
     json["levels"].push_back(
@@ -134,9 +132,8 @@ std::string summary_text(const ReebRun& run) {
                         leaves(tree));
   }
   if (&run.written != &run.graph) text += line("written", run.written);
-  for (const LevelCount& level : run.levels) {
+  for (const LevelCount& level : run.levels)
     text += fmt::format("level {}: {} paths, {} cycles\n", level.level, level.paths, level.cycles);
-  }
   return text;
 }
 

@@ -30,9 +30,8 @@ std::string bibtex(const std::vector<std::string>& keys) {
   std::string result;
   for (const std::string& key : keys) {
     const std::string* found = nullptr;
-    for (const auto& [name, entry] : all) {
+    for (const auto& [name, entry] : all)
       if (name == key) found = &entry;
-    }
     if (!found) throw std::out_of_range("references.bib has no entry " + key);
     result += (result.empty() ? "" : "\n") + *found + "\n";
   }

@@ -83,9 +83,8 @@ void set_scale(RidgesOptions& o) {
   }
   const char* end = o.scale.data() + o.scale.size();
   const auto [stop, error] = std::from_chars(o.scale.data(), end, o.fit.scale);
-  if (error != std::errc() || stop != end || !(o.fit.scale > 0) || !std::isfinite(o.fit.scale)) {
+  if (error != std::errc() || stop != end || !(o.fit.scale > 0) || !std::isfinite(o.fit.scale))
     throw UsageError("--scale: " + o.scale + " is neither auto nor a positive number");
-  }
 }
 
 void announce_outputs(const CommonOptions& common, Outputs& outputs) {
@@ -118,13 +117,11 @@ std::vector<std::string> used_references(const RidgesOptions& o) {
 /// Warnings on stderr, then the summary and the references on stdout.
 void talk(const RidgesOptions& o, const RidgesRun& run, Report& report) {
   if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"]) {
+    for (const auto& warning : report.json()["warnings"])
       std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
-    }
     std::string text = summary_text(run);
-    if (!o.common.certificate.empty()) {
+    if (!o.common.certificate.empty())
       text += fmt::format("certificate: written (crest-verify {})\n", o.common.certificate);
-    }
     text += fmt::format("time: {:.3g} s\n", report.elapsed());
     std::fputs(text.c_str(), stdout);
   }
@@ -133,18 +130,16 @@ void talk(const RidgesOptions& o, const RidgesRun& run, Report& report) {
 
 /// The first option of a group of the help that the command line has, or nothing.
 std::string given_of(const CLI::App& app, const std::string& group) {
-  for (const CLI::Option* option : app.get_options()) {
+  for (const CLI::Option* option : app.get_options())
     if (option->get_group() == group && option->count() > 0) return option->get_name();
-  }
   return {};
 }
 
 /// Exactly one surface, and no option of the other kind. Returns whether it is a smooth one.
 bool is_smooth(const CLI::App& app) {
   const auto given = [&](const char* name) { return app.count(name) > 0 ? 1 : 0; };
-  if (given("INPUT") + given("--surface") + given("--param") != 1) {
+  if (given("INPUT") + given("--surface") + given("--param") != 1)
     throw UsageError("give exactly one of INPUT, --surface and --param");
-  }
   const bool smooth = given("INPUT") == 0;
   const std::string other = given_of(app, smooth ? kMeshGroup : kSmoothGroup);
   if (!other.empty()) {

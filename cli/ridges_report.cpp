@@ -69,9 +69,8 @@ Json fit_json(const ridges::FitResult& fit) {
     if (q.degree > 0) worst = std::max(worst, q.condition);
   }
   Json degrees = Json::object();
-  for (const std::size_t degree : {4u, 3u, 2u, 1u, 0u}) {
+  for (const std::size_t degree : {4u, 3u, 2u, 1u, 0u})
     if (vertices[degree] > 0) degrees[std::to_string(degree)] = vertices[degree];
-  }
   return {{"vertices_by_degree", std::move(degrees)}, {"worst_condition", worst}};
 }
 

@@ -42,9 +42,8 @@ double index_sum(const SmoothRidges& result) {
 
 Json umbilics_json(const SmoothRidges& result) {
   Json items = Json::array();
-  for (const UmbilicPoint& u : result.umbilics) {
+  for (const UmbilicPoint& u : result.umbilics)
     items.push_back({{"index", 0.5 * u.twice_index}, {"kind", kind_name(u)}, {"point", u.point}});
-  }
   return {{"count", result.umbilics.size()},
           {"index_sum", index_sum(result)},
           {"items", std::move(items)}};
@@ -126,9 +125,8 @@ std::string count_lines(const SmoothRidges& result) {
 
 std::string refusal(const SmoothRidges& result) {
   std::string text = "NOT CERTIFIED: ";
-  for (std::size_t i = 0; i < result.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < result.obstacles.size(); ++i)
     text += (i == 0 ? "" : "; ") + result.obstacles[i];
-  }
   text += "\n";
   if (result.undecided.empty()) return text;
   text += fmt::format("uncertified cells: {}, among them\n", grouped(result.undecided.size()));
@@ -149,9 +147,8 @@ SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
     ++(ridge.loop ? s.loops : s.segments);
     for (const io::RidgeRun& run : io::runs_of(ridge)) {
       double length = 0;
-      for (std::size_t i = 0; i + 1 < run.points.size(); ++i) {
+      for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         length += io::length_of(ridge, run.points[i], run.points[i + 1]);
-      }
       s.length += length;
       const double half = run.type == ArcType::turning ? 0.5 * length : 0;
       s.elliptic_length += run.type == ArcType::elliptic ? length : half;
@@ -196,9 +193,8 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
 }
 
 std::string summary_text(const SmoothRidgesRun& run) {
-  if (run.result.certified) {
+  if (run.result.certified)
     return count_lines(run.result) + "certified: these counts are proven of the surface itself\n";
-  }
   if (run.result.faces.empty()) return refusal(run.result);
   return "partial result, only right where it is certified:\n" + count_lines(run.result) +
          refusal(run.result);

@@ -45,9 +45,8 @@ double number(const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) {
+  if (error != std::errc() || stop != end)
     throw InputError("--box: '" + text + "' is not a number");
-  }
   return value;
 }
 
@@ -122,9 +121,8 @@ std::vector<std::string> used_references(const CommonOptions& common, bool impli
 
 void talk(const CommonOptions& common, const SmoothRidgesRun& run, Report& report) {
   if (!common.quiet) {
-    for (const auto& warning : report.json()["warnings"]) {
+    for (const auto& warning : report.json()["warnings"])
       std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
-    }
     std::string text = summary_text(run);
     if (!common.certificate.empty() && run.result.certified) {
       text += fmt::format(
@@ -137,9 +135,7 @@ void talk(const CommonOptions& common, const SmoothRidgesRun& run, Report& repor
     }
     fmt::print("{}time: {:.3g} s\n", text, report.elapsed());
   }
-  if (common.cite) {
-    fmt::print("{}", bibtex(used_references(common, run.surface.is_implicit())));
-  }
+  if (common.cite) fmt::print("{}", bibtex(used_references(common, run.surface.is_implicit())));
 }
 
 int exit_code(const SmoothRidges& result) {

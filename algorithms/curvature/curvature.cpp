@@ -66,9 +66,8 @@ const char* name_of(Method method) {
 }
 
 std::optional<Method> method_of(std::string_view name) {
-  for (const Method method : kMethods) {
+  for (const Method method : kMethods)
     if (name == name_of(method)) return method;
-  }
   return std::nullopt;
 }
 
@@ -140,9 +139,8 @@ void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& 
   require_range(mesh);
   result.lowered = result.complex = result.undetermined = 0;
   if (options.normals.empty()) {
-    if (options.method == Method::np) {
+    if (options.method == Method::np)
       throw kernel::InputError("normals: np needs them; give a file with normals or use ne");
-    }
     result.normals.resize(mesh.vertex_count());
     area_weighted_normals(mesh, result.normals);
   } else {

@@ -123,9 +123,8 @@ std::vector<Flat> exponential_map(const kernel::TriangleMesh& mesh, MeshIndex v)
   };
   for (std::size_t j = 1; j < ring.size(); ++j) angle[j] = angle[j - 1] + between(j - 1, j);
   double stretch = 1;
-  if (!mesh.on_boundary(v)) {
+  if (!mesh.on_boundary(v))
     stretch = 2 * std::numbers::pi / (angle.back() + between(ring.size() - 1, 0));
-  }
   std::vector<Flat> map;
   for (std::size_t j = 0; j < ring.size(); ++j) {
     map.push_back(

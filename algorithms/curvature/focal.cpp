@@ -72,9 +72,8 @@ void displace(FocalSurface& s, const std::vector<Vec3>& directions) {
 double focal_scale(const kernel::TriangleMesh& mesh, const std::vector<double>& values,
                    double share) {
   std::vector<double> sizes;
-  for (const double q : values) {
+  for (const double q : values)
     if (std::isfinite(q)) sizes.push_back(std::abs(q));
-  }
   if (sizes.empty()) return 0;
   const auto rank = static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
@@ -104,9 +103,8 @@ FocalSurface focal_of_triangles(const kernel::TriangleMesh& mesh, const std::vec
   });
   s.scale = focal_scale(mesh, s.values, share);
   displace(s, directions);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.face_count(); ++f)
     add_face(s, f, f * static_cast<Index>(nodes.size()), steps);
-  }
   return s;
 }
 

@@ -80,9 +80,8 @@ std::vector<CornerCurvatures> corner_curvatures(const kernel::TriangleMesh& mesh
       const TangentPlane plane(mesh.points()[v], normals[v]);
       Tensor tensor;
       if (!add_corner(plane.side(mesh.points()[u], normals[u]),
-                      plane.side(mesh.points()[w], normals[w]), tensor)) {
+                      plane.side(mesh.points()[w], normals[w]), tensor))
         tensor.a = tensor.b = tensor.c = tensor.d = std::nan("");
-      }
       out[f][k] = principal(tensor, plane.frame);
     }
   });

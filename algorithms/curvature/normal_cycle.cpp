@@ -46,9 +46,8 @@ Moments cell_of(const kernel::TriangleMesh& mesh, const std::vector<double>& ang
     m.area += std::sqrt(dot(n, n)) / 6;
     const double weight = 0.5 * angles[mesh.face_edges()[f][k]] / std::sqrt(dot(e, e));
     std::size_t at = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j) m.sum[at++] += weight * e[i] * e[j];
-    }
   }
   return m;
 }

@@ -43,9 +43,8 @@ struct NormalTriangle {
 template <class T>
 Vector<T> interpolated_normal(const NormalTriangle<T>& t, const Vector<T>& lambda) {
   Vector<T> n;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k)
     n[k] = lambda[0] * t.n[0][k] + lambda[1] * t.n[1][k] + lambda[2] * t.n[2][k];
-  }
   return n;
 }
 

@@ -15,16 +15,14 @@ certify::FeaturesMeshCertificate make_certificate(const kernel::TriangleMesh& me
   certify::FeaturesMeshCertificate c;
   c.faces = mesh.faces();
   c.positions = mesh.points();
-  for (kernel::Vec3& p : c.positions) {
+  for (kernel::Vec3& p : c.positions)
     for (double& x : p) x += 0.0;  // one form of zero
-  }
   c.marked_before = thinning.before;
   c.euler_characteristic = mesh.euler_characteristic();
   c.boundary_loops = mesh.boundary_loops();
   c.removed = thinning.removed;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (thinning.after[v]) c.marked_after.push_back(v);
-  }
   c.dropped = thinning.dropped;
   c.betti = {
       record_of(thinning.topology_before.marked), record_of(thinning.topology_before.complement),

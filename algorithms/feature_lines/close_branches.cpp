@@ -45,11 +45,10 @@ class GapSearch {
           if (marks_[w] && v == start) continue;
           seen_[w] = search_;
           from_[w] = v;
-          if (marks_[w]) {
+          if (marks_[w])
             meet(w, edges);
-          } else {
+          else
             next_.push_back(w);
-          }
         }
       }
       front_.swap(next_);

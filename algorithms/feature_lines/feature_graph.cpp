@@ -14,12 +14,10 @@ using kernel::TriangleMesh;
 /// Vertices with three or more marked neighbours or in a marked face.
 Marks node_vertices(const TriangleMesh& mesh, const Marks& marks) {
   Marks node(mesh.vertex_count(), 0);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (marks[v] && marked_neighbours(mesh, marks, v) >= 3) node[v] = 1;
-  }
-  for (const kernel::Triangle& f : mesh.faces()) {
+  for (const kernel::Triangle& f : mesh.faces())
     if (marks[f[0]] && marks[f[1]] && marks[f[2]]) node[f[0]] = node[f[1]] = node[f[2]] = 1;
-  }
   return node;
 }
 
@@ -59,16 +57,13 @@ class Tracer {
   void trace_all() {
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       if (!node_[v]) continue;
-      for (const Index w : mesh_.ring(v)) {
+      for (const Index w : mesh_.ring(v))
         if (marks_[w] && !node_[w] && !traced_[w]) trace(v, w);
-      }
     }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (untraced(v) && marked_neighbours(mesh_, marks_, v) < 2) trace(kNone, v);
-    }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (untraced(v)) trace(kNone, v);
-    }
   }
 
  private:
@@ -116,9 +111,8 @@ class Tracer {
 
   /// The marked neighbour that is not `before`; the first one at the start of a loop.
   Index next_after(Index before, Index v) const {
-    for (const Index w : mesh_.ring(v)) {
+    for (const Index w : mesh_.ring(v))
       if (marks_[w] && w != before) return w;
-    }
     return kNone;
   }
 
@@ -138,9 +132,8 @@ class Tracer {
                         : line.kind == LineKind::branch ? Label::branch
                         : line.kind == LineKind::loop   ? Label::loop
                                                         : Label::isolated;
-    for (const Index v : line.vertices) {
+    for (const Index v : line.vertices)
       if (!node_[v]) graph_.labels[v] = label;
-    }
     graph_.lines.push_back(std::move(line));
   }
 
@@ -170,9 +163,8 @@ FeatureGraph build_feature_graph(const TriangleMesh& mesh, const Marks& marks) {
     graph.nodes[node_of[v]].push_back(v);
     graph.labels[v] = Label::node;
   }
-  for (const kernel::Edge& e : mesh.edges()) {
+  for (const kernel::Edge& e : mesh.edges())
     if (node[e.v0] && node[e.v1]) graph.node_edges.push_back({e.v0, e.v1});
-  }
   Tracer(mesh, marks, node, node_of, graph).trace_all();
   return graph;
 }

@@ -122,9 +122,8 @@ class Marcher {
   }
 
   std::vector<double> march(const Marks& marks, double limit) {
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (marks[v]) relax(v, 0);
-    }
     while (!queue_.empty()) {
       const auto [d, v] = queue_.top();
       queue_.pop();
@@ -133,9 +132,8 @@ class Marcher {
       done_[v] = 1;
       pass_on(v);
     }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (!done_[v]) value_[v] = HUGE_VAL;
-    }
     return std::move(value_);
   }
 
@@ -172,9 +170,8 @@ class Marcher {
   void pass_on(Index v) {
     const auto ring = mesh_.ring(v);
     const auto& p = mesh_.points();
-    for (const Index w : ring) {
+    for (const Index w : ring)
       if (!done_[w]) relax(w, value_[v] + distance(p[v], p[w]));
-    }
     const auto fan = mesh_.fan(v);
     for (std::size_t j = 0; j < fan.size(); ++j) {
       const Index x = ring[j], y = ring[(j + 1) % ring.size()];
@@ -185,9 +182,8 @@ class Marcher {
       const Split& s = splits_[by_vertex_[i]];
       if (done_[s.apex]) continue;
       if (v == s.far) relax(s.apex, value_[v] + s.far_length);
-      if (done_[s.near] && done_[s.far]) {
+      if (done_[s.near] && done_[s.far])
         through_corner(s.apex, s.near, s.far, s.near_length, s.far_length, s.cosine);
-      }
     }
   }
 

@@ -36,9 +36,8 @@ Marks complement(Marks marks) {
 
 Marks grow_by_rings(const TriangleMesh& mesh, Marks marks, double size) {
   std::vector<Index> front, next;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (marks[v]) front.push_back(v);
-  }
   for (double ring = 1; ring <= size && !front.empty(); ++ring) {
     next.clear();
     for (const Index v : front) {
@@ -159,30 +158,25 @@ Marks dilate(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
 Marks erode(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
   if (s.size <= 0) return marks;
   // These relations are symmetric (geodesic: nearly): eroding is dilating the complement.
-  if (s.kind != Neighbourhood::euclidean) {
-    return complement(dilate(mesh, complement(marks), s));
-  }
+  if (s.kind != Neighbourhood::euclidean) return complement(dilate(mesh, complement(marks), s));
   Marks kept = marks;
   BallWalker walker(mesh);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (marks[v]) kept[v] = walker.walk(v, s.size, [&](Index w) { return marks[w] != 0; }) ? 1 : 0;
-  }
   return kept;
 }
 
 Marks opening(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
   Marks opened = dilate(mesh, erode(mesh, marks, s), s);
-  if (s.kind == Neighbourhood::geodesic) {
+  if (s.kind == Neighbourhood::geodesic)
     for (std::size_t v = 0; v < marks.size(); ++v) opened[v] &= marks[v];
-  }
   return opened;
 }
 
 Marks closing(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {
   Marks closed = erode(mesh, dilate(mesh, marks, s), s);
-  if (s.kind == Neighbourhood::geodesic) {
+  if (s.kind == Neighbourhood::geodesic)
     for (std::size_t v = 0; v < marks.size(); ++v) closed[v] |= marks[v];
-  }
   return closed;
 }
 

@@ -49,9 +49,8 @@ Index Thinner::degree(Index v) const {
 
 void Thinner::take(Index v) {
   marks_[v] = 0;
-  for (const Index w : mesh_.ring(v)) {
+  for (const Index w : mesh_.ring(v))
     if (unmarked_[w]++ == 0) centre_until_[w] = pass_;
-  }
 }
 
 void Thinner::put_back(Index v) {
@@ -62,9 +61,8 @@ void Thinner::put_back(Index v) {
 /// As it was at the start of the pass: both sides of a band lose a layer, not only the side that
 /// comes first.
 bool Thinner::beside_centre(Index v) const {
-  for (const Index w : mesh_.ring(v)) {
+  for (const Index w : mesh_.ring(v))
     if (marks_[w] && (unmarked_[w] == 0 || centre_until_[w] == pass_)) return true;
-  }
   return false;
 }
 
@@ -82,9 +80,8 @@ bool Thinner::goes_before(Index v, Index w) const {
 void Thinner::skeletonize() {
   std::vector<Index> front, next, waiting, stack, next_of(mesh_.vertex_count(), 0);
   waiting.assign(mesh_.vertex_count(), 0);
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v)
     if (marks_[v] && unmarked_[v] > 0) front.push_back(v);
-  }
   const auto visit = [&](Index v) {
     if (!marks_[v] || !beside_centre(v) || !is_simple(mesh_, marks_, v)) return;
     take(v);
@@ -126,9 +123,8 @@ void Thinner::pre_prune() {
   // The ends of a strip have fewer marked neighbours than its sides: sides first, or an unlucky
   // numbering would eat the strip from its end.
   DegreeQueue queue(field_);
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v)
     if (marks_[v] && degree(v) >= 2) queue.push(v, degree(v));
-  }
   Index v = 0, pushed = 0;
   while (queue.pop(v, pushed)) {
     const Index now = marks_[v] ? degree(v) : 0;
@@ -140,18 +136,16 @@ void Thinner::pre_prune() {
     if (!is_simple(mesh_, marks_, v)) continue;
     take(v);
     removed_.push_back(v);
-    for (const Index w : mesh_.ring(v)) {
+    for (const Index w : mesh_.ring(v))
       if (marks_[w] && degree(w) >= 2) queue.push(w, degree(w));
-    }
   }
 }
 
 std::vector<Thinner::Taken> Thinner::take_tips(Index rounds) {
   std::vector<Taken> history;
   std::vector<Index> tips, next;
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v)
     if (is_tip(v)) tips.push_back(v);
-  }
   for (Index round = 0; round < rounds && !tips.empty(); ++round) {
     next.clear();
     for (const Index v : tips) {
@@ -214,13 +208,11 @@ void Thinner::prune(Index rounds) {
   if (rounds == 0) return;
   const std::vector<Taken> history = take_tips(rounds);
   restore_open_ends(history, rounds);
-  for (const auto& [v, parent] : history) {
+  for (const auto& [v, parent] : history)
     if (!marks_[v]) removed_.push_back(v);
-  }
   pre_prune();
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v)
     if (marks_[v] && degree(v) == 0) dropped_.push_back(v);
-  }
 }
 
 }  // namespace crest::feature_lines

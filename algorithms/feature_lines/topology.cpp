@@ -16,16 +16,13 @@ Index root_of(std::vector<Index>& parent, Index v) {
 Index closed_components(const kernel::TriangleMesh& mesh, const Marks& marks, std::uint8_t mark,
                         std::vector<Index>& parent) {
   Marks open(mesh.vertex_count(), 0);
-  for (const kernel::Edge& e : mesh.edges()) {
+  for (const kernel::Edge& e : mesh.edges())
     if (marks[e.v0] != marks[e.v1]) open[root_of(parent, marks[e.v0] == mark ? e.v0 : e.v1)] = 1;
-  }
   Index closed = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (marks[v] == mark && mesh.on_boundary(v)) open[root_of(parent, v)] = 1;
-  }
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (marks[v] == mark && parent[v] == v && !open[v]) ++closed;
-  }
   return closed;
 }
 
@@ -45,9 +42,8 @@ Betti betti_numbers(const kernel::TriangleMesh& mesh, const Marks& marks, std::u
     parent[a < b ? b : a] = a < b ? a : b;
     --betti.b0;
   }
-  for (const kernel::Triangle& f : mesh.faces()) {
+  for (const kernel::Triangle& f : mesh.faces())
     euler += marks[f[0]] == mark && marks[f[1]] == mark && marks[f[2]] == mark ? 1 : 0;
-  }
   betti.b2 = closed_components(mesh, marks, mark, parent);
   betti.euler = static_cast<int>(euler);
   betti.b1 = static_cast<Index>(std::int64_t{betti.b0} + betti.b2 - euler);

@@ -12,9 +12,8 @@ namespace crest::feature_lines {
 inline Index transitions(const kernel::TriangleMesh& mesh, const Marks& marks, Index v) {
   const auto ring = mesh.ring(v);
   Index changes = 0;
-  for (std::size_t k = 0; k + 1 < ring.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < ring.size(); ++k)
     changes += static_cast<Index>(marks[ring[k]] ^ marks[ring[k + 1]]);
-  }
   if (!mesh.on_boundary(v)) changes += static_cast<Index>(marks[ring.back()] ^ marks[ring.front()]);
   return changes;
 }

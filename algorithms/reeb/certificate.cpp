@@ -42,9 +42,8 @@ certify::ReebCertificate make_certificate(const kernel::QuadraticMesh& mesh,
   certify::ReebCertificate c;
   c.faces = mesh.faces();
   c.positions = mesh.points();
-  for (auto& point : c.positions) {
+  for (auto& point : c.positions)
     for (double& x : point) x += 0.0;
-  }
   c.values = without_minus_zero(mesh.values());
   c.edge_values = without_minus_zero(mesh.edge_values());
   c.euler_characteristic = static_cast<std::int32_t>(mesh.vertex_count()) -

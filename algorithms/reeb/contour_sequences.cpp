@@ -79,9 +79,8 @@ void ContourSequences::splay(Index x) {
 std::array<Index, 2> ContourSequences::remove(Index x) {
   settle(x);
   const std::array<Index, 2> parts = {nodes_[x].left, nodes_[x].right};
-  for (const Index part : parts) {
+  for (const Index part : parts)
     if (part != kNone) nodes_[part].parent = kRoot;
-  }
   nodes_[x].left = nodes_[x].right = kNone;
   return parts;
 }

@@ -26,9 +26,8 @@ ContourSweep::ContourSweep(const StrandLists& strands, bool record_runs)
     arc_of_lower_run.assign(strands.strand_above.size(), kNone);
     arc_of_upper_run.assign(strands.upper.size() - 1, kNone);
   }
-  for (Index s = 0; s < strands.turned.size(); ++s) {
+  for (Index s = 0; s < strands.turned.size(); ++s)
     if (strands.turned[s]) sequences_.set_sense(s, true);
-  }
 }
 
 void ContourSweep::announce(const std::vector<Index>& stops, std::size_t i) const {
@@ -40,9 +39,8 @@ void ContourSweep::announce(const std::vector<Index>& stops, std::size_t i) cons
   }
   if (i + 8 < stops.size()) {
     const Index stop = stops[i + 8], begin = strands_.stops[stop].lower_begin;
-    for (Index k = 0; k < std::min(strands_.lower_count(stop), Index{3}); ++k) {
+    for (Index k = 0; k < std::min(strands_.lower_count(stop), Index{3}); ++k)
       sequences_.prefetch(strands_.strand_above[begin + k]);
-    }
   }
 }
 
@@ -167,9 +165,8 @@ void ContourSweep::pass_node(Index stop, Index node) {
   touched_.clear();
   const Stop& s = strands_.stops[stop];
   const Index lower_end = strands_.stops[stop + 1].lower_begin;
-  for (Index i = s.lower_begin; record_runs_ && i < lower_end; ++i) {
+  for (Index i = s.lower_begin; record_runs_ && i < lower_end; ++i)
     arc_of_lower_run[i] = pieces_[find_piece(strands_.strand_above[i])].arc;
-  }
   for (Index i = s.lower_begin; i < lower_end; ++i) {
     const Index piece = find_piece(strands_.strand_above[i]);
     if (pieces_[piece].arc == kNone) continue;

@@ -29,11 +29,10 @@ class Shrinking {
     if (children_[i] == 1) parent_[down] = up;
     if (up == kNone) return;
     child_sum_[up] ^= i;
-    if (children_[i] == 1) {
+    if (children_[i] == 1)
       child_sum_[up] ^= down;
-    } else {
+    else
       --children_[up];
-    }
   }
 
  private:
@@ -70,21 +69,18 @@ void require_no_loops(const OrderedComplex& complex, const MergeTree& join) {
 ContourTree merged(const MergeTree& join, const MergeTree& split) {
   const auto n = static_cast<Index>(join.vertices.size());
   if (split.vertices.size() != n ||
-      !std::equal(join.vertices.begin(), join.vertices.end(), split.vertices.rbegin())) {
+      !std::equal(join.vertices.begin(), join.vertices.end(), split.vertices.rbegin()))
     throw std::invalid_argument("join and split tree have different nodes");
-  }
   std::vector<Index> down(n, kNone);
-  for (Index i = 0; i < n; ++i) {
+  for (Index i = 0; i < n; ++i)
     if (split.parent[i] != kNone) down[n - 1 - i] = n - 1 - split.parent[i];
-  }
   Shrinking below(join.parent), above(std::move(down));
   ContourTree tree;
   tree.vertices = join.vertices;
   std::vector<Index> leaves;
   const auto is_leaf = [&](Index i) { return below.children(i) + above.children(i) == 1; };
-  for (Index i = n; i-- > 0;) {
+  for (Index i = n; i-- > 0;)
     if (is_leaf(i)) leaves.push_back(i);
-  }
   while (!leaves.empty()) {
     const Index i = leaves.back();
     leaves.pop_back();
@@ -99,9 +95,8 @@ ContourTree merged(const MergeTree& join, const MergeTree& split) {
   }
   const auto roots =
       static_cast<std::size_t>(std::count(join.parent.begin(), join.parent.end(), kNone));
-  if (tree.arcs.size() + roots != n) {
+  if (tree.arcs.size() + roots != n)
     throw std::invalid_argument("no contour tree has this join and this split tree");
-  }
   std::sort(tree.arcs.begin(), tree.arcs.end());
   return tree;
 }

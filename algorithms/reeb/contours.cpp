@@ -138,9 +138,8 @@ std::vector<Line> chain(const Crossings& crossings) {
     lines.push_back(std::move(line));
   };
   for (const bool paths : {true, false}) {
-    for (Index s = 0; s < crossings.sides.size(); ++s) {
+    for (Index s = 0; s < crossings.sides.size(); ++s)
       if (!seen[s] && (!paths || crossings.pieces_of[s][1] == kNone)) follow(s);
-    }
   }
   return lines;
 }
@@ -314,9 +313,8 @@ std::vector<Contour> contours(const QuadraticMesh& mesh, const TileComplex& tile
   const Crossings crossings = find_crossings(mesh, tiles, nodes_below(mesh, tiles, level));
   const Placer placer(mesh, tiles, level);
   std::vector<Contour> result;
-  for (Line& line : chain(crossings)) {
+  for (Line& line : chain(crossings))
     result.push_back(place_line(mesh, crossings, placer, std::move(line)));
-  }
   return result;
 }
 

@@ -101,13 +101,12 @@ void Contraction::number_nodes() {
     if (is_regular(g)) continue;
     out_.node_of_node[i] = static_cast<Index>(out_.graph.nodes.size());
     ReebNode node{g.vertex, NodeKind::saddle, g.on_boundary, 1, g.index};
-    if (g.below == 0) {
+    if (g.below == 0)
       node.kind = NodeKind::minimum;
-    } else if (g.above == 0) {
+    else if (g.above == 0)
       node.kind = NodeKind::maximum;
-    } else {
+    else
       node.multiplicity = std::max({g.below, g.above, Index{2}}) - 1;
-    }
     out_.graph.nodes.push_back(node);
   }
   out_.graph.components = graph_.components;

@@ -34,9 +34,8 @@ class Chooser {
     grow_forest();
     for (std::size_t i = nodes_.size(); i-- > 0;) settle(nodes_[i]);
     std::vector<Index> cuts;
-    for (Index a = 0; a < cut_.size(); ++a) {
+    for (Index a = 0; a < cut_.size(); ++a)
       if (cut_[a]) cuts.push_back(a);
-    }
     return cuts;
   }
 
@@ -102,9 +101,8 @@ std::vector<Index> Chooser::core() const {
     }
   }
   std::vector<Index> left;
-  for (Index a = 0; a < off.size(); ++a) {
+  for (Index a = 0; a < off.size(); ++a)
     if (!off[a]) left.push_back(a);
-  }
   return left;
 }
 

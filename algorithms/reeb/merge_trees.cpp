@@ -53,9 +53,8 @@ MergeTree tree_of_graph(const ReebGraph& graph, bool join) {
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   for (const ReebArc& a : graph.arcs) from[begin[later(a) + 1]++] = place(join ? a.lower : a.upper);
   Parts parts(n);
-  for (Index i = 0; i < n; ++i) {
+  for (Index i = 0; i < n; ++i)
     for (Index k = begin[i]; k < begin[i + 1]; ++k) parts.add(i, from[k], tree.parent);
-  }
   return tree;
 }
 
@@ -82,9 +81,8 @@ MergeTree augmented_join_tree(const OrderedComplex& complex) {
   Parts parts(count);
   for (const Index s : stop_at) {
     if (s == kNone) continue;
-    for (Index i = strands.stops[s].lower_begin; i < strands.stops[s + 1].lower_begin; ++i) {
+    for (Index i = strands.stops[s].lower_begin; i < strands.stops[s + 1].lower_begin; ++i)
       parts.add(node_of_stop[s], bottom[strands.strand_above[i]], tree.parent);
-    }
   }
   return tree;
 }
@@ -103,9 +101,8 @@ MergeTree augmented_split_tree(const ReebGraph& graph) {
 
 MergeTree reduced(const MergeTree& tree) {
   std::vector<std::uint8_t> children(tree.parent.size(), 0);
-  for (const Index p : tree.parent) {
+  for (const Index p : tree.parent)
     if (p != kNone && children[p] < 2) ++children[p];
-  }
   const auto kept = [&](Index i) { return children[i] != 1 || tree.parent[i] == kNone; };
   MergeTree out;
   std::vector<Index> place(tree.parent.size(), kNone);
@@ -115,12 +112,10 @@ MergeTree reduced(const MergeTree& tree) {
     out.vertices.push_back(tree.vertices[i]);
   }
   // Parents come later, so from the roots down: the next kept node at or above each.
-  for (Index i = static_cast<Index>(tree.parent.size()); i-- > 0;) {
+  for (Index i = static_cast<Index>(tree.parent.size()); i-- > 0;)
     if (!kept(i)) place[i] = place[tree.parent[i]];
-  }
-  for (Index i = 0; i < tree.parent.size(); ++i) {
+  for (Index i = 0; i < tree.parent.size(); ++i)
     if (kept(i)) out.parent.push_back(tree.parent[i] == kNone ? kNone : place[tree.parent[i]]);
-  }
   return out;
 }
 

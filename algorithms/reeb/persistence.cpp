@@ -37,18 +37,16 @@ class Core {
 
   std::vector<Chain> chains() {
     std::vector<Chain> out;
-    for (Index i = 0; i < degree_.size(); ++i) {
+    for (Index i = 0; i < degree_.size(); ++i)
       if (degree_[i] >= 3) walk_from(i, out);
-    }
     for (Index i = 0; i < degree_.size(); ++i) walk_from(i, out);  // cycles without a branch
     return out;
   }
 
  private:
   Index next_arc(Index node) {
-    for (Index& k = next_[node]; k < begin_[node + 1]; ++k) {
+    for (Index& k = next_[node]; k < begin_[node + 1]; ++k)
       if (!gone_[at_[k]]) return at_[k];
-    }
     return kNone;
   }
   Index across(Index arc, Index node) const {
@@ -99,9 +97,8 @@ class HighestForest {
     if (meet != kNone) {
       Index weakest = kNone;
       for (const Index start : {a, b}) {
-        for (Index x = start; x != meet; x = parent_[x]) {
+        for (Index x = start; x != meet; x = parent_[x])
           if (weakest == kNone || key_[x] < key_[weakest]) weakest = x;
-        }
       }
       if (weakest == kNone || key_[weakest] >= chain.lowest) return chain.lowest;
       removed = key_[weakest];
@@ -122,9 +119,8 @@ class HighestForest {
   Index common_ancestor(Index a, Index b) {
     ++stamp_;
     for (Index x = a; x != kNone; x = parent_[x]) mark_[x] = stamp_;
-    for (Index x = b; x != kNone; x = parent_[x]) {
+    for (Index x = b; x != kNone; x = parent_[x])
       if (mark_[x] == stamp_) return x;
-    }
     return kNone;
   }
   void reroot(Index x) {
@@ -159,11 +155,10 @@ class Sweep {
     if (up_ ? a > b : a < b) std::swap(a, b);  // b is the younger
     parent_[b] = a;
     if (b == later) return;
-    if (up_) {
+    if (up_)
       out.push_back({PairKind::minimum, b, later, rise(b, later)});
-    } else {
+    else
       out.push_back({PairKind::maximum, later, b, rise(later, b)});
-    }
   }
   double rise(Index lower, Index upper) const {
     return values_[graph_.nodes[upper].vertex] - values_[graph_.nodes[lower].vertex];
@@ -190,9 +185,7 @@ std::vector<PersistencePair> persistence_pairs(const ReebGraph& graph,
   std::stable_sort(by_upper.begin(), by_upper.end(),
                    [&](Index a, Index b) { return graph.arcs[a].upper < graph.arcs[b].upper; });
   Sweep up(graph, values, true), down(graph, values, false);
-  for (const Index i : by_upper) {
-    up.pass(graph.arcs[i], pairs);
-  }
+  for (const Index i : by_upper) up.pass(graph.arcs[i], pairs);
   std::vector<Chain> chains = Core(graph).chains();
   std::sort(chains.begin(), chains.end(),
             [](const Chain& a, const Chain& b) { return a.highest < b.highest; });
@@ -205,11 +198,9 @@ std::vector<PersistencePair> persistence_pairs(const ReebGraph& graph,
   for (std::size_t i = graph.arcs.size(); i-- > 0;) down.pass(graph.arcs[i], pairs);
   std::vector<Index> highest(graph.nodes.size(), kNone);
   for (Index i = 0; i < graph.nodes.size(); ++i) highest[up.find(i)] = i;
-  for (Index i = 0; i < graph.nodes.size(); ++i) {
-    if (highest[i] != kNone) {
+  for (Index i = 0; i < graph.nodes.size(); ++i)
+    if (highest[i] != kNone)
       pairs.push_back({PairKind::component, i, highest[i], up.rise(i, highest[i])});
-    }
-  }
   std::sort(pairs.begin(), pairs.end(), [](const PersistencePair& a, const PersistencePair& b) {
     return std::tuple(a.persistence, a.kind, a.lower, a.upper) <
            std::tuple(b.persistence, b.kind, b.lower, b.upper);

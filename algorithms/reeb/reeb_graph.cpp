@@ -14,13 +14,12 @@ ReebNode node_at(const StrandLists& strands, Index stop) {
   const Stop& s = strands.stops[stop];
   const Index lower = strands.lower_count(stop), upper = strands.upper_count(stop);
   ReebNode node{s.vertex, NodeKind::saddle, static_cast<std::uint8_t>(s.closed ? 0 : 1), 1, 0};
-  if (lower == 0) {
+  if (lower == 0)
     node.kind = NodeKind::minimum;
-  } else if (upper == 0) {
+  else if (upper == 0)
     node.kind = NodeKind::maximum;
-  } else {
+  else
     node.multiplicity = std::max(lower, upper) - 1;
-  }
   // The lower link: a cycle at a maximum with a cyclic link, else a path for every run.
   const bool cycle = upper == 0 && s.closed;
   node.index = cycle ? 1 : 1 - static_cast<std::int32_t>(lower);
@@ -50,9 +49,8 @@ std::vector<Index> stops_in_order(const OrderedComplex& complex, const StrandLis
   for (Index stop = 0; stop < count; ++stop)
     stop_at[complex.rank[strands.stops[stop].vertex]] = stop;
   stops.reserve(count);
-  for (const Index stop : stop_at) {
+  for (const Index stop : stop_at)
     if (stop != kNone) stops.push_back(stop);
-  }
   return stops;
 }
 
@@ -100,9 +98,8 @@ SweptGraph sweep(const OrderedComplex& complex, bool all_vertices) {
   out.arc_of_lower_run = std::move(contours.arc_of_lower_run);
   out.arc_of_upper_run = std::move(contours.arc_of_upper_run);
   for (auto* list : {&out.arc_of_vertex, &out.arc_of_lower_run, &out.arc_of_upper_run}) {
-    for (Index& arc : *list) {
+    for (Index& arc : *list)
       if (arc != kNone) arc = place[arc];
-    }
   }
   return out;
 }
@@ -114,9 +111,8 @@ ReebGraph reeb_graph(const OrderedComplex& complex) {
 std::vector<Index> arc_of_vertices(const OrderedComplex& complex, const ReebGraph& graph) {
   SweptGraph swept = sweep(complex, true);
   if (swept.graph.arcs.size() != graph.arcs.size() ||
-      swept.graph.nodes.size() != graph.nodes.size()) {
+      swept.graph.nodes.size() != graph.nodes.size())
     throw std::invalid_argument("the graph is not that of the complex");
-  }
   return std::move(swept.arc_of_vertex);
 }
 

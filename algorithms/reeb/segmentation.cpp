@@ -15,15 +15,13 @@ struct TrianglesAtNodes {
   TrianglesAtNodes(const OrderedComplex& complex, const StrandLists& strands)
       : begin(strands.stops.size() + 1, 0) {
     const auto is_node = [&](Index v) { return strands.stops[v].critical != 0; };
-    for (const Triangle& t : complex.triangles) {
+    for (const Triangle& t : complex.triangles)
       for (const Index v : t) begin[v + 2] += is_node(v);
-    }
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     triangles.resize(begin.back());
     for (Index t = 0; t < complex.triangles.size(); ++t) {
-      for (const Index v : complex.triangles[t]) {
+      for (const Index v : complex.triangles[t])
         if (is_node(v)) triangles[begin[v + 1]++] = t;
-      }
     }
   }
 };
@@ -33,9 +31,8 @@ struct TrianglesAtNodes {
 Segmentation segmentation(const OrderedComplex& complex, const ReebGraph& graph) {
   SweptGraph swept = sweep(complex, true);
   if (swept.graph.arcs.size() != graph.arcs.size() ||
-      swept.graph.nodes.size() != graph.nodes.size()) {
+      swept.graph.nodes.size() != graph.nodes.size())
     throw std::invalid_argument("the graph is not that of the complex");
-  }
   const auto& rank = complex.rank;
   const auto by_rank = [&](Index a, Index b) { return rank[a] < rank[b]; };
   Segmentation out;
@@ -59,9 +56,7 @@ Segmentation segmentation(const OrderedComplex& complex, const ReebGraph& graph)
     Index previous = kNone;
     for (const Index w : link.vertices) {
       const bool is_lower = by_rank(w, v);
-      if (previous != kNone && by_rank(previous, v) != is_lower) {
-        ++(is_lower ? upper : lower);
-      }
+      if (previous != kNone && by_rank(previous, v) != is_lower) ++(is_lower ? upper : lower);
       arc_towards[w] = is_lower ? swept.arc_of_lower_run[lower] : swept.arc_of_upper_run[upper];
       previous = w;
     }

@@ -33,9 +33,8 @@ class Shrinking {
     }
     for (std::size_t i = 1; i < first_up_.size(); ++i) first_up_[i] += first_up_[i - 1];
     for (Index node = 0; node < up_.size(); ++node) pass_through(node);
-    for (Index a = 0; a < arcs_.size(); ++a) {
+    for (Index a = 0; a < arcs_.size(); ++a)
       if (alive(a)) consider(a);
-    }
   }
 
   /// Cancels the next arc; false if none is left with persistence <= p.
@@ -148,17 +147,15 @@ bool Shrinking::cancel_next(double p, std::vector<Branch>* branches) {
     const bool low = is_lower_leaf(a), high = is_upper_leaf(a);
     const Index other = loops_ ? twin(c.arc) : kNone;
     if (!low && !high && other == kNone) continue;
-    if (branches != nullptr) {
+    if (branches != nullptr)
       branches->push_back(branch(c.arc, low ? PairKind::minimum : PairKind::maximum));
-    }
     take(c.arc, c.arc);
-    if (low) {
+    if (low)
       taken_by_[c.arc] = first_above(a.upper);
-    } else if (high) {
+    else if (high)
       taken_by_[c.arc] = down_[a.lower].count == 1 ? down_[a.lower].sum : first_above(a.lower);
-    } else {
+    else
       taken_by_[c.arc] = other;
-    }
     for (const Index node : {a.lower, a.upper}) {
       const Index below = down_[node].sum;
       if (up_[node].count != 1 || down_[node].count != 1) continue;
@@ -185,9 +182,8 @@ CoarserGraph Shrinking::result() const {
     node[i] = static_cast<Index>(out.graph.nodes.size());
     out.graph.nodes.push_back(graph_.nodes[i]);
   }
-  for (Index a = 0; a < arcs_.size(); ++a) {
+  for (Index a = 0; a < arcs_.size(); ++a)
     if (alive(a)) kept.push_back(a);
-  }
   std::stable_sort(kept.begin(), kept.end(), [&](Index a, Index b) {
     return std::tuple(arcs_[a].lower, arcs_[a].upper) < std::tuple(arcs_[b].lower, arcs_[b].upper);
   });

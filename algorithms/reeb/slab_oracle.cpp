@@ -38,9 +38,8 @@ class Slabs {
     }
     arc_at_edge_.assign(edges_.size(), kNone);
     around_.resize(complex.rank.size());
-    for (Index t = 0; t < complex.triangles.size(); ++t) {
+    for (Index t = 0; t < complex.triangles.size(); ++t)
       for (const Index v : complex.triangles[t]) around_[v].push_back(t);
-    }
     out_.arc_of_vertex.resize(complex.rank.size());
   }
 
@@ -48,12 +47,10 @@ class Slabs {
     for (const Index v : complex_.order) pass(v);
     std::vector<OracleArc> named;
     for (const Arc& a : arcs_) named.push_back({a.lower, a.upper, a.strand, a.open});
-    for (std::size_t v = 0; v < arc_of_.size(); ++v) {
+    for (std::size_t v = 0; v < arc_of_.size(); ++v)
       if (arc_of_[v] != kNone) out_.arc_of_vertex[v] = named[arc_of_[v]];
-    }
-    for (const auto& t : triangle_arcs_) {
+    for (const auto& t : triangle_arcs_)
       out_.arcs_of_triangle.push_back({named[t[0]], named[t[1]], named[t[2]]});
-    }
     std::sort(named.begin(), named.end());
     out_.arcs = named;
     Sets sets(complex_.rank.size());
@@ -92,9 +89,8 @@ class Slabs {
     std::map<Index, int> uses;
     for (const Index number : around_[v]) {
       const auto& t = complex_.triangles[number];
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         if (t[k] == v) sides.push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
-      }
     }
     for (const auto& s : sides) {
       for (const Index w : s) {
@@ -173,9 +169,8 @@ class Slabs {
     if (!node) arc_of_[v] = through;
     for (const auto& contour : contours_above(v)) {
       Index strand = kNone;
-      for (const Index e : contour) {
+      for (const Index e : contour)
         if (edges_[e][0] == v) strand = std::min(strand, edges_[e][1]);
-      }
       if (strand == kNone) continue;
       Index arc = through;
       if (node) {
@@ -214,15 +209,13 @@ OracleArc named(const OrderedComplex& complex, const ReebGraph& graph, Index arc
 OracleGraph named(const OrderedComplex& complex, const ReebGraph& graph,
                   const std::vector<Index>& arc_of_vertex) {
   OracleGraph out;
-  for (const auto& n : graph.nodes) {
+  for (const auto& n : graph.nodes)
     out.nodes.push_back({n.vertex, n.kind, n.on_boundary != 0, n.multiplicity, n.index});
-  }
   const auto name = [&](Index a) { return named(complex, graph, a); };
   for (Index a = 0; a < graph.arcs.size(); ++a) out.arcs.push_back(name(a));
   out.arc_of_vertex.resize(arc_of_vertex.size());
-  for (std::size_t v = 0; v < arc_of_vertex.size(); ++v) {
+  for (std::size_t v = 0; v < arc_of_vertex.size(); ++v)
     if (arc_of_vertex[v] != kNone) out.arc_of_vertex[v] = name(arc_of_vertex[v]);
-  }
   out.components = graph.components;
   return out;
 }

@@ -69,11 +69,10 @@ void Builder::classify() {
     }
     // Every vertex of a cycle occurs twice, the two ends of a path once.
     const bool regular = changes == (ends == 0 ? 2u : 1u);
-    if (regular && !stop_everywhere_) {
+    if (regular && !stop_everywhere_)
       down_[v] = order_of_ranks_[lowest];
-    } else {
+    else
       add_stop(v, !regular);
-    }
   }
   out_.stops.push_back({kNone, static_cast<Index>(strand_top_.size()),
                         static_cast<Index>(out_.upper.size()), 0, 0, 0});
@@ -172,9 +171,8 @@ void Builder::collect_runs(Index stop) {
   const Index v = out_.stops[stop].vertex, begin = out_.stops[stop].upper_begin;
   const Index count = out_.upper_count(stop);
   if (first_up_[v] == kNone || count == 0) {
-    for (Index j = 0; j < count; ++j) {
+    for (Index j = 0; j < count; ++j)
       out_.upper[begin + j].strand_begin = static_cast<Index>(out_.turned.size());
-    }
     return;
   }
   stars_.link(v, link_);

@@ -8,9 +8,8 @@ namespace crest::reeb {
 
 VertexStars::VertexStars(std::span<const Triangle> triangles, Index vertex_count)
     : begin_(vertex_count + std::size_t{1}, 0), sides_(3 * triangles.size()) {
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : triangles)
     for (const Index v : t) ++begin_[v];
-  }
   Index sum = 0;
   for (Index& b : begin_) sum += std::exchange(b, sum);
   // begin_[v] runs through the star of v, then all are moved back by one star.
@@ -66,20 +65,17 @@ bool VertexStars::flips_in_some_triangle(Index v, Index w) const {
 
 void VertexStars::fill_slots(std::span<const Side> star) {
   if (slots_.empty()) slots_.assign(begin_.size() - 1, {kNone, kNone});
-  for (const Side& s : star) {
+  for (const Side& s : star)
     for (const Index x : s) slots_[x] = {kNone, kNone};
-  }
-  for (Index i = 0; i < star.size(); ++i) {
+  for (Index i = 0; i < star.size(); ++i)
     for (const Index x : star[i]) slots_[x][slots_[x][0] == kNone ? 0 : 1] = i;
-  }
 }
 
 /// The side of the star that meets the given one at this vertex, or kNone.
 Index VertexStars::other_side(std::span<const Side> star, Index side, Index vertex) const {
   if (star.size() > kSmall) return slots_[vertex][slots_[vertex][0] == side ? 1 : 0];
-  for (Index j = 0; j < star.size(); ++j) {
+  for (Index j = 0; j < star.size(); ++j)
     if (j != side && (star[j][0] == vertex || star[j][1] == vertex)) return j;
-  }
   return kNone;
 }
 

@@ -30,11 +30,10 @@ PlainSurface strip(unsigned m, unsigned n, Sides ends, Sides sides) {
     for (unsigned i = 0; i < columns; ++i) {
       const double u = 6.283185307179586 * i / m, v = 6.283185307179586 * j / n;
       const double r = ends == Sides::open ? 1 : 2 + std::cos(v);
-      if (ends == Sides::open) {
+      if (ends == Sides::open)
         s.points.push_back({double(i) / m, double(j) / n, 0});
-      } else {
+      else
         s.points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
-      }
     }
   }
   for (unsigned j = 0; j < n; ++j) {
@@ -173,9 +172,8 @@ std::vector<double> smooth_values(const PlainSurface& s, std::uint64_t seed, dou
   std::vector<double> values;
   for (const auto& p : s.points) {
     double sum = 0;
-    for (const auto& w : waves) {
+    for (const auto& w : waves)
       sum += w[4] * std::cos(w[0] * p[0] + w[1] * p[1] + w[2] * p[2] + w[3]);
-    }
     values.push_back(sum);
   }
   return values;
@@ -193,9 +191,8 @@ VertexOrder order_of(const std::vector<double>& values) {
   std::iota(o.order.begin(), o.order.end(), 0u);
   std::sort(o.order.begin(), o.order.end(),
             [&](auto a, auto b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
-  for (std::size_t i = 0; i < o.order.size(); ++i) {
+  for (std::size_t i = 0; i < o.order.size(); ++i)
     o.rank[o.order[i]] = static_cast<kernel::Index>(i);
-  }
   return o;
 }
 

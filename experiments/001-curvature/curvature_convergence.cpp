@@ -50,9 +50,8 @@ Errors at_vertices(const kernel::TriangleMesh& mesh, const TestMesh& test, Metho
 Errors at_corners(const kernel::TriangleMesh& mesh, const TestMesh& test) {
   const auto corners = curvature::corner_curvatures(mesh, test.normals);
   Errors e;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.face_count(); ++f)
     for (std::size_t k = 0; k < 3; ++k) add(e, corners[f][k], test.exact[mesh.faces()[f][k]]);
-  }
   return finished(e, 3.0 * mesh.face_count());
 }
 
@@ -94,9 +93,8 @@ void run(const std::vector<int>& sizes) {
     print_series("np, corners", sizes, errors);
     for (const Method method : curvature::kMethods) {
       errors.clear();
-      for (std::size_t i = 0; i < sizes.size(); ++i) {
+      for (std::size_t i = 0; i < sizes.size(); ++i)
         errors.push_back(at_vertices(meshes[i], tests[i], method));
-      }
       print_series(curvature::name_of(method), sizes, errors);
     }
   }

@@ -145,9 +145,8 @@ void run(const Settings& o) {
   fmt::print("|---|---|---|---|---|---|\n");
   for (std::size_t m = 0; m < 4; ++m) print_ordering(names[m], o, values[m]);
   if (o.plots.empty()) return;
-  for (std::size_t m = 0; m < 4; ++m) {
+  for (std::size_t m = 0; m < 4; ++m)
     plot(o.plots, names[m].substr(0, names[m].find(" (")), o, values[m]);
-  }
 }
 
 }  // namespace

@@ -64,9 +64,8 @@ inline void write_plot(const std::string& path, const std::string& title, const 
       band += fmt::format("{}{:.1f} {:.1f}", i > 0 ? "L" : "", px(xs[i]), py(l.high[i]));
       curve += fmt::format("{}{:.1f} {:.1f}", i > 0 ? "L" : "", px(xs[i]), py(l.median[i]));
     }
-    for (std::size_t i = xs.size(); i-- > 0;) {
+    for (std::size_t i = xs.size(); i-- > 0;)
       band += fmt::format("L{:.1f} {:.1f}", px(xs[i]), py(l.low[i]));
-    }
     svg += fmt::format("<path d=\"{}Z\" fill=\"{}\" opacity=\"0.15\"/>\n", band, colour);
     svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"/>\n", curve,
                        colour);

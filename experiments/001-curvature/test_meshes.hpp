@@ -121,9 +121,8 @@ inline TestMesh random_diagonals(const TestSurface& surface, int nu, int nv, std
   const int rows = surface.periodic_v ? nv : nv + 1;
   const auto at = [&](int i, int j) { return static_cast<Index>((j % rows) * nu + i % nu); };
   for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < nu; ++i) {
+    for (int i = 0; i < nu; ++i)
       add_point(mesh, surface.at(static_cast<double>(i) / nu, static_cast<double>(j) / nv));
-    }
   for (int j = 0; j < nv; ++j)
     for (int i = 0; i < nu; ++i) {
       const Index a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);

@@ -95,17 +95,15 @@ vtkSmartPointer<vtkPoints> vtk_points(const std::vector<Vec3>& points) {
   auto out = vtkSmartPointer<vtkPoints>::New();
   out->SetDataTypeToDouble();
   out->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i)
     out->SetPoint(static_cast<vtkIdType>(i), points[i].data());
-  }
   return out;
 }
 
 vtkSmartPointer<vtkCellArray> vtk_triangles(const std::vector<kernel::Triangle>& faces) {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& f : faces) {
+  for (const auto& f : faces)
     cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
-  }
   return cells;
 }
 
@@ -113,14 +111,12 @@ std::string ply_of(const kernel::TriangleMesh& mesh, const curvature::Result& re
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
   fmt::format_to(out, "ply\nformat ascii 1.0\nelement vertex {}\n", mesh.vertex_count());
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
     fmt::format_to(out, "property double {}\n", name);
-  }
   for (const Scalar& s : kScalars) fmt::format_to(out, "property double {}\n", s.name);
-  for (const Direction& d : kDirections) {
+  for (const Direction& d : kDirections)
     for (const char axis : {'x', 'y', 'z'})
       fmt::format_to(out, "property double {}{}\n", d.name, axis);
-  }
   fmt::format_to(out, "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                  mesh.face_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -208,9 +204,8 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
 }
 
 void write_focal(const std::string& path, const std::vector<curvature::FocalSurface>& surfaces) {
-  if (lower_extension(path) != ".vtp") {
+  if (lower_extension(path) != ".vtp")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
-  }
   FocalArrays arrays;
   arrays.points->SetDataTypeToDouble();
   arrays.values->SetName("value");
@@ -225,9 +220,8 @@ void write_focal(const std::string& path, const std::vector<curvature::FocalSurf
   data->GetPointData()->AddArray(arrays.values);
   data->GetPointData()->AddArray(arrays.colours);
   const auto add_cells = [&](const char* name, vtkNew<vtkIntArray>(&parts)[2]) {
-    for (vtkIdType i = 0; i < parts[1]->GetNumberOfTuples(); ++i) {
+    for (vtkIdType i = 0; i < parts[1]->GetNumberOfTuples(); ++i)
       parts[0]->InsertNextValue(parts[1]->GetValue(i));
-    }
     parts[0]->SetName(name);
     data->GetCellData()->AddArray(parts[0]);
   };

@@ -47,11 +47,10 @@ class Pen {
       const Vec3 at = combine(1 - t, p, t, q);
       if (visible(at)) {
         // Two points make a straight stroke.
-        if (stroke.size() < 2) {
+        if (stroke.size() < 2)
           stroke.push_back(at);
-        } else {
+        else
           stroke.back() = at;
-        }
       }
       if (!visible(at) || i == steps) {
         if (stroke.size() == 2) to.strokes.push_back(stroke);
@@ -76,9 +75,8 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
   for (const auto& line : graph.lines) {
     StrokeClass& to = drawing.classes[static_cast<std::size_t>(line.kind)];
     const std::size_t n = line.vertices.size();
-    for (std::size_t i = 0; i + (line.kind == LineKind::loop ? 0 : 1) < n; ++i) {
+    for (std::size_t i = 0; i + (line.kind == LineKind::loop ? 0 : 1) < n; ++i)
       pen.draw(line.vertices[i], line.vertices[(i + 1) % n], to);
-    }
   }
   for (const auto& [v, w] : graph.node_edges) pen.draw(v, w, drawing.classes[4]);
   for (const auto& node : graph.nodes) {
@@ -92,9 +90,8 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                            const FeatureGraph& graph) {
   const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg") {
+  if (extension != ".png" && extension != ".svg")
     throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
-  }
   const std::vector<Vec3> normals = vertex_normals(mesh);
   const Camera camera = fit_camera(mesh, automatic_view(mesh, normals, ridges::RidgeGraph{}), 1200);
   Canvas canvas(camera.width, camera.height);
@@ -105,14 +102,11 @@ void write_feature_picture(const std::string& path, const kernel::TriangleMesh& 
   drawing.stroke_width = 2.4;
   drawing.casing_width = 3.4;
   drawing.dot_radius = 4;
-  for (const StrokeClass& c : drawing.classes) {
-    if (c.in_graph && &c != &drawing.classes[4]) {
+  for (const StrokeClass& c : drawing.classes)
+    if (c.in_graph && &c != &drawing.classes[4])
       drawing.legend.push_back({c.label, c.colour, false});
-    }
-  }
-  if (!graph.nodes.empty()) {
+  if (!graph.nodes.empty())
     drawing.legend.push_back({drawing.classes[4].label, drawing.classes[4].colour, true});
-  }
   write_drawing(path, camera, canvas, drawing, true);
 }
 

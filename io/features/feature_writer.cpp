@@ -78,9 +78,8 @@ struct CellColumns {
     length->InsertNextValue(l);
   }
   void move_to(vtkPolyData& data) const {
-    for (const auto& array : {kind, end_0, end_1, node_0, node_1, patch}) {
+    for (const auto& array : {kind, end_0, end_1, node_0, node_1, patch})
       data.GetCellData()->AddArray(array);
-    }
     data.GetCellData()->AddArray(length);
   }
 };
@@ -154,9 +153,8 @@ std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
     }
   }
   fmt::format_to(out, "g nodes\n");
-  for (const auto& [v, w] : graph.node_edges) {
+  for (const auto& [v, w] : graph.node_edges)
     fmt::format_to(out, "l {} {}\n", number[v], number[w]);
-  }
   return fmt::to_string(text);
 }
 
@@ -166,13 +164,12 @@ void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const FeatureGraph& graph, const std::vector<double>& field,
                     const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") {
+  if (extension == ".vtp")
     write_atomically(path, vtp_of(mesh, graph, field, data_digest_hex));
-  } else if (extension == ".obj") {
+  else if (extension == ".obj")
     write_atomically(path, obj_of(mesh, graph, data_digest_hex));
-  } else {
+  else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .obj");
-  }
 }
 
 }  // namespace crest::io

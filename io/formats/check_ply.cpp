@@ -53,9 +53,8 @@ Scalar scalar_of(std::string_view word, std::size_t line) {
       {"float", {4, true, true}},    {"float32", {4, true, true}},  {"double", {8, true, true}},
       {"float64", {8, true, true}}};
   const auto found = types.find(word);
-  if (found == types.end()) {
+  if (found == types.end())
     fail_header(line, "unknown type '" + std::string(word.substr(0, 40)) + "'");
-  }
   return found->second;
 }
 
@@ -88,19 +87,16 @@ void add_header_line(Header& header, const std::vector<std::string_view>& words,
 Header header_of(std::string_view bytes) {
   Header header;
   LineScanner scanner(bytes);
-  if (!scanner.next() || scanner.number() != 1 || scanner.words()[0] != "ply") {
+  if (!scanner.next() || scanner.number() != 1 || scanner.words()[0] != "ply")
     fail_header(1, "does not start with 'ply'");
-  }
   if (!scanner.next() || scanner.number() != 2 || scanner.words()[0] != "format" ||
-      scanner.words().size() < 3) {
+      scanner.words().size() < 3)
     fail_header(2, "has no 'format' line");
-  }
   const std::string_view format = scanner.words()[1];
   header.binary = format != "ascii";
   header.big_endian = format == "binary_big_endian";
-  if (header.binary && !header.big_endian && format != "binary_little_endian") {
+  if (header.binary && !header.big_endian && format != "binary_little_endian")
     fail_header(2, "unknown format '" + std::string(format.substr(0, 40)) + "'");
-  }
   for (std::size_t line = 3; scanner.next(); ++line) {
     if (scanner.number() != line) fail_header(line, "is blank");
     if (scanner.words()[0] == "end_header") {
@@ -114,9 +110,8 @@ Header header_of(std::string_view bytes) {
 }
 
 const Property* find(const Element& element, std::string_view name) {
-  for (const Property& property : element.properties) {
+  for (const Property& property : element.properties)
     if (property.name == name) return &property;
-  }
   return nullptr;
 }
 
@@ -153,14 +148,12 @@ void check_elements(const Header& header, std::size_t data_size) {
     if (element.faces()) check_faces(element);
     if (element.faces() && element.count > 0) faces = true;
     if (!element.vertices() && !element.faces()) others += " '" + element.name + "'";
-    if (element.name == "halfedge") {
+    if (element.name == "halfedge")
       fail("header", "elements 'halfedge' are not read", "export vertices and faces only");
-    }
     // A property takes a byte at least (a digit and a blank in a text; the last blank may miss).
     const std::size_t bytes = header.binary ? 1 : 2;
-    if (element.count > 0 && element.properties.empty()) {
+    if (element.count > 0 && element.properties.empty())
       fail("header", "element '" + element.name + "' has no properties", "correct the header");
-    }
     if (element.count > 0 &&
         element.count > (data_size + 1) / (bytes * element.properties.size())) {
       fail("header",
@@ -226,9 +219,8 @@ class DataWalker {
   }
 
   double next_word(const Scalar& type) {
-    while (at_ < bytes_.size() && std::string_view(" \t\r\n\v\f").find(bytes_[at_]) < 6) {
+    while (at_ < bytes_.size() && std::string_view(" \t\r\n\v\f").find(bytes_[at_]) < 6)
       if (bytes_[at_++] == '\n') ++line_;
-    }
     if (at_ == bytes_.size()) fail_end();
     const std::size_t begin = at_;
     while (at_ < bytes_.size() && std::string_view(" \t\r\n\v\f").find(bytes_[at_]) > 6) ++at_;
@@ -272,9 +264,8 @@ void check_property(DataWalker& walker, const Element& element, const Property& 
   }
   const double length = walker.next(property.length);
   if (length < 0) fail(walker.where(), "a list has a negative length", "correct it");
-  if (element.faces() && is_corner_list(element, property)) {
+  if (element.faces() && is_corner_list(element, property))
     check_corner_count(static_cast<std::int64_t>(length), walker.where());
-  }
   walker.skip(property.value, static_cast<std::size_t>(length));
 }
 
@@ -289,9 +280,7 @@ void check_ply(const std::string& bytes) {
     std::size_t& count = element.vertices() ? vertices : element.faces() ? faces : other;
     for (std::size_t i = 0; i < element.count; ++i) {
       walker.start(element, count++);
-      for (const Property& property : element.properties) {
-        check_property(walker, element, property);
-      }
+      for (const Property& property : element.properties) check_property(walker, element, property);
     }
     other = 0;
   }

@@ -25,18 +25,16 @@ OffCounts off_header(std::string_view text, LineScanner& scanner) {
   const std::string remedy = "start the file with 'OFF' and the line 'vertices faces edges'";
   if (!scanner.next('#')) fail("header", "is missing", remedy);
   std::string_view keyword = scanner.words()[0];
-  for (const char* prefix : {"ST", "C", "N"}) {
+  for (const char* prefix : {"ST", "C", "N"})
     if (keyword.starts_with(prefix)) keyword.remove_prefix(std::strlen(prefix));
-  }
   if (keyword != "OFF") {
     const std::string problem =
         fmt::format("'{}' is not read", std::string(scanner.words()[0].substr(0, 20)));
     fail(fmt::format("header (line {})", scanner.number()), problem, remedy);
   }
   std::vector<std::string_view> counts(scanner.words().begin() + 1, scanner.words().end());
-  if (!counts.empty() && counts[0] == "BINARY") {
+  if (!counts.empty() && counts[0] == "BINARY")
     fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
-  }
   if (counts.empty() && scanner.next('#')) counts = scanner.words();
   const std::string line = fmt::format("header (line {})", scanner.number());
   if (counts.size() < 3) fail(line, "has no three counts", remedy);
@@ -126,9 +124,8 @@ void check_obj_face(const std::vector<std::string_view>& words, std::size_t vert
     }
     if (*index == 0) fail(element(), "index 0 does not exist", "OBJ counts from 1");
     const auto limit = static_cast<std::int64_t>(vertices);
-    if (*index > 0x7fffffff || *index < -limit) {
+    if (*index > 0x7fffffff || *index < -limit)
       fail(element(), fmt::format("index {} is out of range", *index), "correct it");
-    }
   }
   if (corners != 3) check_corner_count(corners, element());
 }
@@ -140,9 +137,8 @@ void check_obj(std::string& text) {
   // CGAL separates corners at blanks only and does not know continued lines.
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\t' || text[i] == '\r' || text[i] == '\v' || text[i] == '\f') text[i] = ' ';
-    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r')) {
+    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r'))
       blank(text, i, text[i + 1] == '\r' && i + 2 < text.size() && text[i + 2] == '\n' ? 3 : 2);
-    }
   }
   LineScanner scanner(text);
   std::size_t vertices = 0, faces = 0;
@@ -229,9 +225,8 @@ void check_stl(std::string& bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool solid = first != std::string::npos && bytes.compare(first, 5, "solid") == 0;
   const std::size_t expected = kStlHeader + facets * kStlFacet;
-  if (has_count && (bytes.size() == expected || (!solid && bytes.size() > expected))) {
+  if (has_count && (bytes.size() == expected || (!solid && bytes.size() > expected)))
     return check_binary_stl(bytes, facets);
-  }
   if (solid) return check_text_stl(bytes);
   if (!has_count) fail("file", "is too short for STL", "export the mesh again");
   const std::size_t whole = (bytes.size() - kStlHeader) / kStlFacet;

@@ -31,9 +31,8 @@ std::uint64_t attribute_sum(std::string_view bytes, std::string_view name) {
   constexpr std::uint64_t cap = std::uint64_t{1} << 62;
   std::uint64_t sum = 0;
   for (std::size_t at = bytes.find(name); at != std::string_view::npos;
-       at = bytes.find(name, at + 1)) {
+       at = bytes.find(name, at + 1))
     sum = std::min(cap, sum + std::min(leading_number(bytes.substr(at + name.size())), cap));
-  }
   return sum;
 }
 
@@ -55,9 +54,8 @@ Storage storage_of(std::string_view bytes) {
   const std::size_t close = tag == std::string_view::npos ? tag : bytes.find('>', tag);
   const std::size_t mark = close == std::string_view::npos ? close : bytes.find('_', close);
   storage.appended = mark == std::string_view::npos ? bytes.size() : mark + 1;
-  if (close != std::string_view::npos) {
+  if (close != std::string_view::npos)
     storage.base64 = bytes.substr(tag, close - tag).find("raw") == std::string_view::npos;
-  }
   return storage;
 }
 
@@ -144,9 +142,8 @@ void check_points(std::string_view text) {
     const std::string_view tag = text.substr(array, text.find('>', array) - array);
     const std::string_view name = "NumberOfComponents=";
     const std::size_t found = tag.find(name);
-    if (found == tag.npos || leading_number(tag.substr(found + name.size())) != 3) {
+    if (found == tag.npos || leading_number(tag.substr(found + name.size())) != 3)
       fail("points", "do not have 3 components", "export the mesh again");
-    }
   }
 }
 

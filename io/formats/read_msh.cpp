@@ -32,15 +32,14 @@ class MshReader {
   FieldSoup read() {
     while (scan_.next()) {
       const std::string section(scan_.words()[0]);
-      if (section == "$MeshFormat") {
+      if (section == "$MeshFormat")
         read_format();
-      } else if (section == "$Nodes") {
+      else if (section == "$Nodes")
         version_ < 3 ? read_nodes_2() : read_nodes_4();
-      } else if (section == "$Elements") {
+      else if (section == "$Elements")
         version_ < 3 ? read_elements_2() : read_elements_4();
-      } else if (section == "$NodeData") {
+      else if (section == "$NodeData")
         read_node_data();
-      }
       if (section[0] == '$') skip_to_end(section);
     }
     if (version_ == 0) fail("file", "has no $MeshFormat", kRepair);
@@ -52,9 +51,8 @@ class MshReader {
   std::string line() const { return fmt::format("line {}", scan_.number()); }
 
   void require_line(const char* section) {
-    if (!scan_.next() || scan_.words()[0][0] == '$') {
+    if (!scan_.next() || scan_.words()[0][0] == '$')
       fail(section, fmt::format("ends early (line {})", scan_.number()), kRepair);
-    }
   }
 
   std::int64_t integer(std::size_t word) const {
@@ -82,9 +80,8 @@ class MshReader {
   void read_format() {
     require_line("$MeshFormat");
     version_ = number(0);
-    if (version_ != 2.2 && version_ != 4.1) {
+    if (version_ != 2.2 && version_ != 4.1)
       fail("$MeshFormat", "is neither 2.2 nor 4.1", "save as one of these");
-    }
     if (integer(1) != 0) fail("$MeshFormat", "is binary", "save as text (Mesh.Binary = 0)");
   }
 
@@ -92,9 +89,8 @@ class MshReader {
     const auto name = [&] { return fmt::format("node {} ({})", tag, line()); };
     const auto [x, y, z] = coordinates(scan_.words(), first, name);
     auto& points = result_.soup.points;
-    if (!node_.emplace(tag, static_cast<Index>(points.size())).second) {
+    if (!node_.emplace(tag, static_cast<Index>(points.size())).second)
       fail(name(), "is there twice", kRepair);
-    }
     points.emplace_back(x, y, z);
     result_.soup.point_tags.push_back(tag);
   }
@@ -129,9 +125,7 @@ class MshReader {
 
   Index node(std::int64_t tag, const std::string& element) const {
     const auto found = node_.find(tag);
-    if (found == node_.end()) {
-      fail(element, fmt::format("node {} does not exist", tag), kRepair);
-    }
+    if (found == node_.end()) fail(element, fmt::format("node {} does not exist", tag), kRepair);
     return found->second;
   }
 
@@ -254,9 +248,8 @@ class MshReader {
 }  // namespace
 
 FieldSoup read_msh(const std::string& bytes, const FieldRequest& request) {
-  if (bytes.find("$MeshFormat") == std::string::npos) {
+  if (bytes.find("$MeshFormat") == std::string::npos)
     fail("file", "has no $MeshFormat", "save it from Gmsh as .msh");
-  }
   return MshReader(bytes, request).read();
 }
 

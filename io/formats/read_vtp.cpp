@@ -38,9 +38,8 @@ void read_faces(vtkCellArray& cells, std::vector<Corners>& faces) {
     const auto begin = static_cast<vtkIdType>(offsets->GetTuple1(f));
     const auto end = static_cast<vtkIdType>(offsets->GetTuple1(f + 1));
     const std::string element = fmt::format("face {}", f);
-    if (begin < 0 || end < begin || end > size) {
+    if (begin < 0 || end < begin || end > size)
       fail(element, "its offsets are wrong", "export the mesh again");
-    }
     check_corner_count(end - begin, element);
     faces.push_back(corners_of(*connectivity, begin));
   }
@@ -62,9 +61,8 @@ FieldSoup read_vtp_field(std::string bytes, const FieldRequest& request) {
     fail("file", "cannot be read as VTP (wrong format, truncated or damaged)",
          "export the mesh again");
   }
-  if (data->GetNumberOfStrips() > 0) {
+  if (data->GetNumberOfStrips() > 0)
     fail("faces", "there are triangle strips", "convert these to triangles");
-  }
   FieldSoup result;
   PolygonSoup& soup = result.soup;
   if (data->GetNumberOfPolys() > 0) read_faces(*data->GetPolys(), soup.faces);

@@ -21,11 +21,9 @@ using kernel::kNone;
 /// Polyhedra come with arrays that VTK follows without a check.
 void refuse_polyhedra(const std::string& bytes) {
   for (const char* name :
-       {"Name=\"faces\"", "Name=\"faceoffsets\"", "Name='faces'", "Name='faceoffsets'"}) {
-    if (bytes.find(name) != std::string::npos) {
+       {"Name=\"faces\"", "Name=\"faceoffsets\"", "Name='faces'", "Name='faceoffsets'"})
+    if (bytes.find(name) != std::string::npos)
       fail("cells", "there are polyhedra", "give a surface of triangles");
-    }
-  }
 }
 
 bool is_thin(int type) {
@@ -62,9 +60,8 @@ void read_cells(vtkUnstructuredGrid& grid, FieldSoup& soup) {
   vtkCellArray* cells = grid.GetCells();
   vtkUnsignedCharArray* types = grid.GetCellTypesArray();
   if (!cells || !types) return;
-  if (types->GetNumberOfTuples() != cells->GetNumberOfCells()) {
+  if (types->GetNumberOfTuples() != cells->GetNumberOfCells())
     fail("cells", "have not one type each", "export the mesh again");
-  }
   std::size_t thin = 0, quadratic = 0;
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
     const int type = types->GetValue(c);

@@ -82,9 +82,8 @@ void fail_coordinates(const std::vector<std::string_view>& words, std::size_t fi
   std::size_t k = first;
   while (k + 1 < first + 3 && number_of(words[k]) && std::isfinite(*number_of(words[k]))) ++k;
   const std::string quoted(words[k].substr(0, 40));
-  if (!number_of(words[k])) {
+  if (!number_of(words[k]))
     fail(element, "coordinate '" + quoted + "' is not a number", "correct it");
-  }
   fail(element, "coordinate '" + quoted + "' is not finite", "remove or repair the vertex");
 }
 
@@ -97,9 +96,8 @@ void check_corner_count(std::int64_t corners, const std::string& element) {
 
 void check_text(std::string_view bytes) {
   const std::size_t zero = bytes.find('\0');
-  if (zero != std::string_view::npos) {
+  if (zero != std::string_view::npos)
     fail(fmt::format("byte {}", zero), "is zero in a text format", "export the mesh again as text");
-  }
 }
 
 }  // namespace crest::io

@@ -18,17 +18,15 @@ namespace {
 std::string quoted_list(const std::vector<std::string>& names) {
   std::string list;
   constexpr std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
     list += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i].substr(0, 60));
-  }
   return names.size() > most ? list + ", .." : list;
 }
 
 std::vector<std::string> scalar_names(const std::vector<FieldInfo>& fields) {
   std::vector<std::string> names;
-  for (const FieldInfo& field : fields) {
+  for (const FieldInfo& field : fields)
     if (field.components == 1) names.push_back(field.name);
-  }
   return names;
 }
 
@@ -53,9 +51,8 @@ std::size_t choose_field(const std::vector<FieldInfo>& fields, const FieldReques
       scalars.empty() ? "there is no scalar point field, use --expression"
                       : fmt::format("the scalar point fields are {}", quoted_list(scalars));
   if (request.name.empty()) {
-    if (scalars.size() > 1) {
+    if (scalars.size() > 1)
       fail("fields", "there are several", known + "; choose one with --field");
-    }
     if (scalars.empty()) fail("fields", "none is given", known);
   }
   const std::string& name = request.name.empty() ? scalars[0] : request.name;
@@ -72,9 +69,8 @@ std::size_t choose_field(const std::vector<FieldInfo>& fields, const FieldReques
                                  : fmt::format("has {} components", found->components);
     fail(element, what, known);
   }
-  if (std::count_if(fields.begin(), fields.end(), is_meant) > 1) {
+  if (std::count_if(fields.begin(), fields.end(), is_meant) > 1)
     fail(element, "is there several times", "keep one time step");
-  }
   return static_cast<std::size_t>(found - fields.begin());
 }
 
@@ -83,11 +79,10 @@ void select_fields(vtkXMLReader& reader, const FieldRequest& request) {
   vtkDataArraySelection* points = reader.GetPointDataArraySelection();
   points->DisableAllArrays();
   if (!request.wanted) return;
-  if (request.name.empty()) {
+  if (request.name.empty())
     points->EnableAllArrays();
-  } else if (points->ArrayExists(request.name.c_str()) != 0) {
+  else if (points->ArrayExists(request.name.c_str()) != 0)
     points->EnableArray(request.name.c_str());
-  }
 }
 
 void take_field(const vtkXMLReader& reader, vtkPointData& data, const FieldRequest& request,
@@ -110,14 +105,12 @@ void take_field(const vtkXMLReader& reader, vtkPointData& data, const FieldReque
   soup.field = fields[choose_field(fields, request, of_cells)].name;
   vtkDataArray* array = data.GetArray(soup.field.c_str());
   const auto nodes = static_cast<vtkIdType>(soup.soup.points.size());
-  if (!array || array->GetNumberOfTuples() != nodes) {
+  if (!array || array->GetNumberOfTuples() != nodes)
     fail(fmt::format("field '{}'", soup.field), "has not one value a node", "export it again");
-  }
   require_exact(*array, soup.field);
   soup.values.resize(static_cast<std::size_t>(nodes));
-  for (vtkIdType v = 0; v < nodes; ++v) {
+  for (vtkIdType v = 0; v < nodes; ++v)
     soup.values[static_cast<std::size_t>(v)] = array->GetTuple1(v);
-  }
 }
 
 std::vector<std::int64_t> cell_nodes(vtkCellArray& cells, std::int64_t c,
@@ -127,14 +120,12 @@ std::vector<std::int64_t> cell_nodes(vtkCellArray& cells, std::int64_t c,
   if (!offsets || !connectivity) fail("cells", "cannot be read", "export the mesh again");
   const auto begin = static_cast<vtkIdType>(offsets->GetTuple1(c));
   const auto end = static_cast<vtkIdType>(offsets->GetTuple1(c + 1));
-  if (begin < 0 || end < begin || end > connectivity->GetNumberOfTuples()) {
+  if (begin < 0 || end < begin || end > connectivity->GetNumberOfTuples())
     fail(element, "its offsets are wrong", "export the mesh again");
-  }
   std::vector<std::int64_t> nodes;
   // A damaged file may announce a cell of any length.
-  for (vtkIdType i = begin; i < std::min(end, begin + 8); ++i) {
+  for (vtkIdType i = begin; i < std::min(end, begin + 8); ++i)
     nodes.push_back(static_cast<std::int64_t>(connectivity->GetTuple1(i)));
-  }
   return nodes;
 }
 

@@ -65,11 +65,9 @@ Matrix covariance(const SurfaceView& mesh) {
     }
   }
   if (!(weight > 0)) return sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
       sum[i][j] = sum[i][j] / weight - mean[i] * mean[j] / (weight * weight);
-    }
-  }
   return sum;
 }
 

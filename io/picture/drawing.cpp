@@ -88,11 +88,10 @@ void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeG
       const RidgeType type = order == 3 ? line[i].third_order : line[i].fourth_order;
       const std::size_t stroke_class = class_of(ridge.colour, type);
       drawing.classes[stroke_class].in_graph = true;
-      if (hidden(line[i]) || hidden(next)) {
+      if (hidden(line[i]) || hidden(next))
         maker.end();
-      } else {
+      else
         maker.add(line[i].point, next.point, stroke_class);
-      }
     }
     maker.end();
   }
@@ -113,9 +112,8 @@ std::vector<ridges::Umbilic> joined_umbilics(const ridges::RidgeGraph& graph) {
 void add_dots(const Sight& sight, const std::vector<ridges::Umbilic>& umbilics, Drawing& drawing) {
   for (const ridges::Umbilic& umbilic : umbilics) {
     const Vec3 pixel = sight.camera().project(umbilic.point);
-    if (sight.faces_eye(umbilic) && sight.free(pixel)) {
+    if (sight.faces_eye(umbilic) && sight.free(pixel))
       drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
-    }
   }
 }
 
@@ -222,11 +220,9 @@ void set_sizes(const Camera& camera, Drawing& drawing) {
   const double area = static_cast<double>(camera.width) * camera.height;
   double length = 1;
   for (const StrokeClass& c : drawing.classes) {
-    for (const auto& stroke : c.strokes) {
-      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+    for (const auto& stroke : c.strokes)
+      for (std::size_t i = 0; i + 1 < stroke.size(); ++i)
         length += std::hypot(stroke[i + 1][0] - stroke[i][0], stroke[i + 1][1] - stroke[i][1]);
-      }
-    }
   }
   const double unit = std::max(camera.width / 1200.0, 0.4);
   drawing.stroke_width = std::clamp(stroke_share * area / length, 1.2 * unit, 3.2 * unit);
@@ -237,9 +233,8 @@ void set_sizes(const Camera& camera, Drawing& drawing) {
 }
 
 void add_class_legend(Drawing& drawing) {
-  for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c) {
+  for (auto c = drawing.classes.rbegin(); c != drawing.classes.rend(); ++c)
     if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
-  }
 }
 
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,

@@ -204,9 +204,8 @@ std::string Canvas::png() const {
         sum[1] += colour.green;
         sum[2] += colour.blue;
       }
-      for (unsigned channel : sum) {
+      for (unsigned channel : sum)
         *out++ = static_cast<std::uint8_t>((channel + 2) / (kSamples * kSamples));
-      }
     }
   }
   const VtkQuiet quiet;

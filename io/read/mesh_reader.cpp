@@ -18,9 +18,8 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
 
 /// File names and words quoted from files may hold anything; the message stays one line.
 std::string one_line(std::string text) {
-  for (char& c : text) {
+  for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
   return text;
 }
 
@@ -28,20 +27,16 @@ std::string one_line(std::string text) {
 
 std::string load(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    fail("file", "does not exist", "check the path");
-  }
-  if (!std::filesystem::is_regular_file(path, error)) {
+  if (!std::filesystem::exists(path, error)) fail("file", "does not exist", "check the path");
+  if (!std::filesystem::is_regular_file(path, error))
     fail("file", "is not a regular file", "give the path of a mesh file");
-  }
   const auto size = std::filesystem::file_size(path, error);
   if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (bytes.empty()) fail("file", "is empty", "export the mesh again");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
     fail("file", "cannot be read", "check its permissions");
-  }
   return bytes;
 }
 

@@ -45,13 +45,11 @@ std::vector<Vec3> normals_of_vtp(const std::string& path) {
   vtkDataArray* array = data->GetPointData()->GetNormals();
   if (!array) array = data->GetPointData()->GetArray("Normals");
   if (!array) fail_without_normals();
-  if (array->GetNumberOfComponents() != 3) {
+  if (array->GetNumberOfComponents() != 3)
     throw InputError("normals: they have not three components; export the mesh again");
-  }
   std::vector<Vec3> normals(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < normals.size(); ++i) {
+  for (std::size_t i = 0; i < normals.size(); ++i)
     array->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
-  }
   return normals;
 }
 
@@ -107,9 +105,8 @@ PlyVertices vertices_of(const std::string& bytes) {
 double binary_value(const char* at, const std::string& type, bool big_endian) {
   const std::size_t size = size_of(type);
   std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size; ++i)
     bits = bits << 8 | static_cast<unsigned char>(at[big_endian ? i : size - 1 - i]);
-  }
   if (size == 8) return std::bit_cast<double>(bits);
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
 }
@@ -137,24 +134,21 @@ std::vector<Vec3> normals_of_ply(const std::string& path) {
     std::istringstream text(bytes.substr(v.data));
     std::vector<double> row(v.properties.size());
     for (std::size_t i = 0; i < v.count; ++i) {
-      for (double& x : row) {
+      for (double& x : row)
         if (!(text >> x))
           throw InputError("vertex " + std::to_string(i) + ": bad number; correct it");
-      }
       normals.push_back({row[column[0]], row[column[1]], row[column[2]]});
     }
     return normals;
   }
-  if ((bytes.size() - v.data) / stride < v.count) {
+  if ((bytes.size() - v.data) / stride < v.count)
     throw InputError("file: ends within the vertices; export the mesh again");
-  }
   const bool big = v.format == "binary_big_endian";
   for (std::size_t i = 0; i < v.count; ++i) {
     const char* row = bytes.data() + v.data + i * stride;
     Vec3 n{};
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       n[k] = binary_value(row + offset[k], v.properties[column[k]].type, big);
-    }
     normals.push_back(n);
   }
   return normals;

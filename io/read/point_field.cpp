@@ -32,9 +32,8 @@ std::string available(vtkPointData& data) {
 
 std::vector<double> read(const std::string& path, const std::string& name) {
   const std::string element = fmt::format("field '{}': ", name.substr(0, 60));
-  if (lower_extension(path) != ".vtp") {
+  if (lower_extension(path) != ".vtp")
     throw InputError(element + "only .vtp files give fields; convert the mesh");
-  }
   const VtkQuiet quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
@@ -48,9 +47,8 @@ std::vector<double> read(const std::string& path, const std::string& name) {
     throw InputError(fmt::format("{}has {} numbers a point; {}", element,
                                  array->GetNumberOfComponents(), available(points)));
   }
-  if (array->GetNumberOfTuples() != data->GetNumberOfPoints()) {
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
     throw InputError(element + "has not one value a point; export the file again");
-  }
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (vtkIdType v = 0; v < array->GetNumberOfTuples(); ++v) values.push_back(array->GetTuple1(v));

@@ -49,13 +49,11 @@ class Builder {
     if (!midside_.empty()) warn_of_curved_sides();
     const std::size_t unused =
         static_cast<std::size_t>(std::count(number_.begin(), number_.end(), kNone));
-    if (unused > 0) {
+    if (unused > 0)
       warnings_.push_back(fmt::format("dropped {} vertices that belong to no face", unused));
-    }
     std::vector<Triangle> renumbered = faces_;
-    for (Triangle& face : renumbered) {
+    for (Triangle& face : renumbered)
       for (Index& v : face) v = number_[v];
-    }
     try {
       return {kernel::QuadraticMesh(std::move(points_), std::move(renumbered), std::move(values_),
                                     middles),
@@ -83,9 +81,8 @@ class Builder {
   void number_vertices() {
     number_.assign(file_.soup.points.size(), kNone);
     for (std::size_t f = 0; f < file_.midside.size(); ++f) {
-      for (const Index v : file_.midside[f]) {
+      for (const Index v : file_.midside[f])
         if (v != kNone) number_[v] = kMiddle;
-      }
     }
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       for (const Index v : faces_[f]) {
@@ -107,9 +104,8 @@ class Builder {
 
   double node_value(Index v) {
     const double value = expression_ ? sample(place(v)) : file_.values[v];
-    if (!expression_ && !file_.missing.empty() && file_.missing[v]) {
+    if (!expression_ && !file_.missing.empty() && file_.missing[v])
       fail(node_name(v), fmt::format("has no value of '{}'", file_.field), "give every node one");
-    }
     if (!std::isfinite(value)) {
       fail(node_name(v),
            expression_ ? fmt::format("the expression is {} there", value)
@@ -120,9 +116,8 @@ class Builder {
   }
 
   void take_values() {
-    for (Index v = 0; v < number_.size(); ++v) {
+    for (Index v = 0; v < number_.size(); ++v)
       if (number_[v] < kMiddle) values_.push_back(node_value(v));
-    }
   }
 
   /// At the middle of an edge of a linear face. Independent of the direction of the edge.
@@ -157,9 +152,8 @@ class Builder {
     }
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       if (quadratic(f)) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         middles[f][k] = side_value(faces_[f][k], faces_[f][(k + 1) % 3], of_quadratic);
-      }
     }
     return middles;
   }

@@ -45,9 +45,8 @@ void require_distinct(const PolygonSoup& soup, const std::vector<Side>& sides) {
 /// Sorted by low (counting), then by high, third vertex and face.
 std::vector<Side> sorted_sides(const std::vector<Triangle>& faces, std::size_t vertices) {
   std::vector<std::size_t> begin(vertices + 1, 0);
-  for (const Triangle& face : faces) {
+  for (const Triangle& face : faces)
     for (std::size_t k = 0; k < 3; ++k) ++begin[std::min(face[k], face[(k + 1) % 3]) + 1];
-  }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Side> sides(3 * faces.size());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
@@ -175,18 +174,16 @@ void require_fans(const PolygonSoup& soup, const std::vector<Triangle>& faces,
 /// Renumbers the faces' vertices; returns the points that are left.
 std::vector<Vec3> drop_unreferenced(const PolygonSoup& soup, std::vector<Triangle>& faces) {
   std::vector<Index> number(soup.points.size(), kNone);
-  for (const Triangle& face : faces) {
+  for (const Triangle& face : faces)
     for (Index v : face) number[v] = 0;
-  }
   std::vector<Vec3> points;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == kNone) continue;
     number[v] = static_cast<Index>(points.size());
     points.push_back({soup.points[v].x(), soup.points[v].y(), soup.points[v].z()});
   }
-  for (Triangle& face : faces) {
+  for (Triangle& face : faces)
     for (Index& v : face) v = number[v];
-  }
   return points;
 }
 
@@ -194,9 +191,8 @@ std::vector<Vec3> drop_unreferenced(const PolygonSoup& soup, std::vector<Triangl
 
 std::vector<Triangle> proper_faces(const PolygonSoup& soup) {
   if (soup.faces.empty()) fail("faces", "there are none", "export the mesh with its faces");
-  if (soup.points.size() >= kNone || soup.faces.size() >= kNone / 3) {
+  if (soup.points.size() >= kNone || soup.faces.size() >= kNone / 3)
     fail("mesh", "has more than 1.4 billion faces or 4.2 billion vertices", "split it");
-  }
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     const SoupPoint& p = soup.points[v];
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
@@ -210,9 +206,8 @@ std::vector<Triangle> proper_faces(const PolygonSoup& soup) {
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
     const Corners& corners = soup.faces[f];
     const auto name = [&] { return fmt::format("face {}", soup.face_tag(f)); };
-    if (corners.size() != 3) {
+    if (corners.size() != 3)
       fail(name(), fmt::format("has {} vertices", corners.size()), "remove it or give it 3");
-    }
     Triangle triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       if (corners[k] < 0 || corners[k] >= vertices) {
@@ -249,9 +244,8 @@ MeshFile mesh_of_soup(const PolygonSoup& soup) {
   MeshFile file;
   std::vector<Vec3> points = drop_unreferenced(soup, faces);
   const std::size_t dropped = soup.points.size() - points.size();
-  if (dropped > 0) {
+  if (dropped > 0)
     file.warnings.push_back(fmt::format("dropped {} vertices that belong to no face", dropped));
-  }
   if (flipped > 0) {
     file.warnings.push_back(
         fmt::format("flipped {} faces oriented against the majority of their component", flipped));

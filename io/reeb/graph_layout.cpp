@@ -49,15 +49,13 @@ std::vector<Index> successors(const ReebGraph& graph, const ArcsOf& below, const
 
 std::vector<Branch> branches_of(const ReebGraph& graph, const std::vector<Index>& next) {
   std::vector<bool> continues(graph.arcs.size(), false);
-  for (const Index a : next) {
+  for (const Index a : next)
     if (a != kNone) continues[a] = true;
-  }
   std::vector<Branch> branches;
   std::vector<bool> alone(graph.nodes.size(), true);
   for (const ReebArc& arc : graph.arcs) alone[arc.lower] = alone[arc.upper] = false;
-  for (Index v = 0; v < alone.size(); ++v) {
+  for (Index v = 0; v < alone.size(); ++v)
     if (alone[v]) branches.push_back({{}, v, v});
-  }
   for (Index first = 0; first < graph.arcs.size(); ++first) {
     if (continues[first]) continue;
     Branch branch{{}, graph.arcs[first].lower, 0};
@@ -157,9 +155,8 @@ class Placement {
     for_nodes(branch, [&](Index v) {
       if (layout_.node_column[v] != kNoColumn) return;
       layout_.node_column[v] = column;
-      for (const std::size_t other : at_node_[v]) {
+      for (const std::size_t other : at_node_[v])
         if (!done_[other]) waiting_.push({length(other), other, v});
-      }
     });
   }
 
@@ -167,9 +164,8 @@ class Placement {
   void finish() {
     const int first = columns_.first();
     for (auto* columns : {&layout_.node_column, &layout_.arc_column}) {
-      for (int& column : *columns) {
+      for (int& column : *columns)
         if (column != kNoColumn) column -= first;
-      }
     }
     const auto& arcs = layout_.arc_column;
     layout_.left_out = static_cast<std::size_t>(std::count(arcs.begin(), arcs.end(), kNoColumn));

@@ -47,9 +47,8 @@ std::vector<Triangle> turned_faces(const kernel::QuadraticMesh& mesh) {
   std::vector<Index> stack;
   const auto runs_up = [&](Index f, const kernel::Edge& e) {
     const Triangle& t = faces[f];
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       if (t[k] == e.v0 && t[(k + 1) % 3] == e.v1) return true;
-    }
     return false;
   };
   for (Index first = 0; first < faces.size(); ++first) {
@@ -127,9 +126,8 @@ class Painter {
     for (const LevelLines& lines : scene_.levels) {
       for (const reeb::Contour& contour : lines.contours) {
         const std::size_t n = contour.points.size();
-        for (std::size_t i = 0; i + 1 < n + (contour.closed ? 1 : 0); ++i) {
+        for (std::size_t i = 0; i + 1 < n + (contour.closed ? 1 : 0); ++i)
           draw_visible(contour.points[i], contour.points[(i + 1) % n]);
-        }
         end_stroke();
         drawing_.classes[0].in_graph = true;
       }
@@ -243,9 +241,8 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
   for (const auto& [kind, label] : kinds) {
     const auto& nodes = scene.graph.nodes;
     if (std::any_of(nodes.begin(), nodes.end(),
-                    [&](const reeb::ReebNode& node) { return node.kind == kind; })) {
+                    [&](const reeb::ReebNode& node) { return node.kind == kind; }))
       drawing.legend.push_back({label, node_colour(kind), true});
-    }
   }
 }
 
@@ -253,9 +250,8 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 
 void write_reeb_picture(const std::string& path, const ReebScene& scene) {
   const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg") {
+  if (extension != ".png" && extension != ".svg")
     throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
-  }
   const std::vector<Triangle> faces = turned_faces(scene.mesh);
   const SurfaceView surface(scene.mesh.points(), faces);
   const Camera camera = camera_for(surface, height_direction(scene.mesh));

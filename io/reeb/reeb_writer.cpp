@@ -58,12 +58,10 @@ class PolyBuilder {
     data->SetLines(lines_);
     data->SetPolys(polys_);
     data->GetPointData()->AddArray(value_);
-    for (const auto& array : {node_, type_, multiplicity_, on_boundary_}) {
+    for (const auto& array : {node_, type_, multiplicity_, on_boundary_})
       data->GetPointData()->AddArray(array);
-    }
-    for (const auto& array : {kind_, arc_, lower_, upper_, face_}) {
+    for (const auto& array : {kind_, arc_, lower_, upper_, face_})
       data->GetCellData()->AddArray(array);
-    }
     data->GetCellData()->AddArray(level_);
     add_digest(*data, scene_.data_digest);
     return vtp_bytes(*data);
@@ -103,9 +101,8 @@ class PolyBuilder {
       const auto& line = polylines[a];
       lines_->InsertNextCell(static_cast<int>(line.size()));
       lines_->InsertCellPoint(arc.lower);  // the nodes are the first points
-      for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      for (std::size_t i = 1; i + 1 < line.size(); ++i)
         lines_->InsertCellPoint(add_point(line[i].point, line[i].value, kNone, nullptr));
-      }
       lines_->InsertCellPoint(arc.upper);
       add_cell(kArc, static_cast<int>(a), number(arc.lower), number(arc.upper), -1, 0);
     }
@@ -143,9 +140,8 @@ class PolyBuilder {
 
   void add_tiles() {
     const auto first = points_->GetNumberOfPoints();
-    for (Index v = 0; v < scene_.places.size(); ++v) {
+    for (Index v = 0; v < scene_.places.size(); ++v)
       add_point(scene_.places[v].point, scene_.places[v].value, v, nullptr);
-    }
     const auto& tiles = scene_.tiles.tiles;
     const auto& begin = scene_.tiles.tile_begin;
     Index face = 0;
@@ -181,9 +177,8 @@ std::string tiles_vtu(const ReebScene& scene) {
     type->InsertNextValue(-1);
     point_arc->InsertNextValue(number(scene.arc_of_node[v]));
   }
-  for (const reeb::ReebNode& node : scene.graph.nodes) {
+  for (const reeb::ReebNode& node : scene.graph.nodes)
     type->SetValue(node.vertex, static_cast<int>(node.kind));
-  }
   vtkNew<vtkCellArray> cells;
   const auto face = named_ints("face"), arc = named_ints("arc");
   const auto& begin = scene.tiles.tile_begin;
@@ -211,9 +206,8 @@ std::string tiles_vtu(const ReebScene& scene) {
 std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::size_t parts) {
   const auto& arcs = scene.graph.arcs;
   std::vector<std::size_t> size(arcs.size(), 0), seen(arcs.size(), 0);
-  for (const Index a : scene.arc_of_node) {
+  for (const Index a : scene.arc_of_node)
     if (a != kNone) ++size[a];
-  }
   struct Mean {
     NodePlace sum{{0, 0, 0}, 0};
     double count = 0;
@@ -244,13 +238,12 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
 
 void write_reeb(const std::string& path, const ReebScene& scene) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") {
+  if (extension == ".vtp")
     write_atomically(path, PolyBuilder(scene).bytes());
-  } else if (extension == ".vtu") {
+  else if (extension == ".vtu")
     write_atomically(path, tiles_vtu(scene));
-  } else {
+  else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .vtu");
-  }
 }
 
 }  // namespace crest::io

@@ -37,11 +37,10 @@ void paint_mark(Canvas& canvas, const Dot& dot, double unit) {
   for (const bool rim : {true, false}) {
     const double r = rim ? radius : 0.7 * radius;
     const Colour colour = rim ? kRim : dot.colour;
-    if (dot.mark == Mark::disk) {
+    if (dot.mark == Mark::disk)
       canvas.fill_disk(dot.centre, r, colour);
-    } else {
+    else
       canvas.fill_polygon(corners_of(dot.mark, dot.centre, r), colour);
-    }
   }
 }
 
@@ -55,9 +54,8 @@ struct LegendLayout {
     if (!show || drawing.legend.empty()) return;
     dot = std::max(1.0, std::round(camera.width / 800.0));
     double longest = 0;
-    for (const LegendEntry& entry : drawing.legend) {
+    for (const LegendEntry& entry : drawing.legend)
       longest = std::max(longest, text_width(entry.label));
-    }
     column = dot * (longest + 44);
     row = 14 * dot;
     columns = static_cast<std::size_t>(std::clamp((camera.width - 16 * dot) / column, 1.0, 4.0));
@@ -135,9 +133,8 @@ std::string svg_dot(const Dot& dot, double unit) {
   std::string svg;
   for (const bool rim : {true, false}) {
     svg += "<polygon points=\"";
-    for (const kernel::Vec3& c : corners_of(dot.mark, dot.centre, rim ? radius : 0.7 * radius)) {
+    for (const kernel::Vec3& c : corners_of(dot.mark, dot.centre, rim ? radius : 0.7 * radius))
       svg += fmt::format("{:.2f},{:.2f} ", c[0], c[1]);
-    }
     svg.back() = '"';
     svg += fmt::format(" fill=\"{}\"/>\n", hex(rim ? kRim : dot.colour));
   }
@@ -200,26 +197,22 @@ std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& 
 
 void check_picture(const std::string& path, const PictureOptions& options) {
   const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg") {
+  if (extension != ".png" && extension != ".svg")
     throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
-  }
-  if (options.width < 16 || options.width > 16384) {
+  if (options.width < 16 || options.width > 16384)
     throw kernel::InputError(path + ": picture: the width is out of range; take 16 to 16384");
-  }
   if (!options.view) return;
   const kernel::Vec3& v = *options.view;
   const double squared = dot(v, v);
-  if (!(squared > 0) || !std::isfinite(squared)) {
+  if (!(squared > 0) || !std::isfinite(squared))
     throw kernel::InputError(path + ": picture: the view is no direction; give three numbers");
-  }
 }
 
 void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
                    const Drawing& drawing, bool show_legend) {
   const LegendLayout legend(drawing, camera, show_legend);
-  if (lower_extension(path) == ".svg") {
+  if (lower_extension(path) == ".svg")
     return write_atomically(path, svg_of(canvas, drawing, camera, legend));
-  }
   paint(canvas, drawing);
   canvas.extend(legend.height);
   paint_legend(canvas, drawing, legend);

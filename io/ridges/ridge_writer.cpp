@@ -80,9 +80,8 @@ Row ridge_row(const Ridge& ridge, const LinePoint& p) {
 Table table_of(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
                const RidgeGraph& graph) {
   Table table;
-  for (const Umbilic& umbilic : graph.umbilics) {
+  for (const Umbilic& umbilic : graph.umbilics)
     table.rows.push_back(umbilic_row(mesh, fit, umbilic));
-  }
   for (const Ridge& ridge : graph.ridges) {
     std::vector<Index> line;
     for (const LinePoint& p : line_points(ridge)) {
@@ -127,9 +126,8 @@ void add_point_data(vtkPolyData& data, const Table& table) {
   Columns points;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < kPointCodes.size(); ++i) points.add(kPointCodes[i], row.codes[i]);
-    for (std::size_t i = 0; i < kPointNumbers.size(); ++i) {
+    for (std::size_t i = 0; i < kPointNumbers.size(); ++i)
       points.add(kPointNumbers[i], row.numbers[i]);
-    }
   }
   points.move_to(*data.GetPointData());
 }
@@ -175,9 +173,8 @@ std::string obj_of(const Table& table, const RidgeGraph& graph, const std::strin
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
   fmt::format_to(out, "# ridges and umbilics, data digest {}\n", digest);
-  for (const Row& row : table.rows) {
+  for (const Row& row : table.rows)
     fmt::format_to(out, "v {} {} {}\n", row.point[0], row.point[1], row.point[2]);
-  }
   if (!graph.umbilics.empty()) fmt::format_to(out, "g umbilics\n");
   for (std::size_t i = 0; i < graph.umbilics.size(); ++i) fmt::format_to(out, "p {}\n", i + 1);
   for (const auto colour : {ridges::Colour::blue, ridges::Colour::red}) {
@@ -204,9 +201,8 @@ std::string ply_of(const Table& table, const std::string& digest) {
   for (const char* name : kPointCodes) fmt::format_to(out, "property int {}\n", name);
   for (const char* name : kPointNumbers) fmt::format_to(out, "property double {}\n", name);
   fmt::format_to(out, "element edge {}\n", edges);
-  for (const char* name : {"vertex1", "vertex2", "colour", "type"}) {
+  for (const char* name : {"vertex1", "vertex2", "colour", "type"})
     fmt::format_to(out, "property int {}\n", name);
-  }
   fmt::format_to(out, "end_header\n");
   for (const Row& row : table.rows) {
     fmt::format_to(out, "{} {} {} {} {}\n", row.point[0], row.point[1], row.point[2],
@@ -229,15 +225,14 @@ void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
   const std::string extension = lower_extension(path);
   const Table table = table_of(mesh, fit, graph);
   std::string bytes;
-  if (extension == ".vtp") {
+  if (extension == ".vtp")
     bytes = vtp_of(table, graph, data_digest_hex, fit.scale);
-  } else if (extension == ".obj") {
+  else if (extension == ".obj")
     bytes = obj_of(table, graph, data_digest_hex);
-  } else if (extension == ".ply") {
+  else if (extension == ".ply")
     bytes = ply_of(table, data_digest_hex);
-  } else {
+  else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
-  }
   write_atomically(path, bytes);
 }
 

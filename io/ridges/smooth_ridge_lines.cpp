@@ -27,9 +27,8 @@ std::vector<bool> undecided_faces(const smooth_ridges::SmoothRidges& result) {
   const bg::index::rtree<Entry, bg::index::quadratic<16>> tree(middles);
   for (const smooth_ridges::UndecidedCell& cell : result.undecided) {
     const Place centre(cell.centre[0], cell.centre[1], cell.centre[2]);
-    for (auto it = tree.qbegin(bg::index::nearest(centre, 1)); it != tree.qend(); ++it) {
+    for (auto it = tree.qbegin(bg::index::nearest(centre, 1)); it != tree.qend(); ++it)
       if (bg::distance(it->first, centre) <= cell.size) marked[it->second] = true;
-    }
   }
   return marked;
 }

@@ -76,11 +76,9 @@ inline int end_kind(const smooth_ridges::SmoothRidges& result,
 /// Ends that are neither umbilic nor boundary.
 inline std::size_t open_ends(const smooth_ridges::SmoothRidges& result) {
   std::size_t count = 0;
-  for (const smooth_ridges::SmoothRidge& ridge : result.ridges) {
-    for (const std::size_t end : {0u, 1u}) {
+  for (const smooth_ridges::SmoothRidge& ridge : result.ridges)
+    for (const std::size_t end : {0u, 1u})
       count += !ridge.loop && end_kind(result, ridge, end) == 0 ? 1 : 0;
-    }
-  }
   return count;
 }
 

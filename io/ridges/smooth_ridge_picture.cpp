@@ -49,9 +49,8 @@ void add_lines(const SmoothRidges& result, StrokeMaker& maker, Drawing& drawing)
     for (const RidgeRun& run : runs_of(ridge)) {
       const std::size_t to = ridge_class(ridge.colour, static_cast<std::size_t>(run.type));
       drawing.classes[to].in_graph = true;
-      for (std::size_t i = 0; i + 1 < run.points.size(); ++i) {
+      for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         maker.add(ridge.points[run.points[i]], ridge.points[run.points[i + 1]], to);
-      }
     }
     maker.end();
   }
@@ -64,9 +63,8 @@ void add_dots(const SmoothRidges& result, const Camera& camera, const Canvas& ca
     const Vec3 pixel = camera.project(point);
     if (in_sight(camera, canvas, pixel)) drawing.dots.push_back(make(pixel));
   };
-  for (const auto& p : result.turning_points) {
+  for (const auto& p : result.turning_points)
     add(p.point, [&](const Vec3& pixel) { return turning_dot(pixel, p.colour); });
-  }
   for (const auto& p : result.purple_points) add(p.point, purple_dot);
   for (const UmbilicPoint& u : result.umbilics) {
     add(u.point,

@@ -71,12 +71,10 @@ void add_vertices(const SmoothRidges& result, Table& table) {
     table.points.push_back(
         {p.point, {{kTurningPoint, static_cast<int>(p.colour), -1, 0, 0, 0}, {}}});
   }
-  for (const auto& p : result.purple_points) {
+  for (const auto& p : result.purple_points)
     table.points.push_back({p.point, {{kPurplePoint, -1, -1, 0, 0, 0}, {}}});
-  }
-  for (const auto& c : result.undecided) {
+  for (const auto& c : result.undecided)
     table.points.push_back({c.centre, {{kUndecidedCell, -1, -1, 0, 0, 0}, {0, c.size}}});
-  }
   table.vertices = {result.umbilics.size(), result.turning_points.size(),
                     result.purple_points.size(), result.undecided.size()};
 }
@@ -100,9 +98,8 @@ void add_ridge_columns(Columns& cells, const SmoothRidges& result, std::size_t n
                        const RidgeRun& run) {
   const SmoothRidge& ridge = result.ridges[number];
   double length = 0;
-  for (std::size_t i = 0; i + 1 < run.points.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
     length += length_of(ridge, run.points[i], run.points[i + 1]);
-  }
   const auto umbilic = [&](std::size_t end) {
     return ridge.ends[end] == kernel::kNone ? -1 : static_cast<int>(ridge.ends[end]);
   };
@@ -118,9 +115,8 @@ void add_ridge_columns(Columns& cells, const SmoothRidges& result, std::size_t n
 
 void add_vertex_columns(Columns& cells, int umbilic) {
   for (const char* name :
-       {"ridge", "loop", "end_kind_0", "end_kind_1", "end_umbilic_0", "end_umbilic_1"}) {
+       {"ridge", "loop", "end_kind_0", "end_kind_1", "end_umbilic_0", "end_umbilic_1"})
     cells.add(name, -1);
-  }
   cells.add("umbilic", umbilic);
   cells.add("length", 0.0);
 }
@@ -160,9 +156,8 @@ std::string vtp_of(const Table& table, const SmoothRidges& result, const std::st
   for (std::size_t r = 0; r < result.ridges.size(); ++r) {
     for (const RidgeRun& run : runs_of(result.ridges[r])) {
       lines->InsertNextCell(static_cast<int>(run.points.size()));
-      for (const std::size_t p : run.points) {
+      for (const std::size_t p : run.points)
         lines->InsertCellPoint(table.first[r] + static_cast<vtkIdType>(p));
-      }
       ridge_row(result.ridges[r], run.type).add_to(cells);
       add_ridge_columns(cells, result, r, run);
     }
@@ -177,9 +172,8 @@ std::string vtp_of(const Table& table, const SmoothRidges& result, const std::st
 
 /// The line of text that goes before everything else.
 std::string headline(const SmoothRidges& result, const std::string& digest) {
-  if (result.certified) {
+  if (result.certified)
     return fmt::format("ridges and umbilics, certified, data digest {}", digest);
-  }
   return fmt::format("ridges and umbilics, NOT CERTIFIED, {} undecided cells",
                      result.undecided.size());
 }
@@ -187,9 +181,8 @@ std::string headline(const SmoothRidges& result, const std::string& digest) {
 /// The ridge's points in the table, a loop's first one again at its end.
 std::vector<std::size_t> line_of(const Table& table, const SmoothRidges& result, std::size_t r) {
   std::vector<std::size_t> line;
-  for (std::size_t i = 0; i < result.ridges[r].points.size(); ++i) {
+  for (std::size_t i = 0; i < result.ridges[r].points.size(); ++i)
     line.push_back(table.first[r] + i);
-  }
   if (result.ridges[r].loop && !line.empty()) line.push_back(line.front());
   return line;
 }
@@ -198,9 +191,8 @@ std::string obj_of(const Table& table, const SmoothRidges& result, const std::st
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
   fmt::format_to(out, "# {}\n", headline(result, digest));
-  for (const Point& p : table.points) {
+  for (const Point& p : table.points)
     fmt::format_to(out, "v {} {} {}\n", p.place[0], p.place[1], p.place[2]);
-  }
   std::size_t next = 1;
   constexpr std::array groups = {"umbilics", "turning_points", "purple_points", "undecided_cells"};
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -239,9 +231,8 @@ std::string ply_of(const Table& table, const SmoothRidges& result, const std::st
   for (const char* name : kCodes) fmt::format_to(out, "property int {}\n", name);
   for (const char* name : kNumbers) fmt::format_to(out, "property double {}\n", name);
   fmt::format_to(out, "element edge {}\n", edge_count);
-  for (const char* name : {"vertex1", "vertex2", "colour", "type"}) {
+  for (const char* name : {"vertex1", "vertex2", "colour", "type"})
     fmt::format_to(out, "property int {}\n", name);
-  }
   fmt::format_to(out, "end_header\n");
   for (const Point& p : table.points) {
     fmt::format_to(out, "{} {} {} {} {}\n", p.place[0], p.place[1], p.place[2],
@@ -276,25 +267,23 @@ void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
   const std::string extension = lower_extension(path);
   const Table table = table_of(result);
   std::string bytes;
-  if (extension == ".vtp") {
+  if (extension == ".vtp")
     bytes = vtp_of(table, result, data_digest_hex);
-  } else if (extension == ".obj") {
+  else if (extension == ".obj")
     bytes = obj_of(table, result, data_digest_hex);
-  } else if (extension == ".ply") {
+  else if (extension == ".ply")
     bytes = ply_of(table, result, data_digest_hex);
-  } else {
+  else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
-  }
   write_atomically(path, bytes);
 }
 
 void write_smooth_mesh(const std::string& path, const SmoothRidges& result,
                        const std::string& data_digest_hex) {
-  if (lower_extension(path) == ".vtp") {
+  if (lower_extension(path) == ".vtp")
     write_atomically(path, mesh_vtp(result, data_digest_hex));
-  } else {
+  else
     write_mesh(path, result.points, result.faces);
-  }
 }
 
 }  // namespace crest::io

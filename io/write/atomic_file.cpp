@@ -58,9 +58,8 @@ void write_atomically(const std::string& path, std::string_view bytes) {
   }
   if (std::filesystem::is_directory(target, ignored)) fail(path, EISDIR);
   if (std::filesystem::exists(target, ignored) &&
-      !std::filesystem::is_regular_file(target, ignored)) {
+      !std::filesystem::is_regular_file(target, ignored))
     return write_directly(path, bytes);
-  }
   std::string temporary = target + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) fail(path, errno);

@@ -54,9 +54,8 @@ vtkSmartPointer<vtkDoubleArray> named_doubles(const char* name) {
 
 std::string lower_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) {
+  for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   return extension;
 }
 

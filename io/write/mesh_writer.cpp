@@ -25,12 +25,10 @@ std::string text_of(const Points& points, const Faces& faces, const std::string&
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{}", header);
-  for (const kernel::Vec3& p : points) {
+  for (const kernel::Vec3& p : points)
     fmt::format_to(out, "{}{} {} {}\n", vertex, p[0], p[1], p[2]);
-  }
-  for (const kernel::Triangle& f : faces) {
+  for (const kernel::Triangle& f : faces)
     fmt::format_to(out, "{}{} {} {}\n", face, f[0] + base, f[1] + base, f[2] + base);
-  }
   return fmt::to_string(text);
 }
 
@@ -46,9 +44,8 @@ std::string vtp_of(const Points& points, const Faces& faces) {
   positions->SetDataTypeToDouble();
   for (const kernel::Vec3& p : points) positions->InsertNextPoint(p.data());
   vtkNew<vtkCellArray> cells;
-  for (const kernel::Triangle& f : faces) {
+  for (const kernel::Triangle& f : faces)
     cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
-  }
   vtkNew<vtkPolyData> data;
   data->SetPoints(positions);
   data->SetPolys(cells);

@@ -250,11 +250,10 @@ MpInterval MpInterval::wave(const MpInterval& a, int (*f)(mpfr_ptr, mpfr_srcptr,
   mpfr_max(r.high_, r.high_, other.high_, MPFR_RNDU);
   if (held > 0) return r;
   mpfr_div_2ui(whole_turns.low_, whole_turns.low_, 1, MPFR_RNDD);
-  if (mpfr_integer_p(whole_turns.low_)) {
+  if (mpfr_integer_p(whole_turns.low_))
     mpfr_set_si(r.high_, 1, MPFR_RNDU);
-  } else {
+  else
     mpfr_set_si(r.low_, -1, MPFR_RNDD);
-  }
   return r;
 }
 

@@ -189,9 +189,8 @@ MpTaylorModel<Order> MpTaylorModel<Order>::times(const MpTaylorModel& b) const {
     }
   }
   if (!is_zero(b.remainder)) r.remainder = r.remainder + polynomial_range() * b.remainder;
-  if (!is_zero(remainder)) {
+  if (!is_zero(remainder))
     r.remainder = r.remainder + b.polynomial_range() * remainder + remainder * b.remainder;
-  }
   return r;
 }
 

@@ -57,9 +57,7 @@ class Parser {
 
   void run() {
     sum();
-    if (peek() != '\0' || at_ < text_.size()) {
-      expected("an operator or the end");
-    }
+    if (peek() != '\0' || at_ < text_.size()) expected("an operator or the end");
   }
 
  private:
@@ -162,12 +160,10 @@ class Parser {
       if (!accept(')')) expected("')'");
     } else {
       if (!is_digit(peek())) expected("an integer exponent");
-      for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
+      for (; at_ < text_.size() && is_digit(text_[at_]); ++at_)
         base = std::min<std::int64_t>(10 * base + (text_[at_] - '0'), kLargestPower + 1);
-      }
-      if (at_ < text_.size() && (text_[at_] == '.' || is_letter(text_[at_]))) {
+      if (at_ < text_.size() && (text_[at_] == '.' || is_letter(text_[at_])))
         expected("an integer exponent");
-      }
     }
     if (!accept('^')) return base;
     const std::size_t begin = at_;
@@ -209,9 +205,8 @@ class Parser {
     if (mantissa.empty()) expected("a digit");
     std::int64_t shift = 0;
     if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) shift = scale();
-    if (at_ - begin > kLongestNumber || std::abs(shift) > kLargestDecimal) {
+    if (at_ - begin > kLongestNumber || std::abs(shift) > kLargestDecimal)
       fail(begin, "the number is too long or beyond 1e400");
-    }
     // A leading zero would mean octal.
     mantissa.erase(0, std::min(mantissa.find_first_not_of('0'), mantissa.size() - 1));
     shift -= decimals;
@@ -246,9 +241,8 @@ class Parser {
     while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     const std::string_view word = text_.substr(begin, at_ - begin);
     const auto variable = std::find(variables_.begin(), variables_.end(), word);
-    if (variable != variables_.end()) {
+    if (variable != variables_.end())
       return emit(Code::variable, static_cast<std::size_t>(variable - variables_.begin()));
-    }
     if (word == "pi") return push({Constant::Kind::pi, 0, std::numbers::pi});
     if (word == "e") return push({Constant::Kind::e, 0, std::numbers::e});
     for (const auto& [function, code] : kFunctions) {

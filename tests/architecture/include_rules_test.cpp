@@ -68,9 +68,8 @@ const std::map<std::string, std::vector<std::string>>& arrows() {
 /// An empty string, or why `file` may not include `target`.
 std::string objection(const std::string& file, const std::string& target) {
   const std::string from = layer_of(file), to = layer_of(target);
-  if (file == "cli/crest_verify.cpp") {
+  if (file == "cli/crest_verify.cpp")
     return to == "certify" || has_prefix(to, "kernel/") ? "" : "sees certify and kernel only";
-  }
   if (from == to) return "";
   if (has_prefix(from, "algorithms/")) {
     if (has_prefix(to, "kernel/") || target == "certify/certificate.hpp") return "";
@@ -79,9 +78,8 @@ std::string objection(const std::string& file, const std::string& target) {
   if (from == "io" && is_result_header(target)) return "";
   const auto allowed = arrows().find(from);
   if (allowed == arrows().end()) return "is in no known layer";
-  for (const std::string& prefix : allowed->second) {
+  for (const std::string& prefix : allowed->second)
     if (has_prefix(target, prefix)) return "";
-  }
   return from + " may not see " + to;
 }
 

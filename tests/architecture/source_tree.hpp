@@ -17,13 +17,11 @@ inline std::vector<std::string> project_files() {
   for (const char* folder : {"kernel", "certify", "algorithms", "io", "cli", "experiments", "tests",
                              "cmake", "scripts", "docs", ".ci"}) {
     if (!fs::exists(root / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), root).string());
-    }
   }
-  for (const auto& entry : fs::directory_iterator(root)) {
+  for (const auto& entry : fs::directory_iterator(root))
     if (entry.is_regular_file()) files.push_back(entry.path().filename().string());
-  }
   std::sort(files.begin(), files.end());
   return files;
 }

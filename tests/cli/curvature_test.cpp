@@ -39,9 +39,8 @@ TEST_CASE("curvature of a sphere: every output, the report's keys") {
     CHECK(report["H"]["median"].get<double>() == Approx(-1).epsilon(0.05));
     CHECK(report["dist_H"].get<double>() < 0.01);
     CHECK(report["undetermined"] == 0);
-    for (const char* name : {"s.vtp", "f.vtp"}) {
+    for (const char* name : {"s.vtp", "f.vtp"})
       CHECK(read_text(folder / name).find("<VTKFile") != std::string::npos);
-    }
     CHECK(read_text(folder / "s.svg").find("<svg") != std::string::npos);
   }
   // The gradient of the sphere gives the exact tensor.
@@ -65,9 +64,8 @@ TEST_CASE("what curvature writes it reads back: the mesh and its normals, vtp an
     INFO(file << "\n" << again.err);
     REQUIRE(again.exit_code == 0);
     CHECK(read_json(folder / "b.json")["normals"] == "file");
-    for (const char* name : {"k1", "k2", "K", "H", "asymmetry"}) {
+    for (const char* name : {"k1", "k2", "K", "H", "asymmetry"})
       CHECK(read_json(folder / "a.json")[name] == read_json(folder / "b.json")[name]);
-    }
   }
   CHECK(run_crest(np + " -o n.vtu", folder.path()).exit_code == 0);
   CHECK(read_text(folder / "n.vtu").find("corner_K") != std::string::npos);

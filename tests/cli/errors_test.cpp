@@ -55,9 +55,8 @@ TEST_CASE("wrong command lines: exit code 2 and one line") {
            "crest sample ellipsoid --parameters 1,2,-3 -o n.off",
            "crest sample ellipsoid --vertices 3 -o n.off",
            "crest sample ellipsoid -o n.stl",
-       }) {
+       })
     check_refused(line, folder.path(), 2);
-  }
 }
 
 TEST_CASE("bad input: exit code 3, one line naming the file, no output file touched") {
@@ -77,9 +76,7 @@ TEST_CASE("bad input: exit code 3, one line naming the file, no output file touc
       {"fan.off", "OFF\n5 3 0\n" + points + "0 0 -1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"},
       {"format.xyz", "0 0 0\n"},
   };
-  for (const auto& [name, text] : inputs) {
-    write_text(folder / name, text);
-  }
+  for (const auto& [name, text] : inputs) write_text(folder / name, text);
   for (const auto& [name, text] : inputs) {
     check_refused(std::string("crest ridges ") + name +
                       " -o kept.vtp --report r.json --certificate r.crest --picture r.svg",

@@ -20,9 +20,8 @@ double slanted(const Vec3& p) {
 /// Keeps what it says about the result: not times and memory.
 nlohmann::json result_of(const fs::path& path) {
   nlohmann::json json = read_json(path);
-  for (const char* key : {"seconds", "peak_rss_bytes", "threads", "input", "predicates"}) {
+  for (const char* key : {"seconds", "peak_rss_bytes", "threads", "input", "predicates"})
     json.erase(key);
-  }
   return json;
 }
 
@@ -55,25 +54,21 @@ TEST_CASE("crest reeb: outputs, report and an accepted certificate, the same byt
     INFO(key);
     CHECK(report.contains(key));
   }
-  for (const char* key : {"minima", "saddles", "maxima"}) {
+  for (const char* key : {"minima", "saddles", "maxima"})
     CHECK(report["critical_points"].contains(key));
-  }
-  for (const char* key : {"nodes", "arcs", "loops", "components"}) {
+  for (const char* key : {"nodes", "arcs", "loops", "components"})
     CHECK(report["graph"].contains(key));
-  }
   for (const char* rule :
        {"line_critical", "face_critical", "boundary_saddle", "critical_value_order"}) {
     INFO(rule);
     REQUIRE(report["predicates"].contains(rule));
-    for (const char* key : {"calls", "interval", "integer", "exact", "symbolic"}) {
+    for (const char* key : {"calls", "interval", "integer", "exact", "symbolic"})
       CHECK(report["predicates"][rule].contains(key));
-    }
   }
   CHECK(report["predicates"]["line_critical"]["calls"] > 0);
   for (const char* phase :
-       {"read", "tessellate", "graph", "certificate", "places", "labels", "write", "total"}) {
+       {"read", "tessellate", "graph", "certificate", "places", "labels", "write", "total"})
     CHECK(report["seconds"].contains(phase));
-  }
   CHECK_FALSE(report["seconds"].contains("simplify"));
   CHECK(report["function"] == "T");
   CHECK(report["euler_characteristic"] == 0);
@@ -142,9 +137,8 @@ TEST_CASE("crest reeb --contract gives the same graph for any numbering of the v
       other.nodes[number[v]] = grid.nodes[v];
       other.values[number[v]] = grid.values[v];
     }
-    for (auto& cell : other.cells) {
+    for (auto& cell : other.cells)
       for (Index& v : cell) v = number[v];
-    }
     write_text(folder / "a.vtu", vtu_text(grid));
     write_text(folder / "b.vtu", vtu_text(other));
     for (const std::string name : {"a", "b"}) {

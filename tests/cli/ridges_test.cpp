@@ -117,15 +117,13 @@ TEST_CASE("the report has its keys, also without a certificate") {
   CHECK(report["threads"] == 2);
   CHECK(report["peak_rss_bytes"].get<double>() > 1e6);
   CHECK(report["seconds"]["total"].get<double>() > 0);
-  for (const char* phase : {"read", "fit", "extract", "write"}) {
+  for (const char* phase : {"read", "fit", "extract", "write"})
     CHECK(report["seconds"].contains(phase));
-  }
   REQUIRE_FALSE(report["predicates"].empty());
   for (const auto& [name, counts] : report["predicates"].items()) {
     INFO(name);
-    for (const char* stage : {"calls", "interval", "exact", "symbolic"}) {
+    for (const char* stage : {"calls", "interval", "exact", "symbolic"})
       CHECK(counts[stage].is_number_unsigned());
-    }
   }
   for (const char* colour : {"blue", "red"}) {
     const auto& part = report["ridges"][colour];
@@ -195,9 +193,8 @@ TEST_CASE("options change what they name") {
   CHECK(read_json(folder / "scale.json")["scale"] == 0.4);
   CHECK(read_json(folder / "auto.json")["scale"].get<double>() > 0);
   const auto crest = read_json(folder / "crest.json");
-  for (const char* colour : {"blue", "red"}) {
+  for (const char* colour : {"blue", "red"})
     CHECK(crest["ridges"][colour]["hyperbolic_length"] == 0);
-  }
   CHECK(read_json(folder / "rings.json")["data_digest"] !=
         read_json(folder / "third.json")["data_digest"]);
 }

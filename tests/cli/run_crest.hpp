@@ -38,15 +38,13 @@ inline bool is_one_line(const std::string& text) {
 inline std::vector<std::string> command_names(const std::string& help) {
   std::vector<std::string> names;
   bool inside = false;
-  for (const std::string& line : split_lines(help)) {
-    if (line == "Subcommands:") {
+  for (const std::string& line : split_lines(help))
+    if (line == "Subcommands:")
       inside = true;
-    } else if (inside && line.rfind("  ", 0) == 0) {
+    else if (inside && line.rfind("  ", 0) == 0)
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
-    } else {
+    else
       inside = false;
-    }
-  }
   return names;
 }
 
@@ -54,13 +52,11 @@ inline std::vector<std::string> command_names(const std::string& help) {
 inline std::vector<std::string> examples_of(const std::string& help) {
   std::vector<std::string> examples;
   bool inside = false;
-  for (const std::string& line : split_lines(help)) {
-    if (line == "Examples:") {
+  for (const std::string& line : split_lines(help))
+    if (line == "Examples:")
       inside = true;
-    } else if (inside && line.rfind("  ", 0) == 0) {
+    else if (inside && line.rfind("  ", 0) == 0)
       examples.push_back(line.substr(2));
-    }
-  }
   return examples;
 }
 

@@ -29,9 +29,8 @@ Options by(Method method) {
 
 double worst(const std::vector<PointCurvature>& a, const std::vector<PointCurvature>& b) {
   double w = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < a.size(); ++i)
     w = std::max({w, std::abs(a[i].k1 - b[i].k1), std::abs(a[i].k2 - b[i].k2)});
-  }
   return w;
 }
 
@@ -60,16 +59,14 @@ TEST_CASE("np on a sphere of any triangulation is exact: K = 1/r^2, H = -1/r, no
     CHECK(c.K == Approx(k * k).epsilon(1e-12));
     CHECK(c.asymmetry < 1e-10);
   }
-  for (const auto& corners : corner_curvatures(mesh, o.normals)) {
+  for (const auto& corners : corner_curvatures(mesh, o.normals))
     for (const PointCurvature& c : corners) CHECK(c.H == Approx(k).epsilon(1e-10));
-  }
   // Gradients twice as long: the same tensor.
   for (auto& n : o.normals)
     for (double& x : n) x *= 2;
   const Result doubled = estimate(mesh, o);
-  for (std::size_t v = 0; v < r.vertices.size(); ++v) {
+  for (std::size_t v = 0; v < r.vertices.size(); ++v)
     CHECK(doubled.vertices[v].H == Approx(r.vertices[v].H).epsilon(1e-12));
-  }
 }
 
 TEST_CASE("a flat mesh has no curvature by any method, boundary and corners included") {
@@ -108,9 +105,8 @@ TEST_CASE("fits reproduce what lies in their space") {
   const Index centre = mesh.vertex_count() / 2;
   for (const Method m : {Method::qf, Method::cf, Method::jet}) {
     Options o = by(m);
-    for (const Vec3& p : mesh.points()) {
+    for (const Vec3& p : mesh.points())
       o.normals.push_back({-1.5 * p[0] - 0.25 * p[1], p[1] - 0.25 * p[0], 1});
-    }
     const PointCurvature c = estimate(mesh, o).vertices[centre];
     INFO(name_of(m));
     // W = (1.5, 0.25; 0.25, -1).
@@ -123,9 +119,7 @@ TEST_CASE("cf finds the quadratic part of a cubic height function, qf does not")
   const auto height = [](double x, double y) { return x * x + 0.5 * y * y + x * x * x; };
   const TriangleMesh mesh = graph(2, 0.5, height);
   Options o = by(Method::cf);
-  for (const Vec3& p : mesh.points()) {
-    o.normals.push_back({-2 * p[0] - 3 * p[0] * p[0], -p[1], 1});
-  }
+  for (const Vec3& p : mesh.points()) o.normals.push_back({-2 * p[0] - 3 * p[0] * p[0], -p[1], 1});
   const Index centre = mesh.vertex_count() / 2;
   const PointCurvature cubic = estimate(mesh, o).vertices[centre];
   CHECK(cubic.k1 == Approx(2).epsilon(1e-10));
@@ -250,9 +244,8 @@ TEST_CASE("the smallest meshes have finite estimates by every method") {
       Options o = by(m);
       if (m == Method::np) o.normals = area_weighted_normals(*mesh);
       INFO(name_of(m));
-      for (const PointCurvature& c : estimate(*mesh, o).vertices) {
+      for (const PointCurvature& c : estimate(*mesh, o).vertices)
         CHECK(std::isfinite(c.k1 + c.k2 + c.K + c.H + c.d1[0] + c.d2[0]));
-      }
     }
   }
 }
@@ -311,9 +304,8 @@ TEST_CASE("focal surfaces stand off by |H| and |K| along the normal") {
       const Vec3 &p = shape.mesh.points()[v], &n = shape.normals[v], &x = s.points[10 * f];
       const double value = value_of(corners[f][0], q);
       CHECK(s.values[10 * f] == Approx(value).margin(1e-9));
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         CHECK(x[k] == Approx(p[k] + s.scale * std::abs(value) * n[k]).margin(1e-9));
-      }
     }
     const Result r = estimate(shape.mesh, by(Method::cf));
     const FocalSurface averaged = focal_of_vertices(shape.mesh, r, q, 0.1);

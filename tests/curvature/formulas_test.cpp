@@ -29,9 +29,8 @@ Case random_case(std::mt19937_64& random) {
   Case c;
   for (auto& x : c.t.x) x = {unit(random), unit(random), unit(random)};
   const auto m = triangle_normal(c.t);
-  for (auto& n : c.t.n) {
+  for (auto& n : c.t.n)
     for (std::size_t k = 0; k < 3; ++k) n[k] = m[k] * (1 + 0.3 * unit(random)) + 0.2 * unit(random);
-  }
   const auto i = static_cast<double>(random() % 1025);
   const auto j = static_cast<double>(random() % (1025 - static_cast<std::uint64_t>(i)));
   c.lambda = {i / 1024, j / 1024, (1024 - i - j) / 1024};

@@ -46,9 +46,8 @@ std::size_t marked_around(const TriangleMesh& mesh, const Marks& marks, Index v)
   std::set<Index> around;
   for (const Triangle& f : mesh.faces()) {
     if (f[0] != v && f[1] != v && f[2] != v) continue;
-    for (const Index w : f) {
+    for (const Index w : f)
       if (w != v && marks[w]) around.insert(w);
-    }
   }
   return around.size();
 }
@@ -64,9 +63,8 @@ bool is_true(const cert::FeaturesMeshCertificate& c) {
   TriangleMesh mesh;
   try {
     for (const Triangle& f : c.faces) {
-      for (const Index v : f) {
+      for (const Index v : f)
         if (v >= points.size()) return false;
-      }
     }
     mesh = TriangleMesh(points, c.faces);
   } catch (const std::exception&) {
@@ -85,9 +83,8 @@ bool is_true(const cert::FeaturesMeshCertificate& c) {
     if (!marks[v]) continue;
     left.push_back(v);
     if (link_is_point(mesh, marks, v, 1) && link_is_point(mesh, marks, v, 0) &&
-        marked_around(mesh, marks, v) != 1) {
+        marked_around(mesh, marks, v) != 1)
       return false;
-    }
   }
   if (left != c.marked_after) return false;
   for (std::size_t i = 0; i < c.dropped.size(); ++i) {

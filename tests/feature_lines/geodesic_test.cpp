@@ -66,9 +66,8 @@ TriangleMesh sphere(int rounds) {
 template <class Exact>
 double worst(const TriangleMesh& mesh, const std::vector<double>& found, Exact&& exact) {
   double error = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
     error = std::max(error, std::abs(found[v] - exact(mesh.points()[v])));
-  }
   return error;
 }
 
@@ -103,9 +102,8 @@ TEST_CASE("geodesic distance from a point in a plane: from above, and better on 
       const Vec3 origin = mesh.points()[centre];
       const auto found = fl::geodesic_distances(mesh, only(mesh, centre));
       bool above = true;
-      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      for (Index v = 0; v < mesh.vertex_count(); ++v)
         above = above && found[v] >= length(origin, mesh.points()[v]) - 1e-12;
-      }
       CHECK(above);
       const double error = worst(mesh, found, [&](const Vec3& p) { return length(origin, p); });
       INFO("shear " << shear << ", n " << n << ", error " << error << " before " << before);
@@ -143,9 +141,8 @@ TEST_CASE("geodesic distances are at most edge paths, stop at the limit, ignore 
       CHECK(near[v] == (all[v] <= 1.5 ? all[v] : HUGE_VAL));
       CHECK((!path[v] || near[v] <= 1.5));
     }
-    for (const double d : fl::geodesic_distances(mesh, Marks(mesh.vertex_count(), 0))) {
+    for (const double d : fl::geodesic_distances(mesh, Marks(mesh.vertex_count(), 0)))
       CHECK(d == HUGE_VAL);
-    }
   }
 }
 

@@ -92,9 +92,8 @@ TEST_CASE("Betti numbers agree with ranks over Z/2 on random sets") {
     for (int i = 0; i < 12; ++i) {
       const Marks marks = random_marks(mesh, random, i % 4 == 3 ? 0.7 : 0.15, Index(i % 2));
       INFO(name << ", set " << i);
-      for (const std::uint8_t mark : {std::uint8_t{0}, std::uint8_t{1}}) {
+      for (const std::uint8_t mark : {std::uint8_t{0}, std::uint8_t{1}})
         CHECK(fl::betti_numbers(mesh, marks, mark) == betti_by_ranks(mesh, marks, mark));
-      }
     }
     const Marks all(mesh.vertex_count(), 1);
     CHECK(fl::betti_numbers(mesh, all, 1) == betti_by_ranks(mesh, all, 1));

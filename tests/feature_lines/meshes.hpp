@@ -37,9 +37,8 @@ inline TriangleMesh fan(Index n, bool closed) {
 inline TriangleMesh grid(Index m, Index n, std::set<std::pair<Index, Index>> holes = {}) {
   std::vector<Vec3> points;
   std::vector<Triangle> faces;
-  for (Index y = 0; y <= n; ++y) {
+  for (Index y = 0; y <= n; ++y)
     for (Index x = 0; x <= m; ++x) points.push_back({double(x), double(y), 0});
-  }
   for (Index y = 0; y < n; ++y) {
     for (Index x = 0; x < m; ++x) {
       if (holes.count({x, y})) continue;
@@ -128,9 +127,8 @@ inline Index rank_mod_2(std::vector<std::set<Index>> columns) {
         pivots.emplace(*column.rbegin(), column);
         break;
       }
-      for (const Index row : pivot->second) {
+      for (const Index row : pivot->second)
         if (!column.insert(row).second) column.erase(row);
-      }
     }
   }
   return static_cast<Index>(pivots.size());

@@ -19,9 +19,8 @@ Marks one(const TriangleMesh& mesh, Index v) {
 }
 
 bool within(const Marks& a, const Marks& b) {
-  for (std::size_t v = 0; v < a.size(); ++v) {
+  for (std::size_t v = 0; v < a.size(); ++v)
     if (a[v] && !b[v]) return false;
-  }
   return true;
 }
 
@@ -60,9 +59,8 @@ TEST_CASE("Euclidean balls do not jump between sheets") {
   std::vector<Vec3> points = grid(4, 4).points();
   std::vector<Triangle> faces = grid(4, 4).faces();
   for (Index v = 0; v < 25; ++v) points.push_back({points[v][0], points[v][1], 0.1});
-  for (std::size_t f = 0; f < 32; ++f) {
+  for (std::size_t f = 0; f < 32; ++f)
     faces.push_back({faces[f][0] + 25, faces[f][1] + 25, faces[f][2] + 25});
-  }
   const TriangleMesh mesh(points, faces);
   const Marks grown = fl::dilate(mesh, one(mesh, 12), {Kind::euclidean, 1});
   CHECK(fl::count(grown) == 5);
@@ -71,9 +69,8 @@ TEST_CASE("Euclidean balls do not jump between sheets") {
 TEST_CASE("erosion, opening and closing on a grid") {
   const TriangleMesh mesh = grid(10, 10);
   Marks square(mesh.vertex_count(), 0);
-  for (Index y = 3; y <= 7; ++y) {
+  for (Index y = 3; y <= 7; ++y)
     for (Index x = 3; x <= 7; ++x) square[x + 11 * y] = 1;
-  }
   CHECK(fl::count(fl::erode(mesh, square, {Kind::rings, 1})) == 9);
   CHECK(fl::count(fl::erode(mesh, square, {Kind::rings, 2})) == 1);
   CHECK(fl::count(fl::erode(mesh, square, {Kind::rings, 3})) == 0);

@@ -15,9 +15,8 @@ namespace {
 /// The marked vertices of a grid of width m + 1, by a picture: rows from y = 0, '#' marked.
 Marks picture(const std::vector<std::string>& rows) {
   Marks marks;
-  for (const auto& row : rows) {
+  for (const auto& row : rows)
     for (const char c : row) marks.push_back(c == '#' ? 1 : 0);
-  }
   return marks;
 }
 
@@ -42,9 +41,8 @@ TEST_CASE("thinning keeps the topology of random sets, replayed by brute force")
       const Index prune = Index(i % 5);
       INFO(name << ", set " << i << ", prune " << prune);
       std::vector<double> field;
-      if (i % 2 == 1) {
+      if (i % 2 == 1)
         for (Index v = 0; v < mesh.vertex_count(); ++v) field.push_back(double(random() % 50));
-      }
       const fl::Thinning t = fl::thin(mesh, region, prune, field);
       CHECK(t.before == region);
       CHECK(t.topology_before == t.topology_after);
@@ -60,11 +58,9 @@ TEST_CASE("thinning keeps the topology of random sets, replayed by brute force")
       CHECK(simple);
       CHECK(marks == t.after);
       removed += t.removed.size();
-      for (Index v = 0; v < mesh.vertex_count(); ++v) {
-        if (marks[v] && fl::is_simple(mesh, marks, v)) {
+      for (Index v = 0; v < mesh.vertex_count(); ++v)
+        if (marks[v] && fl::is_simple(mesh, marks, v))
           CHECK(fl::marked_neighbours(mesh, marks, v) == 1);
-        }
-      }
       for (const Index v : t.dropped) CHECK(fl::marked_neighbours(mesh, marks, v) == 0);
       // The same input gives the same order.
       CHECK(fl::thin(mesh, region, prune, field).removed == t.removed);
@@ -98,9 +94,8 @@ TEST_CASE(
   const Index last = mesh.vertex_count() - 1;
   std::vector<Vec3> points(mesh.points().rbegin(), mesh.points().rend());
   std::vector<Triangle> faces = mesh.faces();
-  for (Triangle& f : faces) {
+  for (Triangle& f : faces)
     for (Index& v : f) v = last - v;
-  }
   const TriangleMesh turned(points, faces);
   std::reverse(field.begin(), field.end());
   std::reverse(band.begin(), band.end());
@@ -192,9 +187,8 @@ TEST_CASE("a thin zigzag strip is not eaten from its end") {
   for (const bool along : {true, false}) {
     const TriangleMesh mesh = along ? grid(40, 3) : grid(3, 40);
     Marks marks(mesh.vertex_count(), 0);
-    for (Index k = 3; k <= 37; ++k) {
+    for (Index k = 3; k <= 37; ++k)
       for (const Index row : {1u, 2u}) marks[along ? k + 41 * row : row + 4 * k] = 1;
-    }
     const fl::Thinning t = fl::thin(mesh, marks, 0);
     CHECK(fl::count(t.after) >= 33);
     CHECK(fl::count(t.after) <= 37);

@@ -146,9 +146,8 @@ TEST_CASE("what is not a surface is named in the file's numbers", "[io]") {
   // Each face has a middle node of its own on the diagonal, with values that differ.
   grid = kSquare;
   const Index own = static_cast<Index>(grid.nodes.size());
-  for (Index& node : grid.cells[1]) {
+  for (Index& node : grid.cells[1])
     if (node == 6) node = own;
-  }
   grid.nodes.push_back(grid.nodes[6]);
   grid.values.push_back(grid.values[6] + 1);
   check_error("a.vtu", vtu_text(grid), "edge 0-3: faces 0 and 1 have the values ");

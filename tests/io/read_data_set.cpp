@@ -147,8 +147,7 @@ TEST_CASE("every mesh of the data set gives a mesh or one clear line", "[io]") {
     check(expected, unpacked(*path));
   }
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder))
     files += entry.is_regular_file() ? 1 : 0;
-  }
   CHECK(files == std::size(kExpected));
 }

@@ -66,9 +66,8 @@ TEST_CASE("the tiles of a VTU read back as the mesh they subdivide", "[io]") {
   CHECK(file.mesh.linear());
   CHECK(file.mesh.faces() == stage.tiles.tiles);
   CHECK(file.mesh.vertex_count() == stage.tiles.node_count());
-  for (Index v = 0; v < stage.tiles.node_count(); ++v) {
+  for (Index v = 0; v < stage.tiles.node_count(); ++v)
     CHECK(file.mesh.values()[v] == stage.places[v].value);
-  }
   // A subdivision with the nodes' values has the same critical points (ties apart).
   const auto tiles = crest::reeb::tessellate(file.mesh);
   const ReebGraph again = crest::reeb::reeb_graph(crest::reeb::ordered(tiles));
@@ -111,9 +110,8 @@ TEST_CASE("arcs run upwards from node to node along the middles of what lies on 
   double left = 0, right = 0;
   for (std::size_t a = 0; a < lines.size(); ++a) {
     CHECK(lines[a].size() <= 14);
-    for (std::size_t i = 0; i + 1 < lines[a].size(); ++i) {
+    for (std::size_t i = 0; i + 1 < lines[a].size(); ++i)
       CHECK(lines[a][i].value <= lines[a][i + 1].value);
-    }
     for (const auto& place : lines[a]) {
       left = std::min(left, place.point[1]);
       right = std::max(right, place.point[1]);

@@ -156,12 +156,10 @@ TEST_CASE("a ridge graph reads back from VTP with every array everywhere", "[io]
   REQUIRE(data->GetNumberOfCells() == 3);
   CHECK(data->GetPointData()->GetNumberOfArrays() == 13);
   CHECK(data->GetCellData()->GetNumberOfArrays() == 13);
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i) {
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     CHECK(data->GetPointData()->GetAbstractArray(i)->GetNumberOfTuples() == 10 + loop);
-  }
-  for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i) {
+  for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
     CHECK(data->GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() == 3);
-  }
   vtkNew<vtkIdList> ids;
   data->GetCellPoints(1, ids);
   CHECK(ids->GetNumberOfIds() == loop + 1);
@@ -231,9 +229,8 @@ TEST_CASE("a ridge graph is complete in OBJ and PLY", "[io]") {
 TEST_CASE("a graph without ridges is written, too", "[io]") {
   const TriangleMesh mesh = sphere(4, 5);
   const TemporaryFolder folder;
-  for (const char* name : {"r.vtp", "r.obj", "r.ply"}) {
+  for (const char* name : {"r.vtp", "r.obj", "r.ply"})
     crest::io::write_ridges(folder / name, mesh, flat_fit(mesh), {}, "");
-  }
   crest::io::write_picture(folder / "r.png", mesh, {});
   crest::io::write_picture(folder / "r.svg", mesh, {});
   CHECK(folder.files() == 5);
@@ -306,9 +303,8 @@ TEST_CASE("meshes of extreme size can be drawn", "[io]") {
     INFO(scale);
     TriangleMesh unit = sphere(16, 24);
     std::vector<Vec3> points = unit.points();
-    for (Vec3& p : points) {
+    for (Vec3& p : points)
       for (double& x : p) x *= scale;
-    }
     const TriangleMesh mesh(points, unit.faces());
     crest::io::write_picture(folder / "a.png", mesh, {}, options);
     CHECK(inks(folder / "a.png").grey > 0.80 * std::numbers::pi * 55 * 55);

@@ -31,11 +31,9 @@ Field random_field(unsigned n) {
   std::mt19937_64 random(crest::tests::kSeed);
   std::uniform_real_distribution<double> offset(-0.3, 0.3);
   Field field;
-  for (unsigned i = 0; i < n; ++i) {
-    for (unsigned j = 0; j < n; ++j) {
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j)
       field.points.push_back({i + offset(random), j + offset(random), offset(random) * 1e-7});
-    }
-  }
   for (unsigned i = 0; i + 1 < n; ++i) {
     for (unsigned j = 0; j + 1 < n; ++j) {
       const unsigned a = i * n + j, b = a + n;

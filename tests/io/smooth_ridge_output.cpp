@@ -39,9 +39,8 @@ constexpr ArcType kNo = ArcType::none, kE = ArcType::elliptic, kH = ArcType::hyp
 /// The square [-1, 1]^2 on z = 0 in 2 n^2 triangles, facing up; two are in a patch.
 SmoothRidges square(Index n) {
   SmoothRidges r;
-  for (Index i = 0; i <= n; ++i) {
+  for (Index i = 0; i <= n; ++i)
     for (Index j = 0; j <= n; ++j) r.points.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, 0});
-  }
   const auto at = [&](Index i, Index j) { return i * (n + 1) + j; };
   for (Index i = 0; i < n; ++i) {
     for (Index j = 0; j < n; ++j) {
@@ -90,9 +89,8 @@ SmoothRidges partial_scene() {
   r.obstacles = {"1 of 128 cells are not certified"};
   const auto& f = r.faces[40];
   Vec3 middle;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k)
     middle[k] = (r.points[f[0]][k] + r.points[f[1]][k] + r.points[f[2]][k]) / 3;
-  }
   r.undecided = {{middle, 0.25, "no reason"}};
   return r;
 }
@@ -178,12 +176,10 @@ TEST_CASE("smooth ridges read back from VTP with every array everywhere", "[io]"
   REQUIRE(data->GetNumberOfPoints() == 4 + 5 + 4 + 3);
   CHECK(data->GetPointData()->GetNumberOfArrays() == 8);
   CHECK(data->GetCellData()->GetNumberOfArrays() == 16);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
     CHECK(data->GetPointData()->GetAbstractArray(i)->GetNumberOfTuples() == 16);
-  }
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16; ++i)
     CHECK(data->GetCellData()->GetAbstractArray(i)->GetNumberOfTuples() == 10);
-  }
   vtkFieldData *points = data->GetPointData(), *cells = data->GetCellData();
   const double kinds[] = {1, 3, 4, 5, -1, -1, -1, -1, -1, -1};
   const double colours[] = {-1, -1, 0, -1, 0, 0, 0, 0, 0, 1};
@@ -289,9 +285,8 @@ TEST_CASE("a result without a surface is written, too", "[io]") {
   SmoothRidges nothing;
   nothing.obstacles = {"F has no zero in the box"};
   const TemporaryFolder folder;
-  for (const char* name : {"r.vtp", "r.obj", "r.ply"}) {
+  for (const char* name : {"r.vtp", "r.obj", "r.ply"})
     crest::io::write_smooth_ridges(folder / name, nothing, "");
-  }
   crest::io::write_smooth_mesh(folder / "m.vtp", nothing, "");
   crest::io::write_smooth_picture(folder / "p.png", nothing);
   crest::io::write_smooth_picture(folder / "p.svg", nothing);
@@ -319,9 +314,8 @@ TEST_CASE("a picture of a smooth surface shows what faces the eye, each kind wit
   CHECK(lines_starting(drawn, "<circle") == 1);       // +1/2
   CHECK(lines_starting(drawn, "<polygon") == 3 * 2);  // -1/2, turning, purple; each with its rim
   for (const char* label :
-       {"umbilic +1/2, 1-ridge", "umbilic -1/2, 3-ridge", "blue turning point", "purple point"}) {
+       {"umbilic +1/2, 1-ridge", "umbilic -1/2, 3-ridge", "blue turning point", "purple point"})
     CHECK(svg.find(label) != std::string::npos);
-  }
   CHECK(svg.find("not certified") == std::string::npos);
   crest::io::write_smooth_picture(folder / "q.svg", partial_scene(), options);
   const std::string partial = contents(folder / "q.svg");

@@ -50,9 +50,8 @@ std::vector<double> levels_of(const QuadraticMesh& mesh, const TileComplex& tile
     const double a = pick(), b = pick();
     levels.insert(levels.end(), {a, 0.5 * a + 0.5 * b});
   }
-  for (const NodePlace& place : node_places(mesh, tiles)) {
+  for (const NodePlace& place : node_places(mesh, tiles))
     if (d.integer(0, 40) == 0) levels.push_back(place.value);
-  }
   return levels;
 }
 
@@ -71,9 +70,8 @@ void check_counts(const QuadraticMesh& mesh, Draw& d) {
     CHECK(count(lines) == expected(tiles, graph, below));
     for (const Contour& line : lines) {
       for (const auto& p : line.points) {
-        for (const double x : p) {
+        for (const double x : p)
           if (!std::isfinite(x)) FAIL("a place is not finite");
-        }
       }
     }
   }

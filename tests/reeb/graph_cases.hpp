@@ -60,9 +60,8 @@ inline Surface wheel(unsigned n, bool closed) {
   Surface s;
   s.points.push_back({0, 0, 0});
   const unsigned rim = closed ? n : n + 1;
-  for (unsigned ring = 1; ring <= 2; ++ring) {
+  for (unsigned ring = 1; ring <= 2; ++ring)
     for (unsigned k = 0; k < rim; ++k) s.points.push_back({double(ring), double(k), 0});
-  }
   for (unsigned k = 0; k < n; ++k) {
     const auto a = 1 + k, b = 1 + (k + 1) % rim, c = a + rim, d = b + rim;
     s.triangles.insert(s.triangles.end(), {{0u, a, b}, {a, c, d}, {a, d, b}});

@@ -50,9 +50,8 @@ Signs signs_of(std::vector<double> values, std::vector<int> indices, std::vector
     ++std::get<2>(nodes[a.upper]);
   }
   Signs signs;
-  for (const auto& n : nodes) {
+  for (const auto& n : nodes)
     if (std::get<1>(n) != 1000) signs.nodes.insert(n);
-  }
   for (const auto& a : arcs) signs.arcs.insert({nodes[a.lower], nodes[a.upper], a.open_below});
   return signs;
 }
@@ -60,11 +59,8 @@ Signs signs_of(std::vector<double> values, std::vector<int> indices, std::vector
 class LevelSets {
  public:
   LevelSets(const Surface& s, const std::vector<double>& values) : s_(s), f_(values) {
-    for (const auto& t : s.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        ++edges_[std::minmax(t[k], t[(k + 1) % 3])];
-      }
-    }
+    for (const auto& t : s.triangles)
+      for (std::size_t k = 0; k < 3; ++k) ++edges_[std::minmax(t[k], t[(k + 1) % 3])];
     for (const auto& [e, n] : edges_) list_.push_back({e.first, e.second});
   }
 
@@ -92,15 +88,13 @@ class LevelSets {
       }
       count_cells(c, at, node, indices);
       const auto touches = [&](std::size_t e) {
-        for (const Index v : list_[e]) {
+        for (const Index v : list_[e])
           if (f_[v] == c) return node[at[v]];
-        }
         return node[at[f_.size() + e]];
       };
       std::set<std::array<Index, 2>> ended;
-      for (std::size_t e = 0; e < list_.size(); ++e) {
+      for (std::size_t e = 0; e < list_.size(); ++e)
         if (!slab.empty() && slab[e] != kNone) arcs[slab[e]].upper = touches(e);
-      }
       slab.assign(list_.size(), kNone);
       if (i + 1 == levels.size()) break;
       const auto above =
@@ -115,9 +109,8 @@ class LevelSets {
         const auto [it, fresh] = arc.try_emplace(x, Index(arcs.size()));
         if (fresh) arcs.push_back({touches(e), kNone, false, false});
         slab[e] = it->second;
-        if (edges_[{list_[e][0], list_[e][1]}] == 1) {
+        if (edges_[{list_[e][0], list_[e][1]}] == 1)
           arcs[it->second].open_below = arcs[it->second].open_above = true;
-        }
       }
     }
     return signs_of(values, indices, arcs);
@@ -129,12 +122,10 @@ class LevelSets {
   std::vector<Index> components(OnVertex on_vertex, OnEdge on_edge) const {
     const std::size_t n = f_.size();
     std::vector<Index> parent(n + list_.size(), kNone);
-    for (Index v = 0; v < n; ++v) {
+    for (Index v = 0; v < n; ++v)
       if (on_vertex(v)) parent[v] = v;
-    }
-    for (std::size_t e = 0; e < list_.size(); ++e) {
+    for (std::size_t e = 0; e < list_.size(); ++e)
       if (on_edge(list_[e])) parent[n + e] = Index(n + e);
-    }
     const auto find = [&](Index x) {
       while (parent[x] != x) x = parent[x];
       return x;
@@ -151,9 +142,8 @@ class LevelSets {
         join(Index(n + edge(t[k], t[(k + 1) % 3])));
       }
     }
-    for (Index x = 0; x < parent.size(); ++x) {
+    for (Index x = 0; x < parent.size(); ++x)
       if (parent[x] != kNone) parent[x] = find(x);
-    }
     return parent;
   }
   std::size_t edge(Index a, Index b) const {
@@ -165,9 +155,8 @@ class LevelSets {
                    std::vector<int>& indices) const {
     const auto count = [&](std::initializer_list<Index> cell) {
       Index top = *cell.begin();
-      for (const Index v : cell) {
+      for (const Index v : cell)
         if (f_[v] > f_[top]) top = v;
-      }
       if (f_[top] == c) indices[node[at[top]]] += cell.size() % 2 ? 1 : -1;
     };
     for (Index v = 0; v < f_.size(); ++v) count({v});
@@ -185,9 +174,8 @@ Signs contracted_signs(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
   std::vector<std::uint8_t> tied(values.size(), 0);
-  for (std::size_t r = 1; r < values.size(); ++r) {
+  for (std::size_t r = 1; r < values.size(); ++r)
     tied[r] = values[c.complex().order[r]] == values[c.complex().order[r - 1]];
-  }
   const reeb::ContractedGraph out = reeb::contract(graph, c.complex().rank, tied);
   // Where the old parts went.
   for (Index i = 0; i < graph.nodes.size(); ++i) {

@@ -26,15 +26,13 @@ std::multiset<Key> reduced_pairs(const reeb::ReebGraph& graph) {
   const auto arcs = static_cast<Index>(graph.arcs.size());
   for (Index i = 0; i < nodes; ++i) {
     cells.push_back({false, false, i, i});
-    for (Index a = 0; a < arcs; ++a) {
+    for (Index a = 0; a < arcs; ++a)
       if (graph.arcs[a].upper == i) cells.push_back({false, true, a, i});
-    }
   }
   for (Index i = nodes; i-- > 0;) {
     cells.push_back({true, false, i, i});
-    for (Index a = 0; a < arcs; ++a) {
+    for (Index a = 0; a < arcs; ++a)
       if (graph.arcs[a].lower == i) cells.push_back({true, true, a, i});
-    }
   }
   std::vector<Index> node_at(nodes), arc_at(arcs), node_cone(nodes), arc_cone(arcs);
   for (Index i = 0; i < cells.size(); ++i) {
@@ -47,9 +45,8 @@ std::multiset<Key> reduced_pairs(const reeb::ReebGraph& graph) {
   std::vector<Index> owner(cells.size(), kernel::kNone);
   std::multiset<Key> pairs;
   const auto add = [](std::set<Index>& a, const std::set<Index>& b) {
-    for (const Index x : b) {
+    for (const Index x : b)
       if (!a.erase(x)) a.insert(x);
-    }
   };
   for (Index i = 0; i < cells.size(); ++i) {
     const Cell& c = cells[i];
@@ -62,9 +59,8 @@ std::multiset<Key> reduced_pairs(const reeb::ReebGraph& graph) {
     } else if (c.cone) {
       column = {node_at[c.number]};
     }
-    while (!column.empty() && owner[*column.rbegin()] != kernel::kNone) {
+    while (!column.empty() && owner[*column.rbegin()] != kernel::kNone)
       add(column, columns[owner[*column.rbegin()]]);
-    }
     if (column.empty()) continue;
     const Index low = *column.rbegin();
     owner[low] = i;

@@ -111,9 +111,8 @@ void check_simplified(const reeb::ReebGraph& graph, const std::vector<double>& v
 void check(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
-  for (const double p : {-1.0, 0.0, 0.05, 0.3, 1.0, kEnd}) {
+  for (const double p : {-1.0, 0.0, 0.05, 0.3, 1.0, kEnd})
     for (const bool loops : {false, true}) check_simplified(graph, values, p, loops);
-  }
   // Branches: every arc once, paths upwards, leaf branches as simplify takes them.
   const auto branches = reeb::branch_decomposition(graph, values);
   std::vector<int> uses(graph.arcs.size(), 0);
@@ -163,9 +162,8 @@ TEST_CASE("A torus without its small features is a loop between a minimum and a 
   const Surface s = torus_surface(30, 20);
   std::vector<double> values;
   const std::vector<double> noise = noise_values(s, kSeed);
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
+  for (std::size_t v = 0; v < s.points.size(); ++v)
     values.push_back(s.points[v][0] + 0.4 * noise[v]);
-  }
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
   CHECK(graph.nodes.size() > 20);

@@ -19,18 +19,14 @@ using kernel::kNone;
 std::map<Index, Index> flooded(const reeb::OrderedComplex& complex) {
   const std::size_t n = complex.rank.size();
   std::vector<std::set<Index>> neighbours(n);
-  for (const auto& t : complex.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      neighbours[t[k]].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
-    }
-  }
+  for (const auto& t : complex.triangles)
+    for (std::size_t k = 0; k < 3; ++k) neighbours[t[k]].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
   std::vector<Index> part(n, kNone), tip(n);  // part of a vertex; the last node of a part
   std::map<Index, Index> tree;
   for (const Index v : complex.order) {
     std::set<Index> parts;
-    for (const Index w : neighbours[v]) {
+    for (const Index w : neighbours[v])
       if (part[w] != kNone) parts.insert(part[w]);
-    }
     if (parts.size() == 1) {
       part[v] = *parts.begin();
       continue;
@@ -40,9 +36,8 @@ std::map<Index, Index> flooded(const reeb::OrderedComplex& complex) {
     tree[v] = kNone;
     for (const Index p : parts) {
       tree[tip[p]] = v;
-      for (Index& x : part) {
+      for (Index& x : part)
         if (x == p) x = v;
-      }
     }
   }
   // Roots are the last vertices of the components.
@@ -58,9 +53,8 @@ std::map<Index, Index> flooded(const reeb::OrderedComplex& complex) {
 
 std::map<Index, Index> as_map(const reeb::MergeTree& tree) {
   std::map<Index, Index> out;
-  for (std::size_t i = 0; i < tree.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < tree.vertices.size(); ++i)
     out[tree.vertices[i]] = tree.parent[i] == kNone ? kNone : tree.vertices[tree.parent[i]];
-  }
   return out;
 }
 
@@ -130,11 +124,10 @@ TEST_CASE("Contour trees are refused where there may be loops") {
     const Surface s = row.make();
     const OrderedCase c(s, smooth_values(s, kSeed));
     INFO(row.name);
-    if (row.euler <= 0 || row.euler == 3) {
+    if (row.euler <= 0 || row.euler == 3)
       CHECK_THROWS_AS(reeb::contour_tree(c.complex()), std::invalid_argument);
-    } else {
+    else
       CHECK_NOTHROW(reeb::contour_tree(c.complex()));
-    }
   }
 }
 

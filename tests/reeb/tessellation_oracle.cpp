@@ -94,12 +94,11 @@ bool QuadraticTriangle::separated(std::size_t i, std::size_t j, const Fraction& 
                                   int part) const {
   std::array<bool, 2> met{};
   bool second = false;
-  for (std::size_t k = (i + 1) % boundary_.size(); k != i; k = (k + 1) % boundary_.size()) {
+  for (std::size_t k = (i + 1) % boundary_.size(); k != i; k = (k + 1) % boundary_.size())
     if (k == j)
       second = true;
     else if (beyond(k, c, below) && (part == 0 || part_of(k, !below) == part))
       met[second] = true;
-  }
   return met[0] && met[1];
 }
 

@@ -29,9 +29,7 @@ void require_conforming(const Triangulation& mesh) {
                           : mesh.faces()[f][1] == edge.first ? 1
                                                              : 2;
     REQUIRE(mesh.neighbours()[f][k] == across);
-    if (across != kNone) {
-      REQUIRE(mesh.neighbours()[across][mesh.edge_towards(across, f)] == f);
-    }
+    if (across != kNone) REQUIRE(mesh.neighbours()[across][mesh.edge_towards(across, f)] == f);
     if (across == kNone || mesh.is_implicit()) continue;
     // The lift difference of an edge's ends is the same in both faces.
     const std::size_t j = mesh.edge_towards(across, f);

@@ -56,9 +56,8 @@ inline QuadraticGrid quadratic_grid(std::vector<Vec3> points,
 inline QuadraticGrid square_grid(Index n, const PlaceFunction& function) {
   std::vector<Vec3> points;
   std::vector<kernel::Triangle> faces;
-  for (Index i = 0; i <= n; ++i) {
+  for (Index i = 0; i <= n; ++i)
     for (Index j = 0; j <= n; ++j) points.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, 0});
-  }
   for (Index i = 0; i < n; ++i) {
     for (Index j = 0; j < n; ++j) {
       const Index a = i * (n + 1) + j, b = a + n + 1;
@@ -107,9 +106,8 @@ inline QuadraticGrid moebius_grid(Index n, const PlaceFunction& function) {
 
 inline kernel::QuadraticMesh mesh_of(const QuadraticGrid& grid) {
   std::vector<Index> number(grid.nodes.size(), kernel::kNone);
-  for (const auto& cell : grid.cells) {
+  for (const auto& cell : grid.cells)
     for (std::size_t k = 0; k < 3; ++k) number[cell[k]] = 0;
-  }
   std::vector<Vec3> points;
   std::vector<double> values;
   for (Index v = 0; v < number.size(); ++v) {
@@ -184,11 +182,10 @@ inline std::string msh_text(const QuadraticGrid& grid, int version,
   for (std::size_t c = 0; c < cells; ++c) {
     const std::size_t size = cell_size(grid.cells[c]);
     const int type = size == 6 ? 9 : 2;
-    if (version == 2) {
+    if (version == 2)
       text << tag(c) << ' ' << type << " 2 1 1";
-    } else {
+    else
       text << "2 1 " << type << " 1\n" << tag(c);
-    }
     for (std::size_t k = 0; k < size; ++k) text << ' ' << tag(grid.cells[c][k]);
     text << '\n';
   }

@@ -31,9 +31,8 @@ void subdivide(std::vector<Vec3>& points, std::vector<Triangle>& faces) {
   std::vector<Triangle> finer;
   for (const auto& [a, b, c] : faces) {
     const Index ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-    for (const Triangle& f : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+    for (const Triangle& f : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
       finer.push_back(f);
-    }
   }
   faces = finer;
 }
