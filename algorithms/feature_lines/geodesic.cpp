@@ -89,7 +89,7 @@ class Unfolder {
     const Triangle& t = mesh_.faces()[f];
     for (int k = 0; k < 3; ++k) {
       const Index x = t[static_cast<std::size_t>(k)], y = t[static_cast<std::size_t>((k + 1) % 3)];
-      if ((x == a && y == b) || (x == b && y == a)) return mesh_.neighbor(f, k);
+      if ((x == a && y == b) || (x == b && y == a)) return mesh_.neighbour(f, k);
     }
     return kNone;
   }

@@ -44,7 +44,7 @@ class PaperMethod {
   }
   bool least_among_neighbours(Index f) const {
     for (int k = 0; k < 3; ++k) {
-      const Index g = mesh_.neighbor(f, k);
+      const Index g = mesh_.neighbour(f, k);
       if (g != kernel::kNone && before(g, f)) return false;
     }
     return true;

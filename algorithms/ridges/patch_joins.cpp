@@ -37,7 +37,7 @@ class Joiner {
     std::vector<Index> queue{root};
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const Index g = mesh_.neighbor(queue[i], k);
+        const Index g = mesh_.neighbour(queue[i], k);
         if (inside(g) && parent_.try_emplace(g, queue[i]).second) queue.push_back(g);
       }
   }
@@ -45,11 +45,11 @@ class Joiner {
   // The lines that enter face f through its side k, in order along the side.
   std::vector<Key> lines_through_side(Index f, int k) {
     const Index e = mesh_.face_edges()[f][static_cast<std::size_t>(k)];
-    const Index g = mesh_.neighbor(f, k);
+    const Index g = mesh_.neighbour(f, k);
     if (!inside(g)) return contour_crossings_on(f, k, e);
     if (parent_.at(g) != f) return {};
     int entry = 0;
-    while (mesh_.neighbor(g, entry) != f) ++entry;
+    while (mesh_.neighbour(g, entry) != f) ++entry;
     // Seen from f the side runs A to B; around g, A to C and C to B follow it in the same order.
     std::vector<Key> lines;
     for (int step : {1, 2}) {

@@ -38,7 +38,7 @@ double PatchGrower::one_ring_reach(Index seed) const {
 bool PatchGrower::stays_disk(Index f) const {
   int shared = 0, apex = 0;
   for (int k = 0; k < 3; ++k) {
-    const Index g = mesh_.neighbor(f, k);
+    const Index g = mesh_.neighbour(f, k);
     if (g != kernel::kNone && contains(g)) {
       ++shared;
       apex = (k + 2) % 3;
@@ -66,7 +66,7 @@ const std::vector<Index>& PatchGrower::grow(Index seed, double size,
   queue_.clear();
   auto enqueue_neighbours = [&](Index f) {
     for (int k = 0; k < 3; ++k) {
-      const Index g = mesh_.neighbor(f, k);
+      const Index g = mesh_.neighbour(f, k);
       if (g == kernel::kNone || contains(g) || queued_mark_[g] == stamp_) continue;
       if (owner[g] != kernel::kNone) continue;
       const double d = distance(g, seed);

@@ -90,7 +90,7 @@ class Finder {
       const Index f = faces[i];
       twice_index += indices_.twice[f];
       for (int k = 0; k < 3; ++k) {
-        const Index g = mesh_.neighbor(f, k);
+        const Index g = mesh_.neighbour(f, k);
         const bool inner = g != kernel::kNone && grower_.contains(g) && rank_[g] < i;
         const Index e = mesh_.face_edges()[f][static_cast<std::size_t>(k)];
         for (Colour c : {Colour::blue, Colour::red})

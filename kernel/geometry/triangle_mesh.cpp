@@ -129,7 +129,7 @@ void TriangleMesh::build_rings() {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = faces_[f][k];
       ++degree[v];
-      if (neighbor(f, static_cast<int>(k)) == kNone) {
+      if (neighbour(f, static_cast<int>(k)) == kNone) {
         if (boundary_vertex_[v])
           throw InputError(name("vertex", v) + ": several fans of faces meet in it; split it");
         boundary_vertex_[v] = 1;
@@ -154,7 +154,7 @@ void TriangleMesh::build_rings() {
       fan_[at] = f;
       ring_[at++] = t[(k + 1) % 3];
       ++seen;
-      const Index next = neighbor(f, static_cast<int>((k + 2) % 3));
+      const Index next = neighbour(f, static_cast<int>((k + 2) % 3));
       if (next == kNone) ring_[at++] = t[(k + 2) % 3];
       f = next;
     } while (f != kNone && f != start[v] && seen < degree[v]);

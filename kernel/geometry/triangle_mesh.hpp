@@ -44,7 +44,7 @@ class TriangleMesh {
   /// Side k of face f joins its corners k and (k + 1) % 3.
   const std::vector<std::array<Index, 3>>& face_edges() const { return face_edges_; }
   /// The face across side k of face f, or kNone.
-  Index neighbor(Index f, int k) const {
+  Index neighbour(Index f, int k) const {
     const Edge& e = edges_[face_edges_[f][static_cast<std::size_t>(k)]];
     return e.f0 == f ? e.f1 : e.f0;
   }

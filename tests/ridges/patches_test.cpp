@@ -24,7 +24,7 @@ bool is_disk(const kernel::TriangleMesh& mesh, const std::vector<Index>& faces) 
     const Index f = queue.back();
     queue.pop_back();
     for (int k = 0; k < 3; ++k) {
-      const Index g = mesh.neighbor(f, k);
+      const Index g = mesh.neighbour(f, k);
       if (g != kernel::kNone && in.count(g) && reached.insert(g).second) queue.push_back(g);
     }
   }
@@ -33,7 +33,7 @@ bool is_disk(const kernel::TriangleMesh& mesh, const std::vector<Index>& faces) 
       const auto i = static_cast<std::size_t>(k);
       vertices.insert(mesh.faces()[f][i]);
       edges.insert(mesh.face_edges()[f][i]);
-      const Index g = mesh.neighbor(f, k);
+      const Index g = mesh.neighbour(f, k);
       if (g == kernel::kNone || !in.count(g)) ++fan_gaps[mesh.faces()[f][i]];
     }
   for (const auto& [v, gaps] : fan_gaps)
