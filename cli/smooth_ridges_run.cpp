@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/references.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 
 namespace crest::tests {
 

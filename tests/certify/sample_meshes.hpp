@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 
 namespace crest::tests {
 
