@@ -26,15 +26,15 @@ std::string temporary_beside(const fs::path& path, std::size_t number) {
 }
 
 void check_extension(const std::string& option, const fs::path& path,
-                     std::initializer_list<const char*> extensions) {
-  if (extensions.size() == 0) return;
+                     const std::vector<std::string>& extensions) {
+  if (extensions.empty()) return;
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   std::string known;
-  for (const char* e : extensions) {
+  for (const std::string& e : extensions) {
     if (extension == e) return;
-    known += std::string(known.empty() ? "" : ", ") + e;
+    known += (known.empty() ? "" : ", ") + e;
   }
   throw UsageError(
       fmt::format("{} {}: unknown extension; use one of {}", option, path.string(), known));
@@ -57,7 +57,7 @@ Outputs::~Outputs() {
 }
 
 void Outputs::add(const std::string& option, const std::string& path,
-                  std::initializer_list<const char*> extensions) {
+                  const std::vector<std::string>& extensions) {
   if (path.empty()) return;
   check_extension(option, path, extensions);
   std::error_code ignored;

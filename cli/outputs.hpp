@@ -3,7 +3,6 @@
 
 // The files a run writes: all of them appear complete at the end, or none does.
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,7 @@ class Outputs {
   /// Throws: UsageError for an extension not in `extensions` (empty list: any) or a path given
   ///   twice; kernel::InputError when no file can be made there.
   void add(const std::string& option, const std::string& path,
-           std::initializer_list<const char*> extensions = {});
+           const std::vector<std::string>& extensions = {});
 
   /// True if add() was called with a non-empty path for this option.
   bool wanted(const std::string& option) const;
