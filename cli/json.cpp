@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace crest::cli {
 namespace {
 
 using Library = nlohmann::ordered_json;
 
-Library converted(const Json& json);
+Library converted(const Json& json, const std::string& name);
 
 struct Converter {
+  const std::string& name;  ///< where the value stands
+
+  Library operator()(double x) const {
+    if (!std::isfinite(x)) throw std::runtime_error("the report's " + name + " is not finite");
+    return x;
+  }
   Library operator()(const Json::Items& items) const {
     Library result = Library::array();
-    for (const Json& item : items) result.push_back(converted(item));
+    for (const Json& item : items) result.push_back(converted(item, name));
     return result;
   }
   Library operator()(const Json::Members& members) const {
     Library result = Library::object();
-    for (const auto& [name, value] : members) result[name] = converted(value);
+    for (const auto& [key, value] : members)
+      result[key] = converted(value, name.empty() ? key : name + "." + key);
     return result;
   }
   Library operator()(const auto& x) const { return x; }
 };
 
-Library converted(const Json& json) {
-  return std::visit(Converter{}, json.value());
+Library converted(const Json& json, const std::string& name) {
+  return std::visit(Converter{name}, json.value());
 }
 
 }  // namespace
@@ -57,7 +66,7 @@ void Json::push_back(Json item) {
 }
 
 std::string Json::text() const {
-  return converted(*this).dump(2, ' ', false, Library::error_handler_t::replace) + "\n";
+  return converted(*this, "").dump(2, ' ', false, Library::error_handler_t::replace) + "\n";
 }
 
 }  // namespace crest::cli

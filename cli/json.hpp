@@ -46,7 +46,8 @@ class Json {
   void push_back(Json item);
 
   /// Two spaces a level, one final newline; bytes that are not UTF-8 are replaced.
-  /// Numbers that are not finite are null.
+  /// Throws std::runtime_error naming the member for a number that is not finite: what is undefined
+  /// is null.
   std::string text() const;
 
   using Items = std::vector<Json>;
