@@ -35,16 +35,15 @@ int complain(Exit code, const std::string& text) {
 }
 
 int recompute(const std::vector<std::string>& files, void (*seal)(Bytes&)) {
-  Bytes bytes;
   try {
-    bytes = read_file(files[0]);
+    Bytes bytes = read_file(files[0]);
     seal(bytes);
+    write_file(files[1], bytes);
   } catch (const std::invalid_argument& problem) {
     return complain(kUnreadable, files[0] + ": " + problem.what());
   } catch (const std::runtime_error& problem) {
     return complain(kUnreadable, problem.what());
   }
-  write_file(files[1], bytes);
   return kAccepted;
 }
 
