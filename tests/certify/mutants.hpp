@@ -16,6 +16,9 @@ certify::RidgesMeshCertificate decode(const certify::Bytes& bytes);
 /// sometimes made to fit again.
 certify::Bytes mutate_bytes(certify::Bytes bytes, Random& random);
 
+/// Where the mutant departs from its original, for the message of a failing test.
+std::string difference_in_words(const certify::Bytes& original, const certify::Bytes& mutant);
+
 /// A wrong record: dropped, doubled, swapped, with another number, type, end, order or count.
 /// Returns what was done; the certificate may be unchanged when the record does not exist.
 std::string mutate_claim(certify::RidgesMeshCertificate& certificate, Random& random);

@@ -9,6 +9,7 @@
 
 #include "certify/surface/mesh_checks.hpp"
 #include "tests/certify/smooth_samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -119,7 +120,7 @@ RidgesSmoothCertificate smooth_grid(const SmoothSurfaceData& surface, int nu, in
   c.surface = surface;
   const int periodic[] = {surface.periodic & 1, surface.periodic >> 1 & 1};
   const int n[] = {nu, nv}, points[] = {nu + 1 - periodic[0], nv + 1 - periodic[1]};
-  std::mt19937_64 random(seed);
+  Random random(seed);
   std::uniform_real_distribution<double> shift(-jitter, jitter);
   for (int j = 0; j < points[1]; ++j)
     for (int i = 0; i < points[0]; ++i) {
