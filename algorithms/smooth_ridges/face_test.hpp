@@ -2,7 +2,8 @@
 #pragma once
 
 // The conditions on one face (certify/SPEC.md, claim 4, Faces outside patches; paper 002, section
-// 6).
+// 6). Turning point: a ridge changes between elliptic and hyperbolic. Purple point: a blue and a
+// red ridge cross.
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"
