@@ -52,8 +52,8 @@ TEST_CASE("files, classes and functions are within their limits") {
       if (body.lines <= limit || (is_test && !body.is_class && body.lines <= 75)) continue;
       const std::string name = fs::path(path).filename().string() + " " + body.name;
       INFO(name << " has " << body.lines << " lines between its braces, the limit is " << limit);
-      REQUIRE(known_bodies().count(name) == 1);
-      CHECK(body.lines <= known_bodies().at(name));
+      const auto known = known_bodies().find(name);
+      CHECK(body.lines <= (known == known_bodies().end() ? limit : known->second));
       unused.erase(name);
     }
   }
