@@ -2,7 +2,7 @@
 #pragma once
 
 // The umbilic index of every triangle: how often the maximal direction field turns around it
-// (certify/SPEC.md, "Index of a face").
+// (certify/ridges_mesh/SPEC.md, "Index of a face").
 #include "algorithms/ridges/edge_states.hpp"
 
 namespace crest::ridges {

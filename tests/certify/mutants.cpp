@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "certify/container/container.hpp"
+#include "certify/ridges_mesh/decode.hpp"
 
 namespace crest::tests {
 namespace {

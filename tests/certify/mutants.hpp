@@ -4,7 +4,7 @@
 // False certificates from true ones.
 #include <string>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 #include "tests/certify/sample_meshes.hpp"
 
 namespace crest::tests {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "certify/container/container.hpp"
+#include "certify/reeb/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/reeb_mutants.hpp"

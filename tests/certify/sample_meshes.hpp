@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 #include "tests/support/random.hpp"
 
 namespace crest::tests {

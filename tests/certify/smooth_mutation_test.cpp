@@ -7,6 +7,7 @@
 #include <map>
 
 #include "certify/container/container.hpp"
+#include "certify/ridges_smooth/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/smooth_mutants.hpp"

@@ -21,10 +21,7 @@ using u32 = std::uint32_t;
 class ClaimFiller {
  public:
   ClaimFiller(RidgesSmoothCertificate& c, int rings) : c_(c), sampler_(c), rings_(rings) {
-    MeshData data;
-    data.faces = c.faces;
-    data.positions.resize(c.vertices.size());
-    topology_ = build_topology(data);
+    topology_ = build_topology(c.faces, c.vertices.size());
     patch_of_.assign(c.faces.size(), kNone);
     c.face_records.assign(c.faces.size(), {});
     c.patches.clear();

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "certify/container/container.hpp"
+#include "certify/features_mesh/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/feature_lines/meshes.hpp"
 #include "tests/support/failures.hpp"
