@@ -104,7 +104,7 @@ TEST_CASE("a killed run leaves nothing and the old files whole") {
   }
 }
 
-TEST_CASE("files held back appear over what was made meanwhile; a folder that went is an error") {
+TEST_CASE("files held back appear over what was made meanwhile, a folder that went is an error") {
   const TemporaryFolder folder;
   const auto place = folder / "sub";
   fs::create_directory(place);
