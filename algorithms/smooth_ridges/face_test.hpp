@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper
-// 002, section 6).
+// The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper 002,
+// section 6). Turning point: a ridge changes between elliptic and hyperbolic. Purple point: a blue
+// and a red ridge cross.
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A mesh of the sign changes of a function on a grid: a vertex for each sheet in a cell, at the
-// mean of the crossings of its edges, a quadrangle around each grid edge that changes sign (Gibson
-// 1998; with sheets told apart: Nielson 2004). Where the signs of a cell's side alternate, its
-// negative corners are separated, from both cells alike.
+// Surface net of the sign changes of a function on a grid: a vertex for each sheet in a cell, at
+// the mean of the crossings of its edges, a quadrangle around each grid edge that changes sign
+// (Gibson 1998; with sheets told apart: Nielson 2004). Where the signs of a cell's side alternate,
+// its negative corners are separated, from both cells alike.
 #include <optional>
 
 #include "algorithms/smooth_ridges/projection.hpp"
