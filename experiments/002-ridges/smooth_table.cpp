@@ -11,6 +11,7 @@
 #include <ctime>
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
 #include "experiments/program.hpp"
