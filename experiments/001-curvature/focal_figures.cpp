@@ -3,16 +3,15 @@
 // noise 1/2, eight panels each, all in the scale of the exact one) and 3.14 (a scan) of paper 001.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <map>
 
 #include "algorithms/curvature/focal.hpp"
 #include "experiments/001-curvature/test_meshes.hpp"
 #include "experiments/close_up.hpp"
 #include "experiments/packed_mesh.hpp"
+#include "experiments/program.hpp"
 #include "io/curvature/curvature_picture.hpp"
 
 namespace crest::experiments {
@@ -198,19 +197,14 @@ int main(int argc, char** argv) {
   std::string folder = "figures-001-curvature", scan = "../shared/data/meshes/igea.ply.xz";
   crest::kernel::Index centre = 31536;
   int width = 480;
-  CLI::App app{"Figures 3.7, 3.8, 3.11, 3.12 and 3.14 of paper 001"};
-  app.add_option("--pictures", folder, "folder for the pictures (default figures-001-curvature)");
-  app.add_option("--scan", scan, "of figure 3.14 (default ../shared/data/meshes/igea.ply.xz)");
-  app.add_option("--centre", centre,
+  crest::experiments::Program program("Figures 3.7, 3.8, 3.11, 3.12 and 3.14 of paper 001");
+  program.option("--pictures", folder, "folder for the pictures (default figures-001-curvature)");
+  program.option("--scan", scan, "of figure 3.14 (default ../shared/data/meshes/igea.ply.xz)");
+  program.option("--centre", centre,
                  "vertex in the middle of its close-ups (default 31536: the nose)");
-  app.add_option("--width", width, "of a picture, pixels (default 480)")
-      ->check(CLI::Range(100, 4000));
-  CLI11_PARSE(app, argc, argv);
-  try {
+  program.option("--width", width, "of a picture, pixels (default 480)", {100, 4000});
+  return program.run(argc, argv, [&] {
     crest::experiments::run(folder, scan, centre, width);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

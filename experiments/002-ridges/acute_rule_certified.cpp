@@ -8,8 +8,6 @@
 // or a face that is not certified, are undecided.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
 
 #include "algorithms/smooth_ridges/directions.hpp"
@@ -17,6 +15,7 @@
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/refinement.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
+#include "experiments/program.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {
@@ -177,20 +176,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Failures of the acute rule against certified orientations"};
-  app.add_option("--surfaces", o.surfaces, "implicit ones, by name");
-  app.add_option("--faces", o.faces, "of the even triangulations")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/acute_rule_certified" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Failures of the acute rule against certified orientations");
+  program.option("--surfaces", o.surfaces, "implicit ones, by name");
+  program.list("--faces", o.faces, "of the even triangulations");
+  program.echo("experiments/002-ridges/acute_rule_certified");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

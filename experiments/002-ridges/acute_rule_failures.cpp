@@ -9,12 +9,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "algorithms/sampling/umbilics.hpp"
+#include "experiments/program.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest {
@@ -178,19 +177,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Failures of the acute rule against orientation by continuity"};
-  app.add_option("--surfaces", o.surfaces, "names of crest sample")->delimiter(',');
-  app.add_option("--vertices", o.vertices, "mesh sizes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/acute_rule_failures" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program(
+      "Failures of the acute rule against orientation by continuity");
+  program.list("--surfaces", o.surfaces, "names of crest sample");
+  program.list("--vertices", o.vertices, "mesh sizes");
+  program.echo("experiments/002-ridges/acute_rule_failures");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

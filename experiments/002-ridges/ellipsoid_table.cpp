@@ -6,13 +6,12 @@
 // there: both ways, from the ridges' points and from 4096 points of the ellipse.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "algorithms/sampling/umbilics.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -177,19 +176,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Ridges and umbilics of ellipsoids against the principal ellipses"};
-  app.add_option("--axes", o.axes, "triples A,B,C");
-  app.add_option("--vertices", o.vertices, "mesh sizes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/ellipsoid_table" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program(
+      "Ridges and umbilics of ellipsoids against the principal ellipses");
+  program.option("--axes", o.axes, "triples A,B,C");
+  program.list("--vertices", o.vertices, "mesh sizes");
+  program.echo("experiments/002-ridges/ellipsoid_table");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

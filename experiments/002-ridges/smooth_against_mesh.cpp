@@ -4,14 +4,13 @@
 // Monge forms, and with those of the surface itself (what is left then is the mesh's doing).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {
@@ -158,20 +157,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Ridges of meshes against certified ones"};
-  app.add_option("--only", o.only, "surfaces whose name contains one of these");
-  app.add_option("--faces", o.faces, "of the even meshes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/smooth_against_mesh" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Ridges of meshes against certified ones");
+  program.option("--only", o.only, "surfaces whose name contains one of these");
+  program.list("--faces", o.faces, "of the even meshes");
+  program.echo("experiments/002-ridges/smooth_against_mesh");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }
