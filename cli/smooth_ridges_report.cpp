@@ -10,22 +10,23 @@
 namespace crest::cli {
 namespace {
 
-using smooth_ridges::ArcType;
+using smooth_ridges::Colour;
+using smooth_ridges::RidgeType;
 using smooth_ridges::SmoothRidges;
 using smooth_ridges::UmbilicPoint;
 
 constexpr std::size_t kListedCells = 10000;  // in the report
 constexpr std::size_t kShownCells = 5;       // on the terminal
 
-const char* colour_name(std::size_t colour) {
-  return colour == 0 ? "blue" : "red";
+const char* colour_name(Colour colour) {
+  return colour == Colour::blue ? "blue" : "red";
 }
 
 std::string kind_name(const UmbilicPoint& umbilic) {
   return umbilic.branches[0] == 3 ? "3-ridge" : "1-ridge";
 }
 
-Json colour_json(const SmoothRidges& result, std::size_t colour) {
+Json colour_json(const SmoothRidges& result, Colour colour) {
   const SmoothColourSummary s = summarise(result, colour);
   return {{"loops", s.loops},
           {"segments", s.segments},
@@ -111,7 +112,7 @@ std::string count_lines(const SmoothRidges& result) {
       count([](const auto& u) { return u.twice_index < 0; }),
       count([](const auto& u) { return u.branches[0] == 1; }),
       count([](const auto& u) { return u.branches[0] == 3; }), index_sum(result));
-  for (const std::size_t colour : {0u, 1u}) {
+  for (const Colour colour : {Colour::blue, Colour::red}) {
     const SmoothColourSummary s = summarise(result, colour);
     const auto turning = std::count_if(result.turning_points.begin(), result.turning_points.end(),
                                        [&](const auto& p) { return p.colour == colour; });
@@ -140,7 +141,7 @@ std::string refusal(const SmoothRidges& result) {
 
 }  // namespace
 
-SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
+SmoothColourSummary summarise(const SmoothRidges& result, Colour colour) {
   SmoothColourSummary s;
   for (const auto& ridge : result.ridges) {
     if (ridge.colour != colour) continue;
@@ -150,9 +151,9 @@ SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
       for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         length += io::length_of(ridge, run.points[i], run.points[i + 1]);
       s.length += length;
-      const double half = run.type == ArcType::turning ? 0.5 * length : 0;
-      s.elliptic_length += run.type == ArcType::elliptic ? length : half;
-      s.hyperbolic_length += run.type == ArcType::hyperbolic ? length : half;
+      const double half = run.type == RidgeType::turning ? 0.5 * length : 0;
+      s.elliptic_length += run.type == RidgeType::elliptic ? length : half;
+      s.hyperbolic_length += run.type == RidgeType::hyperbolic ? length : half;
     }
   }
   return s;
@@ -179,7 +180,8 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
   json["depth"] = result.rounds;
   json["face_tests"] = result.tests;
   json["umbilics"] = umbilics_json(result);
-  json["ridges"] = {{"blue", colour_json(result, 0)}, {"red", colour_json(result, 1)}};
+  json["ridges"] = {{"blue", colour_json(result, Colour::blue)},
+                    {"red", colour_json(result, Colour::red)}};
   json["open_ends"] = io::open_ends(result);
   json["turning_points"] = points_json(result.turning_points, true);
   json["purple_points"] = points_json(result.purple_points, false);

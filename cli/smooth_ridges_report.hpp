@@ -21,7 +21,8 @@ struct SmoothColourSummary {
   std::size_t loops = 0, segments = 0;
   double length = 0, elliptic_length = 0, hyperbolic_length = 0;
 };
-SmoothColourSummary summarise(const smooth_ridges::SmoothRidges& result, std::size_t colour);
+SmoothColourSummary summarise(const smooth_ridges::SmoothRidges& result,
+                              smooth_ridges::Colour colour);
 
 /// All keys but those of the certificate's file (Report::set_certificate).
 void fill_report(Report& report, const SmoothRidgesRun& run);
