@@ -21,7 +21,7 @@ struct Grid {
 
   std::size_t size() const { return points[0] * points[1] * points[2]; }
   Vec3 at(double i, double j, double k) const {
-    return step(step(step(origin, cell * i, axes[0]), cell * j, axes[1]), cell * k, axes[2]);
+    return origin + cell * i * axes[0] + cell * j * axes[1] + cell * k * axes[2];
   }
 };
 

@@ -80,7 +80,7 @@ std::optional<kernel::TriangleMesh> part_of(const kernel::TriangleMesh& mesh, co
   std::vector<bool> kept(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     kept[f] = std::ranges::all_of(mesh.faces()[f], [&](Index v) {
-      const Vec3 d = combine(1, mesh.points()[v], -1, centre);
+      const Vec3 d = mesh.points()[v] - centre;
       return dot(d, d) <= radius * radius;
     });
   }
@@ -126,12 +126,12 @@ void directions(const std::string& path, const kernel::TriangleMesh& mesh, const
     const Vec3& p = mesh.points()[v];
     double edge = 1e300;
     for (const Index w : mesh.ring(v)) {
-      const Vec3 d = combine(1, mesh.points()[w], -1, p);
-      edge = std::min(edge, std::sqrt(dot(d, d)));
+      const Vec3 d = mesh.points()[w] - p;
+      edge = std::min(edge, norm(d));
     }
     const auto add = [&](const Vec3& d, const char* colour) {
-      view.lines.push_back({combine(1, p, -0.45 * edge, d), combine(1, p, 0.45 * edge, d),
-                            result.normals[v], colour, 1.2});
+      view.lines.push_back(
+          {p - 0.45 * edge * d, p + 0.45 * edge * d, result.normals[v], colour, 1.2});
     };
     add(result.vertices[v].d1, "#c81e1e");
     add(result.vertices[v].d2, "#1e46c8");
@@ -162,7 +162,7 @@ void figure_14(const std::string& folder, const std::string& file, Index centre,
   const auto part = part_of(mesh, middle, 0.06 * size);
   if (!part) throw std::runtime_error("--centre: no face lies near that vertex");
   const auto ne = estimate(*part, Method::ne, {});
-  picture.view = combine(-1, result.normals[centre], 0, result.normals[centre]);
+  picture.view = Vec3{} - result.normals[centre];
   io::write_focal_picture(folder + "/figure-3.14-b.png", *part,
                           curvature::focal_of_triangles(*part, ne.normals, Quantity::mean, 0.05, 3),
                           picture);

@@ -131,7 +131,7 @@ void compare(const Bisections& bisections, Directions& directions, Index a, Inde
     if (!ends) return;
     if (i == 0) first = (*ends)[0];
     // The same line at a vertex shared by two faces: their products are far from zero.
-    const bool turned = i > 0 && smooth_ridges::dot(d, (*ends)[0]) < 0;
+    const bool turned = i > 0 && kernel::dot(d, (*ends)[0]) < 0;
     d = (*ends)[1];
     if (turned)
       for (double& x : d) x = -x;
@@ -139,7 +139,7 @@ void compare(const Bisections& bisections, Directions& directions, Index a, Inde
   ++c.decided;
   c.whole += chain.size() == 1;
   // By continuity `first` goes with d: the acute rule errs if their product is not positive.
-  c.failed += !(smooth_ridges::dot(first, d) > 0);
+  c.failed += !(kernel::dot(first, d) > 0);
 }
 
 void row(const experiments::SmoothSurface& s, int faces) {

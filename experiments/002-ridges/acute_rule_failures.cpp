@@ -19,7 +19,8 @@
 namespace crest {
 namespace {
 
-using kernel::MongeForm;
+using kernel::distance, kernel::dot, kernel::MongeForm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 using sampling::Surface;
 using sampling::Vec3;
 
@@ -32,19 +33,10 @@ struct Options {
 constexpr std::array<double, 8> kBins = {0.05, 0.1, 0.2, 0.5, 1, 2, 5, 1e300};
 
 Vec3 between(const Vec3& a, const Vec3& b, double t) {
-  Vec3 p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = a[i] + t * (b[i] - a[i]);
-  return p;
-}
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return a + t * (b - a);
 }
 double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-             w = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+  const Vec3 u = b - a, w = p - a;
   return distance(p, between(a, b, std::clamp(dot(u, w) / dot(u, u), 0.0, 1.0)));
 }
 

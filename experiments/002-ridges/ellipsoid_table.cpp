@@ -16,6 +16,7 @@
 namespace crest {
 namespace {
 
+using kernel::distance;
 using sampling::Surface;
 using sampling::Vec3;
 using Polyline = std::vector<Vec3>;
@@ -27,9 +28,6 @@ struct Options {
 
 constexpr int kEllipsePoints = 4096;
 
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   double uu = 0, uw = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -142,7 +142,7 @@ std::string counts(const SmoothRidges& r) {
   const auto kind = [&](int branches) {
     return count(r.umbilics, [&](const auto& u) { return u.branches[0] == branches; });
   };
-  const auto ridges = [&](std::size_t colour) {
+  const auto ridges = [&](kernel::Colour colour) {
     const auto of = [&](bool loop) {
       return count(r.ridges, [&](const auto& x) { return x.colour == colour && x.loop == loop; });
     };
@@ -150,7 +150,8 @@ std::string counts(const SmoothRidges& r) {
     return fmt::format("{} + {}, {}", of(true), of(false), turning);
   };
   return fmt::format("{} | {}, {}; {}, {} | {} | {} | {}", r.euler_characteristic, index(1),
-                     index(-1), kind(1), kind(3), ridges(0), ridges(1), r.purple_points.size());
+                     index(-1), kind(1), kind(3), ridges(kernel::Colour::blue),
+                     ridges(kernel::Colour::red), r.purple_points.size());
 }
 
 void surface_row(const SmoothSurface& surface, const Options& o) {

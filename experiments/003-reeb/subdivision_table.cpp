@@ -117,8 +117,7 @@ Difference difference(const Answer& a, const Answer& b, double reach) {
   for (std::size_t i = 0; i < a.places.size(); ++i)
     for (std::size_t j = 0; j < b.places.size(); ++j) {
       if (a.graph.nodes[i].kind != b.graph.nodes[j].kind) continue;
-      const Vec3 &p = a.places[i], &q = b.places[j];
-      const double d = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      const double d = kernel::distance(a.places[i], b.places[j]);
       if (d <= reach) pairs.push_back({d, i, j});
     }
   std::sort(pairs.begin(), pairs.end());

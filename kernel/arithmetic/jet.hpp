@@ -19,6 +19,7 @@
 // What T's own functions give outside their domains (the whole line, a radius that is not finite)
 // spreads to every coefficient that is not identically zero.
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/arithmetic/jet_tables.hpp"
@@ -26,7 +27,8 @@
 
 namespace crest::kernel {
 
-/// T: + - * / among themselves and * / with doubles. Coefficients in the order of Monomials.
+/// T: + - * / among themselves and * / with scalars, which are doubles, or T if it is built in.
+/// Coefficients in the order of Monomials.
 template <class T, int Variables, int Order>
 class Jet {
   static_assert(1 <= Variables && Variables <= 3 && 0 <= Order && Order <= 5);
@@ -34,6 +36,7 @@ class Jet {
  public:
   static constexpr JetTables<Variables, Order> kTables{};
   static constexpr int kCount = kTables.kCount;
+  using Scalar = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
   Jet() = default;  ///< identically zero
   static Jet constant(T value) {
@@ -89,18 +92,18 @@ class Jet {
     return r;
   }
   friend Jet operator/(const Jet& a, const Jet& b) { return a.over(b); }
-  friend Jet operator+(Jet a, double s) { return a.shift(s), a; }
-  friend Jet operator+(double s, Jet a) { return a.shift(s), a; }
-  friend Jet operator-(Jet a, double s) { return a.shift(-s), a; }
-  friend Jet operator-(double s, const Jet& a) { return -a + s; }
-  friend Jet operator*(double s, const Jet& a) { return a * s; }
-  friend Jet operator*(const Jet& a, double s) {
+  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), a; }
+  friend Jet operator+(Scalar s, Jet a) { return a.shift(s), a; }
+  friend Jet operator-(Jet a, Scalar s) { return a.shift(-s), a; }
+  friend Jet operator-(Scalar s, const Jet& a) { return -a + s; }
+  friend Jet operator*(Scalar s, const Jet& a) { return a * s; }
+  friend Jet operator*(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x * s); });
   }
-  friend Jet operator/(const Jet& a, double s) {
+  friend Jet operator/(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x / s); });
   }
-  friend Jet operator/(double s, const Jet& a) { return constant(number_like(s, &a[0])).over(a); }
+  friend Jet operator/(Scalar s, const Jet& a) { return constant(number(s, &a[0])).over(a); }
 
   friend Jet inverse(const Jet& f) { return 1.0 / f; }
   friend Jet sqrt(const Jet& f) { return f.square_root(); }
@@ -122,7 +125,13 @@ class Jet {
     for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
     return r;
   }
-  void shift(double s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number_like(s, &(*this)[0])); }
+  static T number(Scalar s, const T* like) {
+    if constexpr (std::is_same_v<Scalar, T>)
+      return s;
+    else
+      return number_like(s, like);
+  }
+  void shift(Scalar s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number(s, &(*this)[0])); }
   Jet plus(const Jet& b, bool negative) const;
 
   /// sums_{i + j} += x f_j for the j of `which`.
