@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 
 namespace crest::smooth_ridges {
