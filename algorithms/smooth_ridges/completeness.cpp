@@ -17,13 +17,17 @@ constexpr Vec3 kA = {8, -5, 2}, kB = {3, 7, -9};
 constexpr int kDeepest = 60, kDeepestAtBoundary = 36;
 constexpr std::uint8_t kNoZero = 3, kNoA = 4, kNoB = 5, kInBox = 6;
 
-/// Without zero, with room for a checker whose enclosures are a little wider.
+/// Without zero, with room for a checker whose enclosures are a little wider. False of what is not
+/// defined.
 bool avoids_zero(const Interval& x) {
+  if (!is_defined(x)) return false;
   const double room = 0.02 * (x.sup() - x.inf());
   return x.inf() > room || x.sup() < -room;
 }
 
+/// a, by mean values b. Undefined if a is; b may be so alone, without derivatives.
 Interval meet(const Interval& a, const Interval& b) {
+  if (!is_defined(a) || !is_defined(b)) return a;
   const double low = std::max(a.inf(), b.inf()), high = std::min(a.sup(), b.sup());
   return low <= high ? Interval(low, high) : a;
 }

@@ -16,8 +16,12 @@
 //   l = log(f)    E l = (E f) / f
 //   sin, cos      E sin(h) = cos(h) E h, E cos(h) = -sin(h) E h, both at once.
 // Right sides hold coefficients of lower degree only: each costs about one product.
-// What T's own functions give outside their domains (the whole line, a radius that is not finite)
-// spreads to every coefficient that is not identically zero.
+//
+// Undefined. A jet is defined if its value f_0 is (T's is_defined). Law: a jet that is not defined
+// has only undefined coefficients, and a result of an undefined operand is not defined, whatever
+// the other operand is: the jet of log(g) where g < 0 has no derivatives, though g' / g is finite.
+// A coefficient beyond the value may be undefined alone (sqrt at 0): the function is defined there,
+// that derivative is not, or not known.
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -42,7 +46,7 @@ class Jet {
   static Jet constant(T value) {
     Jet r;
     r.c_.put(0, std::move(value));
-    return r;
+    return std::move(r).settled();
   }
   /// The variable i (from 0) at `value`.
   static Jet variable(int i, T value) {
@@ -51,7 +55,7 @@ class Jet {
     if constexpr (Order > 0)
       r.c_.put(static_cast<std::size_t>(Variables - i), number_like(1, &value));
     r.c_.put(0, std::move(value));
-    return r;
+    return std::move(r).settled();
   }
 
   const T& operator[](std::size_t i) const { return c_.has(i) ? c_[i] : zero(); }
@@ -89,12 +93,16 @@ class Jet {
       else
         spread(r.c_, i, a.c_[i], b.c_, b.mask());
     });
-    return r;
+    // One of the values may be identically zero.
+    if (!is_defined(a)) r.settle(a.c_[0]);
+    if (!is_defined(b)) r.settle(b.c_[0]);
+    return std::move(r).settled();
   }
+  friend bool is_defined(const Jet& f) { return !f.c_.has(0) || is_defined(f.c_[0]); }
   friend Jet operator/(const Jet& a, const Jet& b) { return a.over(b); }
-  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), a; }
-  friend Jet operator+(Scalar s, Jet a) { return a.shift(s), a; }
-  friend Jet operator-(Jet a, Scalar s) { return a.shift(-s), a; }
+  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), std::move(a).settled(); }
+  friend Jet operator+(Scalar s, Jet a) { return std::move(a) + s; }
+  friend Jet operator-(Jet a, Scalar s) { return std::move(a) + -s; }
   friend Jet operator-(Scalar s, const Jet& a) { return -a + s; }
   friend Jet operator*(Scalar s, const Jet& a) { return a * s; }
   friend Jet operator*(const Jet& a, Scalar s) {
@@ -123,7 +131,7 @@ class Jet {
   Jet each(Function&& f) const {
     Jet r;
     for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
-    return r;
+    return std::move(r).settled();
   }
   static T number(Scalar s, const T* like) {
     if constexpr (std::is_same_v<Scalar, T>)
@@ -133,6 +141,13 @@ class Jet {
   }
   void shift(Scalar s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number(s, &(*this)[0])); }
   Jet plus(const Jet& b, bool negative) const;
+  /// Makes all coefficients `value`, an undefined one.
+  void settle(const T& value);
+  /// This jet, all of it undefined if its value is.
+  Jet settled() && {
+    if (!is_defined(*this)) settle(T(c_[0]));
+    return std::move(*this);
+  }
 
   /// sums_{i + j} += x f_j for the j of `which`.
   static void spread(Coefficients& sums, std::size_t i, const T& x, const Coefficients& f,
