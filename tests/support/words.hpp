@@ -14,16 +14,18 @@
 
 namespace crest::tests {
 
-/// Converts to whatever a struct's member is: only to count the members.
+/// Converts to whatever a member of Struct is, not to its base: only to count the members, those of
+/// the base included.
+template <class Struct>
 struct AnyMember {
   template <class T>
-  operator T&() const;
+  requires(!std::is_base_of_v<T, Struct>) operator T&() const;
 };
 
 template <class T, class... Members>
 constexpr std::size_t member_count() {
-  if constexpr (requires { T{Members{}..., AnyMember{}}; })
-    return member_count<T, Members..., AnyMember>();
+  if constexpr (requires { T{Members{}..., AnyMember<T>{}}; })
+    return member_count<T, Members..., AnyMember<T>>();
   else
     return sizeof...(Members);
 }
