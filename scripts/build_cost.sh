@@ -49,10 +49,10 @@ echo "Build, processor time"
     else if (count > 5) name = name "/" part[5]
     print seconds($1) + seconds($2), name
   }' {} +) | awk '
-  { cost[$2 FS $3 FS $4] += $1; units[$2 FS $3 FS $4]++; all += $1 }
+  { name = substr($0, index($0, " ") + 1); cost[name] += $1; units[name]++; all += $1 }
   END {
-    for (name in cost) printf "%9.1f s %4d units  %s\n", cost[name], units[name], name | "sort -k4"
-    close("sort -k4")
+    for (name in cost) printf "%9.1f s %4d units  %s\n", cost[name], units[name], name | "sort -k5"
+    close("sort -k5")
     printf "%9.1f s %4d units  all\n", all, NR
   }'
 
