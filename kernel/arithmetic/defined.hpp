@@ -17,6 +17,9 @@ namespace crest::kernel {
 inline bool is_defined(double x) {
   return std::isfinite(x);
 }
+inline bool is_defined(long double x) {
+  return std::isfinite(x);
+}
 /// Undefined operations of rationals throw.
 inline bool is_defined(const Rational& /*x*/) {
   return true;

@@ -27,7 +27,7 @@ Real smallest_angle(const SurfaceSample& s) {
       const Point p = to_point(s.points[f[k]]);
       const Point a = to_point(s.points[f[(k + 1) % 3]]) - p;
       const Point b = to_point(s.points[f[(k + 2) % 3]]) - p;
-      least = std::min(least, std::atan2(length(cross(a, b)), dot(a, b)));
+      least = std::min(least, std::atan2(norm(cross(a, b)), dot(a, b)));
     }
   return least;
 }
@@ -71,7 +71,7 @@ TEST_CASE("points lie on the surface, faces look outward and are well shaped") {
     const SurfaceSample s = sample(surface, 2500, true);
     for (const Vec3& p : s.points) {
       const ValueAndGradient g = surface.gradient(to_point(p));
-      REQUIRE(std::abs(g.value) / length(g.gradient) < 5e-16L * (1 + length(to_point(p))));
+      REQUIRE(std::abs(g.value) / norm(g.gradient) < 5e-16L * (1 + norm(to_point(p))));
     }
     for (const auto& f : s.faces) {
       const Point a = to_point(s.points[f[0]]), b = to_point(s.points[f[1]]),
@@ -88,7 +88,7 @@ TEST_CASE("star-shaped surfaces are: rays leave them outward") {
     for (const Vec3& p : sample(surface, 10000, true).points) {
       const Point ray = to_point(p) - surface.centre, g = surface.gradient(to_point(p)).gradient;
       INFO(name);
-      REQUIRE(dot(ray, g) > 0.1L * length(ray) * length(g));
+      REQUIRE(dot(ray, g) > 0.1L * norm(ray) * norm(g));
     }
   }
   for (const std::string name : {"torus", "perturbed-torus"}) {
@@ -96,7 +96,7 @@ TEST_CASE("star-shaped surfaces are: rays leave them outward") {
     for (const Vec3& p : sample(surface, 5000, true).points) {
       const Point ray = to_point(p) - surface.ray_origin(to_point(p));
       const Point g = surface.gradient(to_point(p)).gradient;
-      REQUIRE(dot(ray, g) > 0.1L * length(ray) * length(g));
+      REQUIRE(dot(ray, g) > 0.1L * norm(ray) * norm(g));
     }
   }
 }
@@ -137,7 +137,7 @@ TEST_CASE("noise has the wanted deviation, follows the normals and repeats") {
     const double r = std::hypot(a[v][0], a[v][1], a[v][2]) - 1;
     mean += r;
     square += r * r;
-    REQUIRE(length(cross(to_point(a[v]), to_point(along[v]))) < 1e-15L);
+    REQUIRE(norm(cross(to_point(a[v]), to_point(along[v]))) < 1e-15L);
     for (std::size_t i = 0; i < 3; ++i) isotropic += std::pow(d[v][i] - s.points[v][i], 2);
   }
   const double n = static_cast<double>(a.size());

@@ -58,7 +58,7 @@ TEST_CASE("frames are orthonormal, principal and outward") {
       REQUIRE(std::abs(dot(m.n, m.n) - 1) < 6e-16);
       REQUIRE(m.k1 >= m.k2);
       const Point g = s.gradient(to_point(mesh.points[v])).gradient;
-      REQUIRE(static_cast<double>(sampling::dot(g, to_point(m.n)) / length(g)) ==
+      REQUIRE(static_cast<double>(sampling::dot(g, to_point(m.n)) / norm(g)) ==
               Approx(1).margin(1e-15));
     }
   }

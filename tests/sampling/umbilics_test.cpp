@@ -56,7 +56,7 @@ TEST_CASE("the sign of the cubic's winding gives the patch's index") {
     const auto found = find_umbilics(s, sample(s, 400, false));
     REQUIRE(found.size() == 1);
     REQUIRE(found[0].twice_index == (sign > 0 ? 1 : -1));
-    REQUIRE(length(to_point(found[0].point)) < 1e-12L);
+    REQUIRE(norm(to_point(found[0].point)) < 1e-12L);
   }
 }
 

@@ -64,8 +64,8 @@ TEST_CASE("charts enclose the surface and its tangents") {
       if (!chart) continue;
       ++proven;
       charts.tangents(*chart, corners);
-      const Vec3 edge = step(position(corners[0]), -1, position(corners[1]));
-      relative += chart->s.radius / length(edge);
+      const Vec3 edge = position(corners[0]) - position(corners[1]);
+      relative += chart->s.radius / norm(edge);
       for (int i = 0; i < 5; ++i) {
         const Barycentric l = random_point(random);
         const Vec3 x = phi(f, corners, l);
@@ -94,9 +94,8 @@ TEST_CASE("charts get sharper by the order of their models") {
     const std::array<Vec3, 3> around = {
         {{0.6, 0.7, 0.5}, {0.6 + size, 0.7, 0.5}, {0.6, 0.7 + size, 0.5}}};
     for (std::size_t k = 0; k < 3; ++k) c[k] = f.vertex(*f.onto(around[k], 3));
-    if (dot(cross(step(position(c[1]), -1, position(c[0])),
-                  step(position(c[2]), -1, position(c[0]))),
-            normal(c[0])) < 0)
+    if (dot(cross(position(c[1]) - position(c[0]), position(c[2]) - position(c[0])), normal(c[0])) <
+        0)
       std::swap(c[1], c[2]);
     const auto chart = charts(c);
     REQUIRE(chart);

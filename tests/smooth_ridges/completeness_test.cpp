@@ -124,7 +124,7 @@ TEST_CASE("surfaces that are not closed or not smooth are not covered") {
   CHECK(reason("x^2+y^2-z^2").reason == CoverFailure::Reason::boundary);
   const CoverFailure tip = reason("x^2+y^2-z^2*(1-z^2)");
   CHECK(tip.reason == CoverFailure::Reason::singular);
-  CHECK(length(tip.where) < 1e-3);
+  CHECK(norm(tip.where) < 1e-3);
   CHECK(cover_box(closed_samples()[2].surface, 100).failure->reason ==
         CoverFailure::Reason::undecided);
 }
