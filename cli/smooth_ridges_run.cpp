@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "algorithms/smooth_ridges/surface.hpp"
 #include "certify/certificate.hpp"
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"

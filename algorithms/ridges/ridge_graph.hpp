@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The ridge graph of a mesh: what extraction returns, what io writes, what a certificate claims.
+// The fit and the ridge graph of a mesh: what extraction returns, what io writes, what a
+// certificate claims.
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,20 @@ namespace crest::ridges {
 using kernel::Index;
 using kernel::StageCounts;
 using kernel::Vec3;
+
+/// How well a vertex's fit is determined.
+struct FitQuality {
+  double condition;      ///< of the scaled least-squares system, estimated from R
+  std::uint16_t points;  ///< neighbours used
+  std::uint8_t degree;   ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
+  double b_error;        ///< estimated standard error of b0, b3 (residual of the fit, propagated)
+};
+
+struct FitResult {
+  std::vector<kernel::MongeForm> forms;  ///< V
+  std::vector<FitQuality> quality;       ///< V
+  double scale = 0;                      ///< support radius used with scale or auto_scale, else 0
+};
 
 /// Blue: k1, the larger principal curvature; red: k2 (paper 002, section 3).
 enum class Colour : std::uint8_t { blue = 0, red = 1 };

@@ -7,6 +7,7 @@
 
 #include "algorithms/smooth_ridges/chart.hpp"
 #include "algorithms/smooth_ridges/frame.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -19,8 +20,6 @@ enum class FaceStatus : std::uint8_t {
   type,     ///< elliptic or hyperbolic is not decided
   purple    ///< the order of a blue and a red arc is not decided
 };
-
-enum class ArcType : std::uint8_t { none, elliptic, hyperbolic, turning };
 
 struct ColourResult {
   bool no_zero = false;

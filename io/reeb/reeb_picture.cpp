@@ -6,10 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "io/picture/drawing.hpp"
+#include "io/picture/picture_file.hpp"
 #include "io/reeb/graph_layout.hpp"
-#include "io/write/formats.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
@@ -249,9 +247,7 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 }  // namespace
 
 void write_reeb_picture(const std::string& path, const ReebScene& scene) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+  check_picture_path(path);
   const std::vector<Triangle> faces = turned_faces(scene.mesh);
   const SurfaceView surface(scene.mesh.points(), faces);
   const Camera camera = camera_for(surface, height_direction(scene.mesh));

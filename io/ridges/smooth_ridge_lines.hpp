@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 
 namespace crest::io {
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "io/picture/drawing.hpp"
+#include "io/picture/picture_file.hpp"
+#include "io/ridges/ridge_drawing.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 
 namespace crest::io {
