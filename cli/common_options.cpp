@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/common_options.hpp"
 
-#include <tbb/info.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 namespace crest::cli {
 
@@ -28,24 +24,6 @@ void add_common_options(CLI::App& app, CommonOptions& options, const std::string
       ->type_name("FILE");
   add_run_options(app, options);
   app.add_flag("--cite", options.cite, "print the references this run used (BibTeX)");
-}
-
-ThreadLimit::ThreadLimit(int threads)
-    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
-      control_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_)) {}
-
-Progress::Progress(bool quiet) : active_(!quiet && isatty(STDERR_FILENO) != 0) {}
-
-void Progress::show(const std::string& what) {
-  if (!active_) return;
-  std::fprintf(stderr, "\r\033[K%s ...", what.c_str());
-  std::fflush(stderr);
-}
-
-void Progress::clear() {
-  if (!active_) return;
-  std::fputs("\r\033[K", stderr);
-  std::fflush(stderr);
 }
 
 }  // namespace crest::cli

@@ -2,8 +2,6 @@
 #pragma once
 
 // The options every command has, in the same words.
-#include <tbb/global_control.h>
-
 #include <string>
 
 namespace CLI {
@@ -30,30 +28,5 @@ void add_run_options(CLI::App& app, CommonOptions& options);
 /// and the common options.
 void add_common_options(CLI::App& app, CommonOptions& options, const std::string& input_help,
                         const std::string& output_help);
-
-/// Lowers the parallelism of oneTBB for its lifetime. threads == 0 leaves the default.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  int threads() const { return threads_; }
-
- private:
-  int threads_;
-  tbb::global_control control_;
-};
-
-/// One line on a terminal that says what is being done; nothing when stderr is not a terminal.
-class Progress {
- public:
-  explicit Progress(bool quiet);
-  ~Progress() { clear(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  void show(const std::string& what);
-  void clear();
-
- private:
-  bool active_;
-};
 
 }  // namespace crest::cli

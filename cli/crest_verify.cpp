@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `crest-verify`: checks a certificate with nothing of algorithms/ linked in.
+// The programs `crest-verify` and `crest-verify-<claim>`: check a certificate with nothing of
+// algorithms/ linked in. Which claims one knows is what it is linked with.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,22 +26,24 @@ struct Arguments {
   std::vector<std::string> reseal, rebind;
 };
 
+/// As it was called.
+std::string program = "crest-verify";
+
 int complain(Exit code, const std::string& text) {
-  std::fprintf(stderr, "crest-verify: %s\n", text.c_str());
+  std::fprintf(stderr, "%s: %s\n", program.c_str(), text.c_str());
   return code;
 }
 
 int recompute(const std::vector<std::string>& files, void (*seal)(Bytes&)) {
-  Bytes bytes;
   try {
-    bytes = read_file(files[0]);
+    Bytes bytes = read_file(files[0]);
     seal(bytes);
+    write_file(files[1], bytes);
   } catch (const std::invalid_argument& problem) {
     return complain(kUnreadable, files[0] + ": " + problem.what());
   } catch (const std::runtime_error& problem) {
     return complain(kUnreadable, problem.what());
   }
-  write_file(files[1], bytes);
   return kAccepted;
 }
 
@@ -90,16 +94,19 @@ void describe(CLI::App& app, Arguments& arguments) {
     rebind->excludes(other);
   }
   reseal->excludes(rebind);
-  app.footer(
-      "Exit codes: 0 accepted, 1 rejected, 2 usage, 3 unreadable file, 70 internal error.\n"
-      "\nExamples:\n"
-      "  crest-verify bunny.crest --input bunny.obj\n"
-      "  crest-verify bunny.crest --arithmetic mpfr --quiet");
+  std::string claims;
+  for (const ClaimChecker* claim : known_claims())
+    claims += (claims.empty() ? "" : ", ") + std::string(claim->name);
+  app.footer("Claims: " + claims +
+             ".\n"
+             "Exit codes: 0 accepted, 1 rejected, 2 usage, 3 unreadable file, 70 internal error.\n"
+             "\nExamples:\n  " +
+             program + " bunny.crest --input bunny.obj\n  " + program +
+             " bunny.crest --arithmetic mpfr --quiet");
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Check a certificate of crest: is its claim true of the data it carries?",
-               "crest-verify");
+  CLI::App app("Check a certificate of crest: is its claim true of the data it carries?", program);
   Arguments arguments;
   describe(app, arguments);
   try {
@@ -110,7 +117,7 @@ int run(int argc, char** argv) {
   if (!arguments.reseal.empty()) return recompute(arguments.reseal, reseal);
   if (!arguments.rebind.empty()) return recompute(arguments.rebind, rebind);
   if (arguments.certificate.empty())
-    return complain(kUsage, "a certificate is needed; see crest-verify --help");
+    return complain(kUsage, "a certificate is needed; see " + program + " --help");
   crest::kernel::require_sound_floating_point();
   try {
     return check(arguments);
@@ -125,6 +132,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc > 0) program = std::filesystem::path(argv[0]).filename();
     return run(argc, argv);
   } catch (const std::exception& problem) {
     return complain(kInternal, problem.what());

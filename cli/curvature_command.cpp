@@ -5,30 +5,23 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/curvature/focal.hpp"
 #include "algorithms/sampling/surfaces.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/references.hpp"
-#include "cli/report.hpp"
+#include "cli/run.hpp"
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "io/read/normals_reader.hpp"
-#include "io/write/atomic_file.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
 
 using curvature::Method;
 using curvature::PointCurvature;
-using kernel::Index;
 using kernel::TriangleMesh;
 
 struct CurvatureOptions {
@@ -153,29 +146,38 @@ std::vector<PointCurvature> exact_curvatures(const TriangleMesh& mesh,
   return exact;
 }
 
-Json summary_of(const std::vector<PointCurvature>& vertices, double PointCurvature::*member) {
+struct Spread {
+  double min, median, max;
+};
+
+Spread spread_of(const std::vector<PointCurvature>& vertices, double PointCurvature::*member) {
   std::vector<double> values;
   for (const PointCurvature& c : vertices) values.push_back(c.*member);
   std::sort(values.begin(), values.end());
-  return {
-      {"min", values.front()}, {"median", values[(values.size() - 1) / 2]}, {"max", values.back()}};
+  return {values.front(), values[(values.size() - 1) / 2], values.back()};
 }
+
+constexpr std::pair<const char*, double PointCurvature::*> kQuantities[] = {
+    {"k1", &PointCurvature::k1},
+    {"k2", &PointCurvature::k2},
+    {"K", &PointCurvature::K},
+    {"H", &PointCurvature::H}};
 
 void fill_report(Report& report, const CurvatureOptions& o, const TriangleMesh& mesh,
                  const curvature::Result& result, const std::string& source) {
-  Json& json = report.json();
-  json["vertices"] = mesh.vertex_count();
-  json["faces"] = mesh.face_count();
-  json["method"] = o.method;
-  json["normals"] = source;
-  json["k1"] = summary_of(result.vertices, &PointCurvature::k1);
-  json["k2"] = summary_of(result.vertices, &PointCurvature::k2);
-  json["K"] = summary_of(result.vertices, &PointCurvature::K);
-  json["H"] = summary_of(result.vertices, &PointCurvature::H);
-  json["asymmetry"] = summary_of(result.vertices, &PointCurvature::asymmetry);
-  json["lowered"] = result.lowered;
-  json["complex"] = result.complex;
-  json["undetermined"] = result.undetermined;
+  const auto add = [&](const char* name, double PointCurvature::*member) {
+    const Spread s = spread_of(result.vertices, member);
+    report[name] = {{"min", s.min}, {"median", s.median}, {"max", s.max}};
+  };
+  report["vertices"] = mesh.vertex_count();
+  report["faces"] = mesh.face_count();
+  report["method"] = o.method;
+  report["normals"] = source;
+  for (const auto& [name, member] : kQuantities) add(name, member);
+  add("asymmetry", &PointCurvature::asymmetry);
+  report["lowered"] = result.lowered;
+  report["complex"] = result.complex;
+  report["undetermined"] = result.undetermined;
   if (result.undetermined > 0) {
     report.warn(
         fmt::format("{} vertices have no finite estimate and are zero", result.undetermined));
@@ -210,119 +212,79 @@ void write_picture(const std::string& path, const CurvatureOptions& o, const Tri
   io::write_colour_picture(path, mesh, values, picture);
 }
 
-std::vector<std::string> used_references(const CurvatureOptions& o) {
-  std::vector<std::string> keys = {"roessl2005surfaces"};
-  switch (o.estimate.method) {
-    case Method::cf:
-    case Method::qf:
-      keys.push_back("goldfeather2004novel");
-      break;
-    case Method::qt:
-      keys.push_back("welch1994free");
-      break;
-    case Method::jet:
-      keys.push_back("cazals2003jets");
-      break;
-    case Method::normal_cycle:
-      keys.push_back("cohensteiner2003restricted");
-      break;
-    default:
-      break;
+std::string summary_text(const CurvatureOptions& o, const TriangleMesh& mesh,
+                         const curvature::Result& result) {
+  std::string text =
+      fmt::format("{}: {} vertices, {} faces\n", o.method, mesh.vertex_count(), mesh.face_count());
+  for (const auto& [name, member] : kQuantities) {
+    const Spread s = spread_of(result.vertices, member);
+    text += fmt::format("{}: {:.6g} to {:.6g}, median {:.6g}\n", name, s.min, s.max, s.median);
   }
-  return keys;
+  return text;
 }
 
-void talk(const CurvatureOptions& o, Report& report) {
-  const Json& json = report.json();
-  if (!o.common.quiet) {
-    for (const auto& warning : json["warnings"])
-      std::fprintf(stderr, "crest curvature: warning: %s\n", warning.get<std::string>().c_str());
-    std::string text = fmt::format("{}: {} vertices, {} faces\n", o.method,
-                                   json["vertices"].get<Index>(), json["faces"].get<Index>());
-    for (const char* name : {"k1", "k2", "K", "H"}) {
-      text += fmt::format("{}: {:.6g} to {:.6g}, median {:.6g}\n", name,
-                          json[name]["min"].get<double>(), json[name]["max"].get<double>(),
-                          json[name]["median"].get<double>());
-    }
-    if (json.contains("dist_K")) {
-      text += fmt::format("distance from {}: K {:.4g}, H {:.4g}, directions {:.4g}\n", o.reference,
-                          json["dist_K"].get<double>(), json["dist_H"].get<double>(),
-                          json["dist_P"].get<double>());
-    }
-    text += fmt::format("time: {:.3g} s\n", report.elapsed());
-    std::fputs(text.c_str(), stdout);
-  }
-  if (o.common.cite) std::fputs(bibtex(used_references(o)).c_str(), stdout);
+/// Into the report; returns the line for the terminal.
+std::string compare(Run& run, const CurvatureOptions& o, const TriangleMesh& mesh,
+                    const curvature::Result& result, const sampling::Surface& surface) {
+  const auto distances = run.step("reference", "comparing", [&] {
+    return curvature::distances(result.vertices, exact_curvatures(mesh, surface));
+  });
+  run.report()["dist_K"] = distances.K;
+  run.report()["dist_H"] = distances.H;
+  run.report()["dist_P"] = distances.P;
+  return fmt::format("distance from {}: K {:.4g}, H {:.4g}, directions {:.4g}\n", o.reference,
+                     distances.K, distances.H, distances.P);
 }
 
-/// estimate() knows no file names.
-curvature::Result estimate(const CurvatureOptions& o, const TriangleMesh& mesh) {
-  try {
-    return curvature::estimate(mesh, o.estimate);
-  } catch (const kernel::InputError& error) {
-    throw error.with_file(o.common.input);
+void write_results(Run& run, const CurvatureOptions& o, const TriangleMesh& mesh,
+                   const curvature::Result& result) {
+  run.write("-o", [&](const std::string& path) {
+    const bool corners = o.estimate.method == Method::np || o.estimate.method == Method::ne;
+    io::write_curvature(path, mesh, result,
+                        corners ? curvature::corner_curvatures(mesh, result.normals)
+                                : std::vector<curvature::CornerCurvatures>{});
+  });
+  if (run.wanted("--focal") || run.wanted("--focal-picture")) {
+    const auto focal = focal_surfaces(o, mesh, result);
+    run.write("--focal", [&](const std::string& path) { io::write_focal(path, focal); });
+    run.write("--focal-picture", [&](const std::string& path) {
+      io::ColourPicture picture;
+      const bool gaussian = o.colour == "K";
+      picture.label = gaussian ? "gaussian curvature" : "mean curvature";
+      io::write_focal_picture(path, mesh, focal[gaussian ? 0 : 1], picture);
+    });
   }
+  run.write("--picture", [&](const std::string& path) { write_picture(path, o, mesh, result); });
+}
+
+Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
+             const std::optional<sampling::Surface>& surface) {
+  const io::MeshFile file = run.read(io::read_mesh);
+  const TriangleMesh& mesh = file.mesh;
+  o.estimate.normals = run.step("normals", "reading normals",
+                                [&] { return given_normals(o, source, mesh, surface); });
+  const curvature::Result result = run.step("estimate", "estimating curvatures", [&] {
+    return run.with_input([&] { return curvature::estimate(mesh, o.estimate); });
+  });
+  fill_report(run.report(), o, mesh, result, source);
+  std::string summary = summary_text(o, mesh, result);
+  if (surface) summary += compare(run, o, mesh, result, *surface);
+  run.step("write", "writing", [&] { write_results(run, o, mesh, result); });
+  std::vector<std::string> references = {"roessl2005surfaces"};
+  if (const char* key = curvature_reference(o.method)) references.push_back(key);
+  return {summary, references};
 }
 
 int run(CurvatureOptions& o) {
   o.estimate.method = *curvature::method_of(o.method);
   const std::string source = normals_source(o);
   const std::optional<sampling::Surface> surface = reference_of(o);
-  Outputs outputs;
-  outputs.add("-o", o.common.output, {".vtp", ".vtu", ".ply"});
-  outputs.add("--focal", o.focal, {".vtp"});
-  outputs.add("--picture", o.common.picture, {".svg", ".png"});
-  outputs.add("--focal-picture", o.focal_picture, {".svg", ".png"});
-  outputs.add("--report", o.common.report);
-  const ThreadLimit limit(o.common.threads);
-  Progress progress(o.common.quiet);
-  Report report("curvature", o.common.input, limit.threads());
-
-  progress.show("reading " + o.common.input);
-  const io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
-  for (const std::string& warning : file.warnings) report.warn(warning);
-  const TriangleMesh& mesh = file.mesh;
-  o.estimate.normals =
-      report.timed("normals", [&] { return given_normals(o, source, mesh, surface); });
-
-  progress.show("estimating curvatures");
-  const curvature::Result result = report.timed("estimate", [&] { return estimate(o, mesh); });
-  fill_report(report, o, mesh, result, source);
-  if (surface) {
-    const auto distances = report.timed("reference", [&] {
-      return curvature::distances(result.vertices, exact_curvatures(mesh, *surface));
-    });
-    report.json()["dist_K"] = distances.K;
-    report.json()["dist_H"] = distances.H;
-    report.json()["dist_P"] = distances.P;
-  }
-  progress.show("writing");
-  report.timed("write", [&] {
-    outputs.write("-o", [&](const std::string& path) {
-      const bool corners = o.estimate.method == Method::np || o.estimate.method == Method::ne;
-      io::write_curvature(path, mesh, result,
-                          corners ? curvature::corner_curvatures(mesh, result.normals)
-                                  : std::vector<curvature::CornerCurvatures>{});
-    });
-    if (outputs.wanted("--focal") || outputs.wanted("--focal-picture")) {
-      const auto focal = focal_surfaces(o, mesh, result);
-      outputs.write("--focal", [&](const std::string& path) { io::write_focal(path, focal); });
-      outputs.write("--focal-picture", [&](const std::string& path) {
-        io::ColourPicture picture;
-        const bool gaussian = o.colour == "K";
-        picture.label = gaussian ? "gaussian curvature" : "mean curvature";
-        io::write_focal_picture(path, mesh, focal[gaussian ? 0 : 1], picture);
-      });
-    }
-    outputs.write("--picture",
-                  [&](const std::string& path) { write_picture(path, o, mesh, result); });
-  });
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  talk(o, report);
-  return kDone;
+  return run_command(
+      {"curvature",
+       o.common,
+       {".vtp", ".vtu", ".ply"},
+       {{"--focal", o.focal, {".vtp"}}, {"--focal-picture", o.focal_picture, {".svg", ".png"}}}},
+      [&](Run& run) { return work(run, o, source, surface); });
 }
 
 std::function<int()> add(CLI::App& app) {

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 
@@ -15,16 +14,11 @@
 #include "algorithms/feature_lines/feature_lines.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/references.hpp"
-#include "cli/report.hpp"
+#include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "io/read/point_field.hpp"
-#include "io/write/atomic_file.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
@@ -144,13 +138,13 @@ std::vector<double> fitted_curvature(const kernel::TriangleMesh& mesh, int rings
 }
 
 std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
-                                        Report& report) {
+                                        Run& run) {
   curvature::Options options;
   options.method = *curvature::method_of(o.method);
   if (o.rings_given->count() > 0) options.rings = o.rings;
   const curvature::Result result = curvature::estimate(mesh, options);
   if (result.undetermined > 0) {
-    report.warn(
+    run.warn(
         fmt::format("{} vertices have no finite curvature; it is zero there", result.undetermined));
   }
   std::vector<double> field;
@@ -158,22 +152,11 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
   return field;
 }
 
-/// What knows no file names.
-template <class Work>
-auto with_file(const std::string& file, Work&& work) {
-  try {
-    return work();
-  } catch (const kernel::InputError& error) {
-    throw error.with_file(file);
-  }
-}
-
-std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
-                             Report& report) {
+std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh, Run& run) {
   if (o.field.empty()) {
-    return with_file(o.common.input, [&] {
+    return run.with_input([&] {
       return o.method == "fit" ? fitted_curvature(mesh, o.rings)
-                               : estimated_curvature(o, mesh, report);
+                               : estimated_curvature(o, mesh, run);
     });
   }
   std::vector<double> field = io::read_point_field(o.common.input, o.field);
@@ -205,109 +188,85 @@ Json lengths_json(const feature_lines::FeatureGraph& graph) {
 
 void fill_report(Report& report, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
                  const FeatureLines& f, const std::string& digest) {
-  Json& json = report.json();
-  json["vertices"] = mesh.vertex_count();
-  json["faces"] = mesh.face_count();
-  json["euler_characteristic"] = mesh.euler_characteristic();
-  json["boundary_loops"] = mesh.boundary_loops();
-  json["field"] = o.field.empty() ? "max(|k1|, |k2|)" : o.field;
-  if (o.field.empty()) json["method"] = o.method;
-  json["threshold"] = f.value;
-  json["marked"] = f.marked;
-  json["line_vertices"] = feature_lines::count(f.marks);
-  json["nodes"] = f.graph.nodes.size();
-  json["arcs"] = f.graph.count(LineKind::arc);
-  json["branches"] = f.graph.count(LineKind::branch);
-  json["loops"] = f.graph.count(LineKind::loop);
-  json["isolated"] = f.graph.count(LineKind::isolated);
-  json["patches"] = f.graph.patch_sizes.size();
-  json["length"] = lengths_json(f.graph);
-  json["filled_patches"] = f.filled_patches;
-  json["joined_ends"] = f.joined;
-  json["thinnings"] = f.thinnings;
-  json["thinned"] = feature_lines::count(f.thinning.before);
-  json["dropped_lines"] = f.thinning.dropped.size();
-  json["betti_before"] = betti_json(f.thinning.topology_before);
-  json["betti_after"] = betti_json(f.thinning.topology_after);
-  json["data_digest"] = digest;
+  report["vertices"] = mesh.vertex_count();
+  report["faces"] = mesh.face_count();
+  report["euler_characteristic"] = mesh.euler_characteristic();
+  report["boundary_loops"] = mesh.boundary_loops();
+  report["field"] = o.field.empty() ? "max(|k1|, |k2|)" : o.field;
+  if (o.field.empty()) report["method"] = o.method;
+  report["threshold"] = f.value;
+  report["marked"] = f.marked;
+  report["line_vertices"] = feature_lines::count(f.marks);
+  report["nodes"] = f.graph.nodes.size();
+  report["arcs"] = f.graph.count(LineKind::arc);
+  report["branches"] = f.graph.count(LineKind::branch);
+  report["loops"] = f.graph.count(LineKind::loop);
+  report["isolated"] = f.graph.count(LineKind::isolated);
+  report["patches"] = f.graph.patch_sizes.size();
+  report["length"] = lengths_json(f.graph);
+  report["filled_patches"] = f.filled_patches;
+  report["joined_ends"] = f.joined;
+  report["thinnings"] = f.thinnings;
+  report["thinned"] = feature_lines::count(f.thinning.before);
+  report["dropped_lines"] = f.thinning.dropped.size();
+  report["betti_before"] = betti_json(f.thinning.topology_before);
+  report["betti_after"] = betti_json(f.thinning.topology_after);
+  report["data_digest"] = digest;
 }
 
-void talk(const FeaturesOptions& o, const FeatureLines& f, Report& report) {
-  if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"])
-      std::fprintf(stderr, "crest features: warning: %s\n", warning.get<std::string>().c_str());
-    fmt::print("region: {} of {} vertices from {:.6g} on\n", f.marked, f.marks.size(), f.value);
-    fmt::print("lines: {} arcs, {} branches, {} loops, {} isolated; {} nodes, {} patches\n",
-               f.graph.count(LineKind::arc), f.graph.count(LineKind::branch),
-               f.graph.count(LineKind::loop), f.graph.count(LineKind::isolated),
-               f.graph.nodes.size(), f.graph.patch_sizes.size());
-    const auto& b = f.thinning.topology_after;
-    const std::string which =
-        f.thinnings == 1 ? "" : fmt::format("the last of {} rounds of ", f.thinnings);
-    fmt::print("kept by {}thinning: {} components, {} loops; complement {}, {}\n", which,
-               b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1);
-  }
-  if (o.common.cite) {
-    std::vector<std::string> keys = {"roessl2005surfaces"};
-    if (o.field.empty() && (o.method == "fit" || o.method == "jet"))
-      keys.push_back("cazals2003jets");
-    if (o.field.empty() && (o.method == "cf" || o.method == "qf"))
-      keys.push_back("goldfeather2004novel");
-    if (o.field.empty() && o.method == "qt") keys.push_back("welch1994free");
-    if (o.field.empty() && o.method == "normal-cycle") keys.push_back("cohensteiner2003restricted");
-    if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");
-    if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
-    fmt::print("{}", bibtex(keys));
-  }
+std::string summary_text(const FeatureLines& f) {
+  const auto& b = f.thinning.topology_after;
+  const std::string which =
+      f.thinnings == 1 ? "" : fmt::format("the last of {} rounds of ", f.thinnings);
+  return fmt::format("region: {} of {} vertices from {:.6g} on\n", f.marked, f.marks.size(),
+                     f.value) +
+         fmt::format("lines: {} arcs, {} branches, {} loops, {} isolated; {} nodes, {} patches\n",
+                     f.graph.count(LineKind::arc), f.graph.count(LineKind::branch),
+                     f.graph.count(LineKind::loop), f.graph.count(LineKind::isolated),
+                     f.graph.nodes.size(), f.graph.patch_sizes.size()) +
+         fmt::format("kept by {}thinning: {} components, {} loops; complement {}, {}\n", which,
+                     b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1);
+}
+
+std::vector<std::string> used_references(const FeaturesOptions& o) {
+  std::vector<std::string> keys = {"roessl2005surfaces"};
+  const char* method = o.field.empty() ? curvature_reference(o.method) : nullptr;
+  if (method) keys.push_back(method);
+  if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");
+  if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
+  return keys;
+}
+
+Outcome work(Run& run, const FeaturesOptions& o) {
+  const io::MeshFile file = run.read(io::read_mesh);
+  const kernel::TriangleMesh& mesh = file.mesh;
+  const std::vector<double> field =
+      run.step("fit", o.field.empty() ? "fitting curvatures" : "reading " + o.field,
+               [&] { return field_of(o, mesh, run); });
+  const FeatureLines f = run.step("extract", "thinning", [&] {
+    return run.with_input(
+        [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
+  });
+  const certify::Bytes certificate = run.step("certificate", "composing the certificate", [&] {
+    return certify::encode(feature_lines::make_certificate(mesh, f.thinning));
+  });
+  const std::string digest = certify::hex(certify::data_digest(certificate));
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_features(path, mesh, f.graph, field, digest);
+    });
+    run.write("--picture",
+              [&](const std::string& path) { io::write_feature_picture(path, mesh, f.graph); });
+    run.write_certificate("features-mesh", certificate);
+  });
+  fill_report(run.report(), o, mesh, f, digest);
+  return {summary_text(f), used_references(o)};
 }
 
 int run_features(FeaturesOptions& o) {
   check_options(o);
-  Outputs outputs;
-  outputs.add("-o", o.common.output, {".vtp", ".obj"});
-  outputs.add("--picture", o.common.picture, {".svg", ".png"});
-  outputs.add("--certificate", o.common.certificate);
-  outputs.add("--report", o.common.report);
-  const ThreadLimit limit(o.common.threads);
-  Progress progress(o.common.quiet);
-  Report report("features", o.common.input, limit.threads());
-
-  progress.show("reading " + o.common.input);
-  io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
-  for (const std::string& warning : file.warnings) report.warn(warning);
-  const kernel::TriangleMesh& mesh = file.mesh;
-  progress.show(o.field.empty() ? "fitting curvatures" : "reading " + o.field);
-  const std::vector<double> field = report.timed("fit", [&] { return field_of(o, mesh, report); });
-  progress.show("thinning");
-  const FeatureLines f = report.timed("extract", [&] {
-    return with_file(o.common.input,
-                     [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
-  });
-  progress.show("composing the certificate");
-  const certify::Bytes certificate = report.timed("certificate", [&] {
-    return certify::encode(feature_lines::make_certificate(mesh, f.thinning));
-  });
-  const std::string digest = certify::hex(certify::data_digest(certificate));
-
-  progress.show("writing");
-  report.timed("write", [&] {
-    outputs.write("-o", [&](const std::string& path) {
-      io::write_features(path, mesh, f.graph, field, digest);
-    });
-    outputs.write("--picture",
-                  [&](const std::string& path) { io::write_feature_picture(path, mesh, f.graph); });
-    outputs.write("--certificate", [&](const std::string& path) {
-      certify::write_file(path, certificate);
-      report.set_certificate("features-mesh");
-    });
-  });
-  fill_report(report, o, mesh, f, digest);
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  talk(o, f, report);
-  return kDone;
+  return run_command({"features", o.common, {".vtp", ".obj"}},
+                     [&](Run& run) { return work(run, o); });
 }
 
 std::function<int()> add_features(CLI::App& app) {

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -17,18 +16,11 @@
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/segmentation.hpp"
 #include "certify/certificate.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/reeb_report.hpp"
-#include "cli/references.hpp"
-#include "cli/report.hpp"
+#include "cli/run.hpp"
 #include "io/read/quadratic_reader.hpp"
 #include "io/reeb/reeb_picture.hpp"
 #include "io/reeb/reeb_writer.hpp"
-#include "io/write/atomic_file.hpp"
-#include "kernel/arithmetic/self_test.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
@@ -84,21 +76,6 @@ io::FunctionSource function_source(const ReebOptions& o) {
   }
   return source;
 }
-
-/// A step of the run, timed and shown.
-class Steps {
- public:
-  Steps(Report& report, Progress& progress) : report_(report), progress_(progress) {}
-  template <class Work>
-  auto operator()(const char* phase, const std::string& what, Work&& work) {
-    progress_.show(what);
-    return report_.timed(phase, std::forward<Work>(work));
-  }
-
- private:
-  Report& report_;
-  Progress& progress_;
-};
 
 /// Evenly between the extremes, for the picture of a run without --level.
 std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
@@ -216,20 +193,6 @@ std::vector<LevelCount> count_lines(const std::vector<io::LevelLines>& lines) {
   return counts;
 }
 
-void talk(const ReebOptions& o, const ReebRun& run, Report& report) {
-  if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"])
-      std::fprintf(stderr, "crest reeb: warning: %s\n", warning.get<std::string>().c_str());
-    fmt::print("{}time: {:.3g} s\n", summary_text(run), report.elapsed());
-  }
-  if (o.common.cite) {
-    std::vector<std::string> keys = {"dillard2006tessellation", "edelsbrunner1990simulation"};
-    if (!o.common.certificate.empty())
-      keys.insert(keys.end(), {"mcconnell2011certifying", "carr2003contour"});
-    fmt::print("{}", bibtex(keys));
-  }
-}
-
 /// Everything up to the graph and its certificate.
 struct Extraction {
   io::QuadraticFile file;
@@ -239,28 +202,24 @@ struct Extraction {
   std::string digest;
 };
 
-Extraction extract(const ReebOptions& o, const io::FunctionSource& source, Steps& step,
-                   Report& report, Outputs& outputs) {
-  Extraction x{step("read", "reading " + o.common.input,
-                    [&] { return io::read_quadratic_mesh(o.common.input, source); }),
-               {},
-               {},
-               {},
-               {}};
-  for (const std::string& warning : x.file.warnings) report.warn(warning);
-  x.tiles = step("tessellate", "tessellating",
-                 [&] { return reeb::tessellate(x.file.mesh, &x.predicates); });
-  x.graph = step("graph", "joining contours into the graph",
-                 [&] { return reeb::reeb_graph(reeb::ordered(x.tiles)); });
-  outputs.write("--certificate", [&](const std::string& path) {
-    const certify::Bytes bytes = step("certificate", "composing the certificate", [&] {
-      return certify::encode(reeb::make_certificate(x.file.mesh, x.tiles, x.graph));
-    });
-    x.digest = certify::hex(certify::data_digest(bytes));
-    report.json()["data_digest"] = x.digest;
-    certify::write_file(path, bytes);
-    report.set_certificate("reeb");
+Extraction extract(Run& run, const io::FunctionSource& source) {
+  Extraction x{
+      run.read([&](const std::string& path) { return io::read_quadratic_mesh(path, source); }),
+      {},
+      {},
+      {},
+      {}};
+  x.tiles = run.step("tessellate", "tessellating",
+                     [&] { return reeb::tessellate(x.file.mesh, &x.predicates); });
+  x.graph = run.step("graph", "joining contours into the graph",
+                     [&] { return reeb::reeb_graph(reeb::ordered(x.tiles)); });
+  if (!run.wanted("--certificate")) return x;
+  const certify::Bytes bytes = run.step("certificate", "composing the certificate", [&] {
+    return certify::encode(reeb::make_certificate(x.file.mesh, x.tiles, x.graph));
   });
+  x.digest = certify::hex(certify::data_digest(bytes));
+  run.report()["data_digest"] = x.digest;
+  run.write_certificate("reeb", bytes);
   return x;
 }
 
@@ -272,7 +231,7 @@ struct Shown {
   WrittenGraph written;
 };
 
-void write_scenes(const Extraction& x, const Shown& shown, Outputs& outputs) {
+void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   const auto scene = [&](const std::vector<io::LevelLines>& lines) {
     return io::ReebScene{x.file.mesh,
                          x.tiles,
@@ -284,8 +243,8 @@ void write_scenes(const Extraction& x, const Shown& shown, Outputs& outputs) {
                          lines,
                          x.digest};
   };
-  outputs.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
-  outputs.write("--picture", [&](const std::string& path) {
+  run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
+  run.write("--picture", [&](const std::string& path) {
     const auto lines = shown.levels.empty()
                            ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
                            : shown.levels;
@@ -293,20 +252,20 @@ void write_scenes(const Extraction& x, const Shown& shown, Outputs& outputs) {
   });
 }
 
-Shown compute_shown(const ReebOptions& o, const Extraction& x, Steps& step, bool drawn) {
+Shown compute_shown(Run& run, const ReebOptions& o, const Extraction& x, bool drawn) {
   Shown shown;
-  shown.trees = step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
-  shown.levels = step("levels", "drawing level lines",
-                      [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
+  shown.trees = run.step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
+  shown.levels = run.step("levels", "drawing level lines",
+                          [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
   if (!drawn && !to_simplify(o)) return shown;
   shown.written.graph = x.graph;
   if (drawn || o.persistence_given->count() > 0) {
-    shown.places =
-        step("places", "placing nodes", [&] { return reeb::node_places(x.file.mesh, x.tiles); });
+    shown.places = run.step("places", "placing nodes",
+                            [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
-  if (drawn) step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
+  if (drawn) run.step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
   if (to_simplify(o))
-    step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
+    run.step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
   return shown;
 }
 
@@ -316,40 +275,32 @@ void check_options(const ReebOptions& o) {
   if (!(o.persistence >= 0)) throw UsageError("--persistence: give a number from 0 on");
 }
 
+Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
+  const Extraction x = extract(run, source);
+  const bool drawn = run.wanted("-o") || run.wanted("--picture");
+  const Shown shown = compute_shown(run, o, x, drawn);
+  if (drawn) run.step("write", "writing", [&] { write_scenes(run, x, shown); });
+  const std::vector<LevelCount> counts = count_lines(shown.levels);
+  const ReebRun result{x.file.mesh,
+                       x.tiles,
+                       x.predicates,
+                       x.graph,
+                       shown.written.changed ? shown.written.graph : x.graph,
+                       shown.trees,
+                       x.file.function,
+                       counts};
+  fill_report(run.report(), result);
+  std::vector<std::string> references = {"dillard2006tessellation", "edelsbrunner1990simulation"};
+  if (run.wanted("--certificate"))
+    references.insert(references.end(), {"mcconnell2011certifying", "carr2003contour"});
+  return {summary_text(result), references};
+}
+
 int run_reeb(const ReebOptions& o) {
   check_options(o);
   const io::FunctionSource source = function_source(o);
-  Outputs outputs;
-  outputs.add("-o", o.common.output, {".vtp", ".vtu"});
-  outputs.add("--picture", o.common.picture, {".svg", ".png"});
-  outputs.add("--certificate", o.common.certificate);
-  outputs.add("--report", o.common.report);
-  const ThreadLimit limit(o.common.threads);
-  Progress progress(o.common.quiet);
-  Report report("reeb", o.common.input, limit.threads());
-  Steps step(report, progress);
-  kernel::require_sound_floating_point();
-
-  const Extraction x = extract(o, source, step, report, outputs);
-  const bool drawn = outputs.wanted("-o") || outputs.wanted("--picture");
-  const Shown shown = compute_shown(o, x, step, drawn);
-  if (drawn) step("write", "writing", [&] { write_scenes(x, shown, outputs); });
-  const std::vector<LevelCount> counts = count_lines(shown.levels);
-  const ReebRun run{x.file.mesh,
-                    x.tiles,
-                    x.predicates,
-                    x.graph,
-                    shown.written.changed ? shown.written.graph : x.graph,
-                    shown.trees,
-                    x.file.function,
-                    counts};
-  fill_report(report, run);
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  talk(o, run, report);
-  return kDone;
+  return run_command({"reeb", o.common, {".vtp", ".vtu"}},
+                     [&](Run& run) { return work(run, o, source); });
 }
 
 std::function<int()> add_reeb(CLI::App& app) {

@@ -78,36 +78,35 @@ std::size_t leaves(const io::TreeLines& tree) {
 }  // namespace
 
 void fill_report(Report& report, const ReebRun& run) {
-  Json& json = report.json();
   for (const auto& [name, counts] : run.predicates) {
-    json["predicates"][name] = {{"calls", counts.calls},
-                                {"interval", counts.interval},
-                                {"integer", counts.integer},
-                                {"exact", counts.exact},
-                                {"symbolic", counts.symbolic}};
+    report["predicates"][name] = {{"calls", counts.calls},
+                                  {"interval", counts.interval},
+                                  {"integer", counts.integer},
+                                  {"exact", counts.exact},
+                                  {"symbolic", counts.symbolic}};
   }
   const Counts counts = count_kinds(run.graph);
-  json["function"] = run.function;
-  json["degree"] = run.mesh.linear() ? 1 : 2;
-  json["vertices"] = run.mesh.vertex_count();
-  json["faces"] = run.mesh.face_count();
-  json["euler_characteristic"] = euler_characteristic(run.mesh);
-  json["boundary_loops"] = boundary_loops(run.mesh);
-  json["line_critical"] = run.tiles.critical_edges.size();
-  json["face_critical"] = run.tiles.critical_faces.size();
-  json["tiles"] = run.tiles.tiles.size();
-  json["ties"] = std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
-  json["critical_points"] = {{"minima", counts.minima},
-                             {"saddles", counts.saddles},
-                             {"maxima", counts.maxima},
-                             {"index_sum", counts.index_sum}};
-  json["graph"] = graph_json(run.graph);
-  json["written"] = graph_json(run.written);
+  report["function"] = run.function;
+  report["degree"] = run.mesh.linear() ? 1 : 2;
+  report["vertices"] = run.mesh.vertex_count();
+  report["faces"] = run.mesh.face_count();
+  report["euler_characteristic"] = euler_characteristic(run.mesh);
+  report["boundary_loops"] = boundary_loops(run.mesh);
+  report["line_critical"] = run.tiles.critical_edges.size();
+  report["face_critical"] = run.tiles.critical_faces.size();
+  report["tiles"] = run.tiles.tiles.size();
+  report["ties"] = std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
+  report["critical_points"] = {{"minima", counts.minima},
+                               {"saddles", counts.saddles},
+                               {"maxima", counts.maxima},
+                               {"index_sum", counts.index_sum}};
+  report["graph"] = graph_json(run.graph);
+  report["written"] = graph_json(run.written);
   for (const io::TreeLines& tree : run.trees)
-    json[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
-  json["levels"] = Json::array();
+    report[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
+  report["levels"] = Json::array();
   for (const LevelCount& level : run.levels) {
-    json["levels"].push_back(
+    report["levels"].push_back(
         {{"level", level.level}, {"paths", level.paths}, {"cycles", level.cycles}});
   }
 }

@@ -38,10 +38,11 @@ std::string bibtex(const std::vector<std::string>& keys) {
   return result;
 }
 
-std::vector<std::string> reference_keys() {
-  std::vector<std::string> result;
-  for (auto& [key, entry] : entries()) result.push_back(key);
-  return result;
+const char* curvature_reference(const std::string& method) {
+  if (method == "cf" || method == "qf") return "goldfeather2004novel";
+  if (method == "qt") return "welch1994free";
+  if (method == "jet" || method == "fit") return "cazals2003jets";
+  return method == "normal-cycle" ? "cohensteiner2003restricted" : nullptr;
 }
 
 }  // namespace crest::cli

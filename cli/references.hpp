@@ -14,7 +14,7 @@ const char* references_text();
 /// Throws std::out_of_range for a key that references.bib does not have.
 std::string bibtex(const std::vector<std::string>& keys);
 
-/// All keys of references.bib in file order.
-std::vector<std::string> reference_keys();
+/// The key of a method of `crest curvature`, nullptr for those of paper 001 itself.
+const char* curvature_reference(const std::string& method);
 
 }  // namespace crest::cli

@@ -3,21 +3,21 @@
 
 // The JSON report: the part all commands share (docs/conventions.md, "Reports").
 #include <chrono>
-#include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "cli/json.hpp"
 
 namespace crest::cli {
 
-using Json = nlohmann::ordered_json;
-
-/// Collects the keys in the order they are written; a command adds its own through json().
+/// Collects the keys in the order they are written; a command adds its own.
 class Report {
  public:
   Report(const std::string& command, const std::string& input, int threads);
 
-  Json& json() { return json_; }
+  /// A key of the command.
+  Json& operator[](const std::string& key) { return json_[key]; }
 
   /// Runs `work`, adds its wall time to seconds[phase] and returns its result.
   template <class Work>
@@ -25,28 +25,33 @@ class Report {
     const Stopwatch stopwatch{*this, phase};
     return std::forward<Work>(work)();
   }
+  void add_seconds(const std::string& phase, double seconds);
+  double elapsed() const { return seconds_since(start_); }
 
-  void warn(const std::string& what) { json_["warnings"].push_back(what); }
+  void warn(const std::string& what) { warnings_.push_back(what); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// A certificate that was written: `claims` are all decided.
+  /// A certificate that was written: all of the claim is decided.
   void set_certificate(const std::string& claim);
 
-  /// seconds.total so far and peak_rss_bytes, then the text (two spaces, one final newline).
-  /// Numbers that are not finite are null; bytes that are not UTF-8 are replaced.
+  /// seconds.total so far and peak_rss_bytes, then Json::text().
   std::string text();
-  double elapsed() const;
 
  private:
   using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
   struct Stopwatch {
     Report& report;
     std::string phase;
     Clock::time_point start = Clock::now();
-    ~Stopwatch() { report.add_seconds(phase, Clock::now() - start); }
+    ~Stopwatch() { report.add_seconds(phase, seconds_since(start)); }
   };
-  void add_seconds(const std::string& phase, Clock::duration time);
 
   Json json_;
+  std::vector<std::pair<std::string, double>> seconds_;
+  std::vector<std::string> warnings_;
   Clock::time_point start_ = Clock::now();
 };
 

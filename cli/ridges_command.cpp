@@ -5,24 +5,17 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "algorithms/ridges/certificate.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
-#include "cli/references.hpp"
-#include "cli/report.hpp"
 #include "cli/ridges_report.hpp"
+#include "cli/run.hpp"
 #include "cli/smooth_ridges_run.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
-#include "io/write/atomic_file.hpp"
-#include "kernel/arithmetic/self_test.hpp"
 
 namespace crest::cli {
 namespace {
@@ -87,18 +80,11 @@ void set_scale(RidgesOptions& o) {
     throw UsageError("--scale: " + o.scale + " is neither auto nor a positive number");
 }
 
-void announce_outputs(const CommonOptions& common, Outputs& outputs) {
-  outputs.add("-o", common.output, {".vtp", ".obj", ".ply"});
-  outputs.add("--picture", common.picture, {".svg", ".png"});
-  outputs.add("--certificate", common.certificate);
-  outputs.add("--report", common.report);
-}
-
-void warn_about_fit(const ridges::FitResult& fit, int degree, Report& report) {
+void warn_about_fit(const ridges::FitResult& fit, int degree, Run& run) {
   std::size_t lowered = 0;
   for (const ridges::FitQuality& q : fit.quality) lowered += q.degree < degree ? 1 : 0;
   if (lowered > 0) {
-    report.warn(
+    run.warn(
         fmt::format("{} vertices were fitted with a lower degree (too few or badly placed "
                     "neighbours)",
                     lowered));
@@ -112,20 +98,6 @@ std::vector<std::string> used_references(const RidgesOptions& o) {
   if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
   keys.push_back("cgal");
   return keys;
-}
-
-/// Warnings on stderr, then the summary and the references on stdout.
-void talk(const RidgesOptions& o, const RidgesRun& run, Report& report) {
-  if (!o.common.quiet) {
-    for (const auto& warning : report.json()["warnings"])
-      std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
-    std::string text = summary_text(run);
-    if (!o.common.certificate.empty())
-      text += fmt::format("certificate: written (crest-verify {})\n", o.common.certificate);
-    text += fmt::format("time: {:.3g} s\n", report.elapsed());
-    std::fputs(text.c_str(), stdout);
-  }
-  if (o.common.cite) std::fputs(bibtex(used_references(o)).c_str(), stdout);
 }
 
 /// The first option of a group of the help that the command line has, or nothing.
@@ -149,68 +121,44 @@ bool is_smooth(const CLI::App& app) {
   return smooth;
 }
 
-int run_ridges(RidgesOptions& o) {
-  set_scale(o);
-  Outputs outputs;
-  announce_outputs(o.common, outputs);
-  if (outputs.wanted("--certificate")) {
-    try {
-      kernel::require_sound_floating_point();
-    } catch (const std::runtime_error& error) {
-      std::fprintf(stderr, "crest ridges: cannot certify: %s\n", error.what());
-      return kNotCertified;
-    }
-  }
-  const ThreadLimit limit(o.common.threads);
-  Progress progress(o.common.quiet);
-  Report report("ridges", o.common.input, limit.threads());
-
-  progress.show("reading " + o.common.input);
-  io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
-  for (const std::string& warning : file.warnings) report.warn(warning);
+Outcome work(Run& run, const RidgesOptions& o) {
+  const io::MeshFile file = run.read(io::read_mesh);
   const kernel::TriangleMesh& mesh = file.mesh;
-
-  progress.show("fitting Monge forms");
   const ridges::FitResult fit =
-      report.timed("fit", [&] { return ridges::fit_monge_forms(mesh, o.fit); });
-  warn_about_fit(fit, o.fit.degree, report);
-
-  progress.show("extracting ridges and umbilics");
+      run.step("fit", "fitting Monge forms", [&] { return ridges::fit_monge_forms(mesh, o.fit); });
+  warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
-  ridges::CertifiedRidges certified = report.timed(
-      "extract", [&] { return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates); });
+  ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
+    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates);
+  });
   ridges::RidgeGraph& graph = certified.graph;
   const std::string digest = certify::hex(certified.data_digest);
-  if (outputs.wanted("--report")) {
-    add_paper_umbilics(report, report.timed("paper_umbilics", [&] {
+  if (run.wanted("--report")) {
+    add_paper_umbilics(run.report(), run.step("paper_umbilics", "searching minima of k1 - k2", [&] {
       return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
     }));
   }
   const ridges::FilterReport dropped =
-      report.timed("filter", [&] { return ridges::filter(graph, o.filter); });
-  const RidgesRun run{mesh, fit, graph, dropped, predicates, o.order, digest};
-
-  progress.show("writing");
-  report.timed("write", [&] {
-    outputs.write(
-        "-o", [&](const std::string& path) { io::write_ridges(path, mesh, fit, graph, digest); });
-    outputs.write("--picture", [&](const std::string& path) {
+      run.step("filter", "filtering", [&] { return ridges::filter(graph, o.filter); });
+  run.step("write", "writing", [&] {
+    run.write("-o",
+              [&](const std::string& path) { io::write_ridges(path, mesh, fit, graph, digest); });
+    run.write("--picture", [&](const std::string& path) {
       io::PictureOptions picture;
       picture.order = o.order;
       io::write_picture(path, mesh, graph, picture);
     });
-    outputs.write("--certificate", [&](const std::string& path) {
-      certify::write_file(path, certified.certificate);
-      report.set_certificate("ridges-mesh");
-    });
+    run.write_certificate("ridges-mesh", certified.certificate);
   });
-  fill_report(report, run);
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  talk(o, run, report);
-  return kDone;
+  const RidgesRun result{mesh, fit, graph, dropped, predicates, o.order, digest};
+  fill_report(run.report(), result);
+  return {summary_text(result), used_references(o)};
+}
+
+int run_ridges(RidgesOptions& o) {
+  set_scale(o);
+  return run_command({"ridges", o.common, {".vtp", ".obj", ".ply"}},
+                     [&](Run& run) { return work(run, o); });
 }
 
 std::function<int()> add_ridges(CLI::App& app) {
@@ -224,8 +172,10 @@ std::function<int()> add_ridges(CLI::App& app) {
   add_smooth_ridges_options(app, options->smooth);
   return [options, &app] {
     if (is_smooth(app)) {
-      options->smooth.implicit = app.count("--surface") > 0;
-      return run_smooth_ridges(options->common, options->smooth);
+      SmoothRidgesOptions& smooth = options->smooth;
+      smooth.implicit = app.count("--surface") > 0;
+      options->common.input = smooth.implicit ? smooth.surface : smooth.param;
+      return run_smooth_ridges(options->common, smooth);
     }
     return run_ridges(*options);
   };

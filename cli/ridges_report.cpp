@@ -28,12 +28,7 @@ void add_third_order_lengths(const ridges::Ridge& ridge, ColourSummary& summary)
 }
 
 Json colour_json(const RidgesRun& run, Colour colour) {
-  const ColourSummary s = summarise(run.graph, colour, run.order);
-  return {{"loops", s.loops},
-          {"segments", s.segments},
-          {"length", s.length},
-          {"elliptic_length", s.elliptic_length},
-          {"hyperbolic_length", s.hyperbolic_length}};
+  return to_json(summarise(run.graph, colour, run.order));
 }
 
 const char* kind_name(ridges::UmbilicKind kind) {
@@ -93,41 +88,40 @@ ColourSummary summarise(const ridges::RidgeGraph& graph, Colour colour, int orde
 }
 
 void fill_report(Report& report, const RidgesRun& run) {
-  Json& json = report.json();
   for (const auto& [name, counts] : run.predicates) {
-    json["predicates"][name] = {{"calls", counts.calls},
-                                {"interval", counts.interval},
-                                {"exact", counts.exact},
-                                {"symbolic", counts.symbolic}};
+    report["predicates"][name] = {{"calls", counts.calls},
+                                  {"interval", counts.interval},
+                                  {"exact", counts.exact},
+                                  {"symbolic", counts.symbolic}};
   }
-  json["vertices"] = run.mesh.vertex_count();
-  json["faces"] = run.mesh.face_count();
-  json["euler_characteristic"] = run.mesh.euler_characteristic();
-  json["boundary_loops"] = run.mesh.boundary_loops();
-  json["components"] = run.mesh.components();
-  json["scale"] = run.fit.scale;
-  json["fit"] = fit_json(run.fit);
-  json["order"] = run.order;
-  json["umbilics"] = umbilics_json(run.graph);
-  json["ridges"] = {{"blue", colour_json(run, Colour::blue)},
-                    {"red", colour_json(run, Colour::red)}};
-  json["dropped"] = {{"by_sharpness", run.dropped.by_sharpness},
-                     {"by_strength", run.dropped.by_strength},
-                     {"by_length", run.dropped.by_length},
-                     {"by_crest", run.dropped.by_crest}};
-  json["open_ends"] = ridges::open_ends(run.graph);
-  json["conflict_triangles"] = run.graph.conflict_triangles;
-  json["ambiguous_edges"] = run.graph.ambiguous_edges;
-  json["zero_extremalities"] = {{"b0", run.graph.zero_extremalities[0]},
-                                {"b3", run.graph.zero_extremalities[1]}};
-  json["data_digest"] = run.data_digest;
+  report["vertices"] = run.mesh.vertex_count();
+  report["faces"] = run.mesh.face_count();
+  report["euler_characteristic"] = run.mesh.euler_characteristic();
+  report["boundary_loops"] = run.mesh.boundary_loops();
+  report["components"] = run.mesh.components();
+  report["scale"] = run.fit.scale;
+  report["fit"] = fit_json(run.fit);
+  report["order"] = run.order;
+  report["umbilics"] = umbilics_json(run.graph);
+  report["ridges"] = {{"blue", colour_json(run, Colour::blue)},
+                      {"red", colour_json(run, Colour::red)}};
+  report["dropped"] = {{"by_sharpness", run.dropped.by_sharpness},
+                       {"by_strength", run.dropped.by_strength},
+                       {"by_length", run.dropped.by_length},
+                       {"by_crest", run.dropped.by_crest}};
+  report["open_ends"] = ridges::open_ends(run.graph);
+  report["conflict_triangles"] = run.graph.conflict_triangles;
+  report["ambiguous_edges"] = run.graph.ambiguous_edges;
+  report["zero_extremalities"] = {{"b0", run.graph.zero_extremalities[0]},
+                                  {"b3", run.graph.zero_extremalities[1]}};
+  report["data_digest"] = run.data_digest;
 }
 
 void add_paper_umbilics(Report& report, const ridges::PaperUmbilics& umbilics) {
-  report.json()["paper_umbilics"] = {{"candidates", umbilics.candidates},
-                                     {"plus", umbilics.plus},
-                                     {"minus", umbilics.minus},
-                                     {"other", umbilics.other}};
+  report["paper_umbilics"] = {{"candidates", umbilics.candidates},
+                              {"plus", umbilics.plus},
+                              {"minus", umbilics.minus},
+                              {"other", umbilics.other}};
 }
 
 std::string summary_text(const RidgesRun& run) {

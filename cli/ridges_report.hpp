@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/ridges/ridges.hpp"
+#include "cli/colour_summary.hpp"
 #include "cli/report.hpp"
 
 namespace crest::cli {
@@ -20,12 +21,8 @@ struct RidgesRun {
   std::string data_digest;  ///< hex
 };
 
-/// Loops, segments and lengths of one colour. Types by the fourth-order rule (a segment whose ends
-/// differ is halved) or by the third-order rule; flat and undecided segments count in neither.
-struct ColourSummary {
-  std::size_t loops = 0, segments = 0;
-  double length = 0, elliptic_length = 0, hyperbolic_length = 0;
-};
+/// Types by the fourth-order rule (a segment whose ends differ is halved) or by the third-order
+/// rule; flat and undecided segments count in neither.
 ColourSummary summarise(const ridges::RidgeGraph& graph, ridges::Colour colour, int order);
 
 void fill_report(Report& report, const RidgesRun& run);

@@ -3,15 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "algorithms/sampling/mesh_surface.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
-#include "cli/report.hpp"
-#include "io/write/atomic_file.hpp"
+#include "cli/run.hpp"
 #include "io/write/mesh_writer.hpp"
 
 namespace crest::cli {
@@ -60,55 +55,39 @@ sampling::SurfaceSample make_sample(const SampleOptions& o) {
 }
 
 void fill_report(Report& report, const SampleOptions& o, const sampling::SurfaceSample& sample) {
-  Json& json = report.json();
-  json["vertices"] = sample.points.size();
-  json["faces"] = sample.faces.size();
-  json["noise"] = o.noise;
-  json["known"] = {{"euler_characteristic", sample.known.euler_characteristic},
-                   {"boundary_loops", sample.known.boundary_loops}};
-  if (sample.known.umbilics) {
-    json["known"]["umbilics"] = {{"plus", sample.known.umbilics->plus},
-                                 {"minus", sample.known.umbilics->minus}};
-  }
+  report["vertices"] = sample.points.size();
+  report["faces"] = sample.faces.size();
+  report["noise"] = o.noise;
+  Json& known = report["known"];
+  known["euler_characteristic"] = sample.known.euler_characteristic;
+  known["boundary_loops"] = sample.known.boundary_loops;
+  if (const auto& umbilics = sample.known.umbilics)
+    known["umbilics"] = {{"plus", umbilics->plus}, {"minus", umbilics->minus}};
 }
 
-int run_sample(const SampleOptions& o) {
-  Outputs outputs;
-  outputs.add("-o", o.common.output, {".off", ".obj", ".ply", ".vtp"});
-  outputs.add("--report", o.common.report);
-  const ThreadLimit limit(o.common.threads);
-  Progress progress(o.common.quiet);
-  Report report("sample", o.common.input, limit.threads());
-
-  progress.show("sampling " + o.common.input);
-  sampling::SurfaceSample sample = report.timed("sample", [&] { return make_sample(o); });
+Outcome work(Run& run, const SampleOptions& o) {
+  sampling::SurfaceSample sample =
+      run.step("sample", "sampling " + o.common.input, [&] { return make_sample(o); });
   if (o.noise > 0) {
     const double edge = sampling::mean_edge_length(sample.points, sample.faces);
     sampling::add_normal_noise(sample.points, sampling::normals(sample), o.noise * edge, o.seed);
   }
-  progress.show("writing");
-  report.timed("write", [&] {
-    outputs.write(
-        "-o", [&](const std::string& path) { io::write_mesh(path, sample.points, sample.faces); });
+  run.step("write", "writing", [&] {
+    run.write("-o",
+              [&](const std::string& path) { io::write_mesh(path, sample.points, sample.faces); });
   });
-  fill_report(report, o, sample);
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  if (!o.common.quiet) {
-    const std::string text =
-        fmt::format("{}: {} vertices, {} faces\ntime: {:.3g} s\n", o.common.output,
-                    sample.points.size(), sample.faces.size(), report.elapsed());
-    std::fputs(text.c_str(), stdout);
-  }
-  return kDone;
+  fill_report(run.report(), o, sample);
+  return {fmt::format("{}: {} vertices, {} faces\n", o.common.output, sample.points.size(),
+                      sample.faces.size())};
 }
 
 std::function<int()> add_sample(CLI::App& app) {
   auto options = std::make_shared<SampleOptions>();
   add_sample_options(app, *options);
-  return [options] { return run_sample(*options); };
+  return [options] {
+    return run_command({"sample", options->common, {".off", ".obj", ".ply", ".vtp"}},
+                       [&](Run& run) { return work(run, *options); });
+  };
 }
 
 }  // namespace

@@ -26,15 +26,6 @@ std::string kind_name(const UmbilicPoint& umbilic) {
   return umbilic.branches[0] == 3 ? "3-ridge" : "1-ridge";
 }
 
-Json colour_json(const SmoothRidges& result, std::size_t colour) {
-  const SmoothColourSummary s = summarise(result, colour);
-  return {{"loops", s.loops},
-          {"segments", s.segments},
-          {"length", s.length},
-          {"elliptic_length", s.elliptic_length},
-          {"hyperbolic_length", s.hyperbolic_length}};
-}
-
 double index_sum(const SmoothRidges& result) {
   int twice = 0;
   for (const UmbilicPoint& u : result.umbilics) twice += u.twice_index;
@@ -77,8 +68,8 @@ Json surface_json(const smooth_ridges::Surface& surface) {
 
 Json cells_json(const SmoothRidges& result) {
   Json cells = Json::array();
-  for (const auto& cell : result.undecided) {
-    if (cells.size() == kListedCells) break;
+  for (std::size_t i = 0; i < std::min(kListedCells, result.undecided.size()); ++i) {
+    const auto& cell = result.undecided[i];
     cells.push_back({{"center", cell.centre}, {"size", cell.size}, {"reason", cell.reason}});
   }
   return cells;
@@ -113,7 +104,7 @@ std::string count_lines(const SmoothRidges& result) {
       count([](const auto& u) { return u.branches[0] == 1; }),
       count([](const auto& u) { return u.branches[0] == 3; }), index_sum(result));
   for (const std::size_t colour : {0u, 1u}) {
-    const SmoothColourSummary s = summarise(result, colour);
+    const ColourSummary s = summarise(result, colour);
     const auto turning = std::count_if(result.turning_points.begin(), result.turning_points.end(),
                                        [&](const auto& p) { return p.colour == colour; });
     text += fmt::format("{}: {}, {}, length {:.6g} ({:.6g} elliptic, {:.6g} hyperbolic), {}\n",
@@ -141,8 +132,8 @@ std::string refusal(const SmoothRidges& result) {
 
 }  // namespace
 
-SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
-  SmoothColourSummary s;
+ColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
+  ColourSummary s;
   for (const auto& ridge : result.ridges) {
     if (ridge.colour != colour) continue;
     ++(ridge.loop ? s.loops : s.segments);
@@ -160,7 +151,6 @@ SmoothColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
 }
 
 void fill_report(Report& report, const SmoothRidgesRun& run) {
-  Json& json = report.json();
   const SmoothRidges& result = run.result;
   const auto& s = result.seconds;
   for (const auto& [phase, seconds] : {std::pair("completeness", s.completeness),
@@ -169,24 +159,25 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
                                        {"umbilics", s.umbilics},
                                        {"bisection", s.bisection},
                                        {"graph", s.graph}})
-    json["seconds"][phase] = seconds;
-  fill_certificate(json["certificate"], run);
-  json["surface"] = surface_json(run.surface);
-  json["vertices"] = result.points.size();
-  json["triangles"] = result.faces.size();
-  json["euler_characteristic"] = result.euler_characteristic;
-  json["boundary_loops"] = result.boundary_loops;
-  json["components"] = result.components;
-  json["depth"] = result.rounds;
-  json["face_tests"] = result.tests;
-  json["umbilics"] = umbilics_json(result);
-  json["ridges"] = {{"blue", colour_json(result, 0)}, {"red", colour_json(result, 1)}};
-  json["open_ends"] = io::open_ends(result);
-  json["turning_points"] = points_json(result.turning_points, true);
-  json["purple_points"] = points_json(result.purple_points, false);
-  json["obstacles"] = result.obstacles;
-  json["uncertified_cells"] = cells_json(result);
-  json["data_digest"] = run.data_digest;
+    report.add_seconds(phase, seconds);
+  fill_certificate(report["certificate"], run);
+  report["surface"] = surface_json(run.surface);
+  report["vertices"] = result.points.size();
+  report["triangles"] = result.faces.size();
+  report["euler_characteristic"] = result.euler_characteristic;
+  report["boundary_loops"] = result.boundary_loops;
+  report["components"] = result.components;
+  report["depth"] = result.rounds;
+  report["face_tests"] = result.tests;
+  report["umbilics"] = umbilics_json(result);
+  report["ridges"] = {{"blue", to_json(summarise(result, 0))},
+                      {"red", to_json(summarise(result, 1))}};
+  report["open_ends"] = io::open_ends(result);
+  report["turning_points"] = points_json(result.turning_points, true);
+  report["purple_points"] = points_json(result.purple_points, false);
+  report["obstacles"] = result.obstacles;
+  report["uncertified_cells"] = cells_json(result);
+  report["data_digest"] = run.data_digest;
   if (result.undecided.size() > kListedCells) {
     report.warn(fmt::format("uncertified_cells lists the first {} of {} cells", kListedCells,
                             result.undecided.size()));

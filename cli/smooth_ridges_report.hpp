@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "cli/colour_summary.hpp"
 #include "cli/report.hpp"
 
 namespace crest::cli {
@@ -16,12 +17,8 @@ struct SmoothRidgesRun {
   std::string data_digest;        ///< hex, or empty
 };
 
-/// Loops, segments and lengths of one colour; a segment with a turning point is halved.
-struct SmoothColourSummary {
-  std::size_t loops = 0, segments = 0;
-  double length = 0, elliptic_length = 0, hyperbolic_length = 0;
-};
-SmoothColourSummary summarise(const smooth_ridges::SmoothRidges& result, std::size_t colour);
+/// A segment with a turning point is halved.
+ColourSummary summarise(const smooth_ridges::SmoothRidges& result, std::size_t colour);
 
 /// All keys but those of the certificate's file (Report::set_certificate).
 void fill_report(Report& report, const SmoothRidgesRun& run);

@@ -5,21 +5,15 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
 #include "algorithms/smooth_ridges/surface.hpp"
-#include "certify/certificate.hpp"
-#include "cli/command.hpp"
-#include "cli/outputs.hpp"
-#include "cli/references.hpp"
+#include "certify/ridges_smooth/encode.hpp"
+#include "cli/run.hpp"
 #include "cli/smooth_ridges_report.hpp"
 #include "io/ridges/smooth_ridge_picture.hpp"
 #include "io/ridges/smooth_ridge_writer.hpp"
-#include "io/write/atomic_file.hpp"
-#include "kernel/arithmetic/self_test.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
@@ -93,50 +87,22 @@ Surface parse_surface(const SmoothRidgesOptions& o) {
   }
 }
 
-void announce_outputs(const CommonOptions& common, const std::string& mesh, Outputs& outputs) {
-  outputs.add("-o", common.output, {".vtp", ".obj", ".ply"});
-  outputs.add("--mesh", mesh, {".vtp", ".off", ".obj", ".ply"});
-  outputs.add("--picture", common.picture, {".svg", ".png"});
-  outputs.add("--certificate", common.certificate);
-  outputs.add("--report", common.report);
-}
-
-SmoothRidges extract(const Surface& surface, const SmoothRidgesOptions& o, Progress& progress) {
+SmoothRidges extract(const Surface& surface, const SmoothRidgesOptions& o, const Run& run) {
   smooth_ridges::Options options = o.algorithm;
   options.refinement.progress = [&](int round, std::size_t faces, std::size_t left) {
-    progress.show(
-        fmt::format("round {}: {} faces, {} undecided", round, grouped(faces), grouped(left)));
+    run.show(fmt::format("round {}: {} faces, {} undecided", round, grouped(faces), grouped(left)));
   };
-  progress.show(surface.is_implicit() ? "searching the box" : "placing the first triangles");
+  run.show(surface.is_implicit() ? "searching the box" : "placing the first triangles");
   return smooth_ridges::smooth_ridges(surface, options);
 }
 
-std::vector<std::string> used_references(const CommonOptions& common, bool implicit) {
+std::vector<std::string> used_references(bool implicit, bool certificate) {
   std::vector<std::string> keys = {"cazals2004ridges", "cazals2005topologically",
                                    "makino2003taylor", "krawczyk1969newton",
                                    "rivara1984algorithms"};
   if (implicit) keys.push_back("plantinga2004isotopic");
-  if (!common.certificate.empty()) keys.push_back("mcconnell2011certifying");
+  if (certificate) keys.push_back("mcconnell2011certifying");
   return keys;
-}
-
-void talk(const CommonOptions& common, const SmoothRidgesRun& run, Report& report) {
-  if (!common.quiet) {
-    for (const auto& warning : report.json()["warnings"])
-      std::fprintf(stderr, "crest ridges: warning: %s\n", warning.get<std::string>().c_str());
-    std::string text = summary_text(run);
-    if (!common.certificate.empty() && run.result.certified) {
-      text += fmt::format(
-          "certificate: written, {:.3g} bytes a triangle (crest-verify {})\n",
-          static_cast<double>(run.certificate_bytes) / static_cast<double>(run.result.faces.size()),
-          common.certificate);
-    } else if (!common.certificate.empty()) {
-      text += fmt::format("certificate: {} was not written, the result is not certified\n",
-                          common.certificate);
-    }
-    fmt::print("{}time: {:.3g} s\n", text, report.elapsed());
-  }
-  if (common.cite) fmt::print("{}", bibtex(used_references(common, run.surface.is_implicit())));
 }
 
 int exit_code(const SmoothRidges& result) {
@@ -144,13 +110,31 @@ int exit_code(const SmoothRidges& result) {
   return result.undecided.empty() ? kNotCertified : kExhausted;
 }
 
-void write_results(const SmoothRidges& result, const std::string& digest, Outputs& outputs) {
-  outputs.write("-o",
-                [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
-  outputs.write("--mesh",
-                [&](const std::string& path) { io::write_smooth_mesh(path, result, digest); });
-  outputs.write("--picture",
-                [&](const std::string& path) { io::write_smooth_picture(path, result); });
+void write_results(Run& run, const SmoothRidges& result, const std::string& digest) {
+  run.write("-o", [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
+  run.write("--mesh",
+            [&](const std::string& path) { io::write_smooth_mesh(path, result, digest); });
+  run.write("--picture", [&](const std::string& path) { io::write_smooth_picture(path, result); });
+}
+
+Outcome work(Run& run, const SmoothRidgesOptions& o) {
+  const Surface surface = parse_surface(o);
+  const SmoothRidges result = extract(surface, o, run);
+  certify::Bytes bytes;
+  std::string digest;
+  if (result.certified) {
+    bytes = run.step("certificate", "composing the certificate",
+                     [&] { return certify::encode(result.certificate); });
+    digest = certify::hex(certify::data_digest(bytes));
+  }
+  run.step("write", "writing", [&] {
+    write_results(run, result, digest);
+    if (result.certified) run.write_certificate("ridges-smooth", bytes);
+  });
+  const SmoothRidgesRun all{surface, result, bytes.size(), digest};
+  fill_report(run.report(), all);
+  return {summary_text(all), used_references(o.implicit, run.wanted("--certificate")),
+          exit_code(result)};
 }
 
 }  // namespace
@@ -181,44 +165,11 @@ void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& o) {
 }
 
 int run_smooth_ridges(const CommonOptions& common, const SmoothRidgesOptions& options) {
-  Outputs outputs;
-  announce_outputs(common, options.mesh, outputs);
-  const Surface surface = parse_surface(options);
-  try {
-    kernel::require_sound_floating_point();
-  } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "crest ridges: cannot certify: %s\n", error.what());
-    return kNotCertified;
-  }
-  const ThreadLimit limit(common.threads);
-  Progress progress(common.quiet);
-  Report report("ridges", surface.is_implicit() ? options.surface : options.param, limit.threads());
-  const SmoothRidges result = extract(surface, options, progress);
-
-  certify::Bytes bytes;
-  std::string digest;
-  if (result.certified) {
-    progress.show("composing the certificate");
-    bytes = report.timed("certificate", [&] { return certify::encode(result.certificate); });
-    digest = certify::hex(certify::data_digest(bytes));
-  }
-  progress.show("writing");
-  report.timed("write", [&] {
-    write_results(result, digest, outputs);
-    if (!result.certified) return;
-    outputs.write("--certificate", [&](const std::string& path) {
-      certify::write_file(path, bytes);
-      report.set_certificate("ridges-smooth");
-    });
-  });
-  const SmoothRidgesRun run{surface, result, bytes.size(), digest};
-  fill_report(report, run);
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  progress.clear();
-  talk(common, run, report);
-  return exit_code(result);
+  return run_command({"ridges",
+                      common,
+                      {".vtp", ".obj", ".ply"},
+                      {{"--mesh", options.mesh, {".vtp", ".off", ".obj", ".ply"}}}},
+                     [&](Run& run) { return work(run, options); });
 }
 
 }  // namespace crest::cli

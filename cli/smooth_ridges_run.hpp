@@ -22,8 +22,9 @@ inline constexpr const char* kSmoothGroup = "Smooth surfaces";
 
 void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& options);
 
-/// Returns the exit code: 0 certified, 4 budget or depth exhausted, 1 not certified otherwise.
-/// Throws: kernel::InputError for expressions, boxes and domains that are wrong (one line with the
+/// common.input is the expression. Returns the exit code: 0 certified, 4 budget or depth exhausted,
+/// 1 not certified otherwise. Throws: kernel::InputError for expressions, boxes and domains that
+/// are wrong (one line with the
 ///   column), and for places that cannot be written; UsageError.
 int run_smooth_ridges(const CommonOptions& common, const SmoothRidgesOptions& options);
 

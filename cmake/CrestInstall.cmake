@@ -17,7 +17,8 @@ write_basic_package_version_file(CrestConfigVersion.cmake COMPATIBILITY SameMino
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/CrestConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/CrestConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest)
-foreach(program crest crest-verify)
+get_property(checkers GLOBAL PROPERTY CREST_CHECKERS)
+foreach(program crest ${checkers})
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()

@@ -96,15 +96,10 @@ instantiate "cli/${name}_command.cpp" <<'END'
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "algorithms/@NAME@/@NAME@.hpp"
-#include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/outputs.hpp"
-#include "cli/report.hpp"
-#include "io/write/atomic_file.hpp"
+#include "cli/run.hpp"
 #include "io/read/mesh_reader.hpp"
 
 namespace crest::cli {
@@ -114,26 +109,17 @@ struct Options {
   CommonOptions common;
 };
 
-int run(const Options& o) {
-  Outputs outputs;
-  outputs.add("--report", o.common.report);
-  const ThreadLimit limit(o.common.threads);
-  Report report("@NAME@", o.common.input, limit.threads());
-  const io::MeshFile file = report.timed("read", [&] { return io::read_mesh(o.common.input); });
-  const auto census = report.timed("count", [&] { return @NAME@::take_census(file.mesh); });
-  Json& json = report.json();
-  json["vertices"] = census.vertices;
-  json["faces"] = census.faces;
-  json["boundary_edges"] = census.boundary_edges;
-  json["euler_characteristic"] = census.euler_characteristic;
-  outputs.write("--report",
-                [&](const std::string& path) { io::write_atomically(path, report.text()); });
-  outputs.commit();
-  if (!o.common.quiet) {
-    fmt::print("{} vertices, {} faces, Euler characteristic {}\n", census.vertices, census.faces,
-               census.euler_characteristic);
-  }
-  return kDone;
+Outcome work(Run& run) {
+  const io::MeshFile file = run.read(io::read_mesh);
+  const auto census =
+      run.step("count", "counting", [&] { return @NAME@::take_census(file.mesh); });
+  Report& report = run.report();
+  report["vertices"] = census.vertices;
+  report["faces"] = census.faces;
+  report["boundary_edges"] = census.boundary_edges;
+  report["euler_characteristic"] = census.euler_characteristic;
+  return {fmt::format("{} vertices, {} faces, Euler characteristic {}\n", census.vertices,
+                      census.faces, census.euler_characteristic)};
 }
 
 std::function<int()> add(CLI::App& app) {
@@ -141,7 +127,7 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("INPUT", options->common.input, "triangle mesh")->required();
   app.add_option("--report", options->common.report, "counts and times (.json)")->type_name("FILE");
   add_run_options(app, options->common);
-  return [options] { return run(*options); };
+  return [options] { return run_command({"@NAME@", options->common, {}}, work); };
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ if [ $result -ne 0 ]; then
 fi
 summary=$(grep -E '^[0-9]+% tests passed' "$steps_log" || echo "no test was run")
 [ "$summary" != "no test was run" ] || result=1
+skipped=$(grep -cE '\(Skipped\)$' "$steps_log" || true)
 verdict=PASSED
 [ $result -eq 0 ] || verdict=FAILED
-echo "$summary"
+echo "$summary; $skipped skipped"
 printf '%s; tests %s s, all steps %s s\n' "$verdict" \
   "$(seconds_since "$tests_start")" "$(seconds_since "$start")"
 exit $result

@@ -3,7 +3,7 @@
 
 // A thinning as claim features-mesh of certify/SPEC.md.
 #include "algorithms/feature_lines/feature_lines.hpp"
-#include "certify/certificate.hpp"
+#include "certify/features_mesh/encode.hpp"
 
 namespace crest::feature_lines {
 

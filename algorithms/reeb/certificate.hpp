@@ -4,7 +4,7 @@
 // What a Reeb graph's certificate records (certify/SPEC.md, claim 3).
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
-#include "certify/certificate.hpp"
+#include "certify/reeb/encode.hpp"
 
 namespace crest::reeb {
 

@@ -3,7 +3,7 @@
 
 // The certificate of a ridge graph (claim ridges-mesh of certify/SPEC.md).
 #include "algorithms/ridges/ridges.hpp"
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 
 namespace crest::ridges {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/records.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::smooth_ridges {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/records.hpp"
 #include "kernel/arithmetic/vec3.hpp"
 #include "kernel/expressions/enclosures.hpp"
 

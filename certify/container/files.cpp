@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -49,14 +50,18 @@ List read_all(const std::string& path) {
 }  // namespace
 
 void write_file(const std::string& path, const Bytes& bytes) {
-  const std::string temporary = fmt::format("{}.part-{}", path, ::getpid());
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  // A device or pipe is written directly: renaming would put a file in its place.
+  const bool special = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  const std::string temporary = special ? path : fmt::format("{}.part-{}", path, ::getpid());
   File file(std::fopen(temporary.c_str(), "wb"));
   if (!file) fail(path, "write");
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   good = std::fclose(file.release()) == 0 && good;
-  if (good && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  if (good && (special || std::rename(temporary.c_str(), path.c_str()) == 0)) return;
   const int error = errno;
-  std::remove(temporary.c_str());
+  if (!special) std::remove(temporary.c_str());
   errno = error;
   fail(path, "write");
 }

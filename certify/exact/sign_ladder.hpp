@@ -5,8 +5,8 @@
 // then rationals; or MPFR intervals, then rationals.
 #include <cstdint>
 
+#include "certify/container/verdict.hpp"
 #include "certify/exact/filtered.hpp"
-#include "certify/verify.hpp"
 #include "kernel/arithmetic/interval.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 #include "kernel/arithmetic/rational.hpp"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/features_mesh/claim.hpp"
-
-#include "certify/container/container.hpp"
+// Claim 2, features-mesh: thinning keeps the topology (SPEC.md). No number decides anything: the
+// arithmetic option has no effect.
+#include "certify/container/checker.hpp"
+#include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/features_mesh/decode.hpp"
 #include "certify/surface/input_tie.hpp"
 #include "certify/surface/mesh_checks.hpp"
 
@@ -20,31 +22,30 @@ struct LinkRuns {
 };
 
 /// The link of v: a cycle w_0 .. w_n-1, or at the boundary a path with one vertex more than faces.
-LinkRuns link_runs(const MeshData& mesh, const Topology& t, const std::vector<u8>& marked, u32 v) {
+LinkRuns link_runs(Faces faces, const Topology& t, const std::vector<u8>& marked, u32 v) {
   const u32 begin = t.ring_start[v], end = t.ring_start[v + 1];
-  const u32 last = vertex_of(mesh, previous_corner(t.ring[end - 1]));
+  const u32 last = vertex_of(faces, previous_corner(t.ring[end - 1]));
   LinkRuns runs;
   // A run is counted at its first vertex: on a cycle the one before w_0 is w_n-1, on a path none.
-  int before = t.on_boundary[v] ? -1 : marked[vertex_of(mesh, next_corner(t.ring[end - 1]))];
+  int before = t.on_boundary[v] ? -1 : marked[vertex_of(faces, next_corner(t.ring[end - 1]))];
   const auto visit = [&](u32 w) {
     const int now = marked[w];
     if (now != before) ++(now ? runs.marked : runs.unmarked);
     runs.marked_vertices += marked[w];
     before = now;
   };
-  for (u32 at = begin; at < end; ++at) visit(vertex_of(mesh, next_corner(t.ring[at])));
+  for (u32 at = begin; at < end; ++at) visit(vertex_of(faces, next_corner(t.ring[at])));
   if (t.on_boundary[v]) visit(last);
   return runs;
 }
 
 /// Components of the subcomplex with the given mark by a search of its own; loops from the Euler
 /// characteristic.
-BettiRecord count_betti(const MeshData& mesh, const Topology& t, const std::vector<u8>& marked,
-                        u8 mark) {
+BettiRecord count_betti(Faces faces, const Topology& t, const std::vector<u8>& marked, u8 mark) {
   std::int64_t euler = 0, components = 0, closed = 0;
   for (const u8 m : marked) euler += m == mark;
   for (const Edge& e : t.edges) euler -= marked[e.low] == mark && marked[e.high] == mark;
-  for (const auto& f : mesh.faces)
+  for (const auto& f : faces)
     euler += marked[f[0]] == mark && marked[f[1]] == mark && marked[f[2]] == mark;
   std::vector<u8> seen(marked.size(), 0);
   std::vector<u32> stack;
@@ -60,7 +61,7 @@ BettiRecord count_betti(const MeshData& mesh, const Topology& t, const std::vect
       whole = whole && !t.on_boundary[v];
       for (u32 at = t.ring_start[v]; at < t.ring_start[v + 1]; ++at)
         for (const u32 c : {next_corner(t.ring[at]), previous_corner(t.ring[at])}) {
-          const u32 w = vertex_of(mesh, c);
+          const u32 w = vertex_of(faces, c);
           whole = whole && marked[w] == mark;
           if (marked[w] != mark || seen[w]) continue;
           seen[w] = 1;
@@ -90,20 +91,20 @@ void require_ascending(const std::vector<u32>& list, std::size_t vertices, const
 }
 
 /// Step 3. Returns the marks after all removals.
-std::vector<u8> replay(const FeaturesMeshCertificate& c, const MeshData& mesh, const Topology& t) {
+std::vector<u8> replay(const FeaturesMeshCertificate& c, const Topology& t) {
   std::vector<u8> marked = c.marked_before;
   for (std::size_t i = 0; i < c.removed.size(); ++i) {
     const u32 v = c.removed[i];
     require(v < marked.size(), "removal {}: no vertex {}", i, v);
     require(marked[v] == 1, "removal {}: vertex {} is not marked", i, v);
-    require(link_runs(mesh, t, marked, v).simple(), "removal {}: vertex {} is not simple", i, v);
+    require(link_runs(c.faces, t, marked, v).simple(), "removal {}: vertex {} is not simple", i, v);
     marked[v] = 0;
   }
   return marked;
 }
 
 /// Step 4: the stated set, thin; what is dropped is isolated.
-void check_after(const FeaturesMeshCertificate& c, const MeshData& mesh, const Topology& t,
+void check_after(const FeaturesMeshCertificate& c, const Topology& t,
                  const std::vector<u8>& marked) {
   require_ascending(c.marked_after, marked.size(), "marked after");
   std::size_t count = 0;
@@ -112,32 +113,25 @@ void check_after(const FeaturesMeshCertificate& c, const MeshData& mesh, const T
           c.marked_after.size(), count);
   for (const u32 v : c.marked_after) {
     require(marked[v] == 1, "marked after: vertex {} was removed", v);
-    const LinkRuns runs = link_runs(mesh, t, marked, v);
+    const LinkRuns runs = link_runs(c.faces, t, marked, v);
     require(!runs.simple() || runs.marked_vertices == 1,
             "marked after: vertex {} is simple and no tip: not thin", v);
   }
   require_ascending(c.dropped, marked.size(), "dropped");
   for (const u32 v : c.dropped)
-    require(marked[v] == 1 && link_runs(mesh, t, marked, v).marked_vertices == 0,
+    require(marked[v] == 1 && link_runs(c.faces, t, marked, v).marked_vertices == 0,
             "dropped: vertex {} is not an isolated marked vertex", v);
 }
 
-template <class... Arguments>
-void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-  verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
-}
-
-}  // namespace
-
+/// Cost: linear.
 void verify_features_mesh(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                           const VerifyOptions& options, Verdict& verdict) {
-  FeaturesMeshCertificate c = decode_features_mesh(data, claims);
-  const MeshData mesh{std::move(c.faces), std::move(c.positions), {}};
-  const Topology t = build_topology(mesh);
+  const FeaturesMeshCertificate c = decode_features_mesh(data, claims);
+  const Topology t = build_topology(c.faces, c.positions.size());
   prove(verdict, "data: an oriented manifold of {} vertices, {} faces; digests match",
-        mesh.positions.size(), mesh.faces.size());
+        c.positions.size(), c.faces.size());
   if (options.input) {
-    check_input(*options.input, mesh);
+    check_input(*options.input, c.positions, c.faces);
     prove(verdict, "input: {} holds the same positions and faces", *options.input);
   }
   require_equal(c.euler_characteristic, t.euler_characteristic, "Euler characteristic");
@@ -145,23 +139,29 @@ void verify_features_mesh(std::span<const std::uint8_t> data, std::span<const st
   prove(verdict, "topology: Euler characteristic {}, {} boundary loops", t.euler_characteristic,
         t.boundary_loops);
 
-  const std::vector<u8> after = replay(c, mesh, t);
+  const std::vector<u8> after = replay(c, t);
   prove(verdict, "removals: {}, each of a simple vertex: homotopy types kept", c.removed.size());
-  check_after(c, mesh, t, after);
+  check_after(c, t, after);
   prove(verdict, "lines: {} vertices left, thin; {} isolated ones dropped", c.marked_after.size(),
         c.dropped.size());
 
-  const BettiRecord marked = count_betti(mesh, t, after, 1), other = count_betti(mesh, t, after, 0);
-  require_betti(c.betti[0], count_betti(mesh, t, c.marked_before, 1), "marked before");
-  require_betti(c.betti[1], count_betti(mesh, t, c.marked_before, 0), "complement before");
+  const BettiRecord marked = count_betti(c.faces, t, after, 1),
+                    other = count_betti(c.faces, t, after, 0);
+  require_betti(c.betti[0], count_betti(c.faces, t, c.marked_before, 1), "marked before");
+  require_betti(c.betti[1], count_betti(c.faces, t, c.marked_before, 0), "complement before");
   require_betti(c.betti[2], marked, "marked after");
   require_betti(c.betti[3], other, "complement after");
-  // Simple removals keep them (certify/SPEC.md, lemma 3): a difference is an error of the checker.
+  // Simple removals keep them (lemma 3): a difference is an error of the checker.
   require_betti(c.betti[0], marked, "marked, before and after");
   require_betti(c.betti[1], other, "complement, before and after");
   prove(verdict,
         "kept: marked {} components, {} loops, Euler characteristic {}; complement {}, {}, {}",
         marked.components, marked.loops, marked.euler, other.components, other.loops, other.euler);
 }
+
+}  // namespace
+
+extern const ClaimChecker features_mesh_claim;
+const ClaimChecker features_mesh_claim = {kFeaturesMesh, "features-mesh", verify_features_mesh};
 
 }  // namespace crest::certify

@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The steps of claim 3 (certify/SPEC.md, "What the checker proves, in order").
+// The steps of claim 3 (SPEC.md, "What the checker proves, in order").
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "certify/container/container.hpp"
 #include "certify/exact/sign_ladder.hpp"
+#include "certify/reeb/decode.hpp"
+#include "certify/surface/gluing.hpp"
 
 namespace crest::certify::reeb {
 
 using u32 = std::uint32_t;
-using Corners = std::array<u32, 3>;
 using Triangles = Buffer<Corners>;
-inline constexpr u32 kNone = 0xffffffffU;
-
-/// Corner 3 t + i is node i of triangle t; the side of the same number leads from it to the next.
-constexpr u32 next_corner(u32 c) {
-  return c % 3 == 2 ? c - 2 : c + 1;
-}
-constexpr u32 previous_corner(u32 c) {
-  return c % 3 == 0 ? c + 2 : c - 1;
-}
-inline u32 node_of(const Triangles& triangles, u32 corner) {
-  return triangles[corner / 3][corner % 3];
-}
-
-/// Triangles glued along equal sides, whichever way the two run along it.
-struct Gluing {
-  Buffer<u32> twin;                  ///< 3T: the other side, kNone at the boundary
-  Buffer<u32> edge_of;               ///< 3T, if asked for
-  Buffer<std::array<u32, 2>> edges;  ///< E, lexicographic, if asked for
-  std::size_t edge_count = 0;
-  bool aligned = true;  ///< the two run along no side in the same direction
-};
-/// Throws Reject: an index without node, a corner twice, three triangles at an edge, two with the
-/// same corners. Cost: linear, plus the sorting of each node's edges.
-Gluing glue(const Triangles& triangles, std::size_t nodes, bool with_edges);
 
 /// What step 2 states, and whether the surface can be oriented.
 struct SurfaceFacts {

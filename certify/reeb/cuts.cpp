@@ -66,7 +66,7 @@ void for_faces_around(const Complex& k, u32 v, const Visit& visit) {
       if ((!way || c != corner) && visit(c / 3)) return;
       const u32 across = k.mesh.twin[by_previous ? previous_corner(c) : c];
       if (across == kNone) break;
-      by_previous = node_of(k.faces, across) == v;
+      by_previous = vertex_of(k.faces, across) == v;
       c = by_previous ? across : next_corner(across);
     } while (c != corner);
     if (k.mesh.twin[by_previous ? previous_corner(c) : c] != kNone) return;
@@ -99,7 +99,7 @@ Place beyond(const Complex& k, Place from, u32 a, u32 b) {
   }
   if (const Place in = find_in_face(k, from.face, a, b, from.tile); in.face != kNone) return in;
   for (u32 side = 3 * from.face; side < 3 * from.face + 3; ++side) {
-    const u32 p = node_of(k.faces, side), q = node_of(k.faces, next_corner(side));
+    const u32 p = vertex_of(k.faces, side), q = vertex_of(k.faces, next_corner(side));
     const u32 r = k.line_node(side);
     if ((a != p && a != q && a != r) || (b != p && b != q && b != r)) continue;
     const u32 twin = k.mesh.twin[side];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Quadratic functions on edges and faces by their nodal values: the formulas of certify/SPEC.md,
-// claim 3, over any number type.
+// Quadratic functions on edges and faces by their nodal values: the formulas of SPEC.md, over any
+// number type.
 #include "certify/reeb/checks.hpp"
 
 namespace crest::certify::reeb {

@@ -42,7 +42,7 @@ void read_boundary(const Complex& k, Buffer<NodeTypes::Node>& nodes) {
   };
   for (u32 side = 0; side < k.mesh.twin.size(); ++side) {
     if (k.mesh.twin[side] != kNone) continue;
-    const u32 a = node_of(k.faces, side), b = node_of(k.faces, next_corner(side));
+    const u32 a = vertex_of(k.faces, side), b = vertex_of(k.faces, next_corner(side));
     const u32 between = k.line_node(side);
     if (between == kNone) {
       edge(a, b);

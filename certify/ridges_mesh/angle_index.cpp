@@ -86,7 +86,7 @@ double scale_ring(const Topology& t, u32 v, DoubleAngles& out) {
 /// (bx, by), so its argument by at most asin((bx + by) / |(x, y)|) <= 1.6 of that quotient.
 double enclose_phi(const MeshData& data, const Topology& t, const Argument& argument, u32 v,
                    DoubleAngles& out) {
-  const u32 w = vertex_of(data, next_corner(t.ring[t.ring_start[v]]));
+  const u32 w = vertex_of(data.faces, next_corner(t.ring[t.ring_start[v]]));
   const auto lift = [](double x) { return filtered(x); };
   const auto n = lift_vector(lift, &data.monge[v][field::n]);
   const auto d = lift_vector(lift, &data.monge[v][field::d1]);
@@ -122,7 +122,7 @@ std::optional<int> double_index(const MeshData& data, const Topology& t, const M
                                 u32 face) {
   double turn = -kPi, error = 0;
   for (u32 c = 3 * face; c < 3 * face + 3; ++c) {
-    const u32 v = vertex_of(data, c), edge = t.edge_of[c];
+    const u32 v = vertex_of(data.faces, c), edge = t.edge_of[c];
     turn += t.edges[edge].low == v ? omega[edge] : -omega[edge];
     turn += angles.angle[c];
     error += angles.error[v];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 4: the index of every face (certify/SPEC.md, "Index of a face", lemma 2).
+// Step 4: the index of every face (SPEC.md, "Index of a face", lemma 2).
 #include "certify/ridges_mesh/signs.hpp"
 
 namespace crest::certify {

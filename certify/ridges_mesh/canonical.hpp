@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one form of a claim (certify/SPEC.md, "Canonical form").
-#include "certify/certificate.hpp"
+// The one form of a claim (SPEC.md, "Canonical form").
+#include "certify/ridges_mesh/encode.hpp"
 
 namespace crest::certify {
 

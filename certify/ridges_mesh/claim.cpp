@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/ridges_mesh/claim.hpp"
+// Claim 1, ridges-mesh: the steps of SPEC.md, "What the checker proves, in order".
 
 #include <algorithm>
 
-#include "certify/container/container.hpp"
+#include "certify/container/checker.hpp"
+#include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/ridges_mesh/angle_index.hpp"
+#include "certify/ridges_mesh/checks.hpp"
+#include "certify/ridges_mesh/decode.hpp"
+#include "certify/ridges_mesh/geometry.hpp"
 #include "certify/surface/input_tie.hpp"
 
 namespace crest::certify {
@@ -45,25 +49,19 @@ std::string half(std::int64_t twice) {
   return twice % 2 == 0 ? fmt::format("{}", twice / 2) : fmt::format("{}/2", twice);
 }
 
-template <class... Arguments>
-void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-  verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
-}
-
-}  // namespace
-
+/// Steps 1 (data) to 7.
 void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                         const VerifyOptions& options, Verdict& verdict) {
   RidgesMeshCertificate c;
   c.data = decode_data(data);
   decode_claims(claims, c);
   SignLadder sign(options.arithmetic);
-  const Topology topology = build_topology(c.data);
+  const Topology topology = build_topology(c.data.faces, c.data.positions.size());
   check_geometry(c.data, sign);
   prove(verdict, "data: an oriented manifold of {} vertices, {} faces; digests match",
         c.data.positions.size(), c.data.faces.size());
   if (options.input) {
-    check_input(*options.input, c.data);
+    check_input(*options.input, c.data.positions, c.data.faces);
     prove(verdict, "input: {} holds the same positions and faces", *options.input);
   }
   require_equal(c.euler_characteristic, topology.euler_characteristic, "Euler characteristic");
@@ -98,5 +96,10 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
         c.counts[0], c.counts[1], c.counts[2], c.counts[3]);
   verdict.signs = sign.counts();
 }
+
+}  // namespace
+
+extern const ClaimChecker ridges_mesh_claim;
+const ClaimChecker ridges_mesh_claim = {kRidgesMesh, "ridges-mesh", verify_ridges_mesh};
 
 }  // namespace crest::certify

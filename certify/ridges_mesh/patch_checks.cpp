@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "certify/container/reject.hpp"
-#include "certify/ridges_mesh/claim.hpp"
+#include "certify/ridges_mesh/checks.hpp"
 
 namespace crest::certify {
 namespace {
@@ -83,7 +83,7 @@ class PatchChecker {
     std::int64_t vertices = 0, sides = 0, shared = 0;
     for (const u32 f : patch.faces)
       for (u32 c = 3 * f; c < 3 * f + 3; ++c) {
-        const u32 v = vertex_of(mesh_.data, c);
+        const u32 v = vertex_of(mesh_.data.faces, c);
         if (vertex_stamp_[v] != p) {
           vertex_stamp_[v] = p;
           fan_starts_[v] = 0;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "certify/container/reject.hpp"
-#include "certify/ridges_mesh/claim.hpp"
+#include "certify/ridges_mesh/checks.hpp"
 
 namespace crest::certify {
 namespace {

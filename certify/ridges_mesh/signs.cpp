@@ -142,9 +142,9 @@ unsigned crossing_type(const MeshData& data, const Edge& edge, Colour colour, Si
 
 unsigned segment_type(const MeshData& data, const MeshSigns& signs, std::uint32_t corner,
                       Colour colour, SignLadder& sign) {
-  const std::array<std::uint32_t, 3> v = {vertex_of(data, corner),
-                                          vertex_of(data, next_corner(corner)),
-                                          vertex_of(data, previous_corner(corner))};
+  const std::array<std::uint32_t, 3> v = {vertex_of(data.faces, corner),
+                                          vertex_of(data.faces, next_corner(corner)),
+                                          vertex_of(data.faces, previous_corner(corner))};
   const std::size_t b = extremality_field(colour);
   const auto weights =
       segment_weights(data.monge[v[0]][b], data.monge[v[1]][b], data.monge[v[2]][b]);

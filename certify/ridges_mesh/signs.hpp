@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The signs of certify/SPEC.md, "Definitions": acute rule, extremalities, crossings, types, kind.
+// The signs of SPEC.md, "Definitions": acute rule, extremalities, crossings, types, kind.
 #include <cstdint>
 #include <vector>
 
+#include "certify/exact/sign_ladder.hpp"
+#include "certify/ridges_mesh/records.hpp"
 #include "certify/surface/mesh_checks.hpp"
 
 namespace crest::certify {

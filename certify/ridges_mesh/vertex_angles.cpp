@@ -33,7 +33,7 @@ MpInterval as_interval(const Rational& x) {
 template <class Lift>
 MpInterval corner_angle(const MeshData& data, u32 corner, const Lift& lift) {
   const auto at = [&](u32 c) {
-    return lift_vector(lift, data.positions[vertex_of(data, c)].data());
+    return lift_vector(lift, data.positions[vertex_of(data.faces, c)].data());
   };
   const auto e = at(next_corner(corner)) - at(corner), f = at(previous_corner(corner)) - at(corner);
   const auto normal = cross(e, f);
@@ -80,8 +80,8 @@ std::optional<VertexAngles> enclose(const MeshData& data, const Topology& t, u32
   }
   const u32 neighbours = t.on_boundary[v] ? faces + 1 : faces;
   for (u32 k = 0; k < neighbours; ++k) {
-    const u32 w = k < faces ? vertex_of(data, next_corner(t.ring[begin + k]))
-                            : vertex_of(data, previous_corner(t.ring[begin + faces - 1]));
+    const u32 w = k < faces ? vertex_of(data.faces, next_corner(t.ring[begin + k]))
+                            : vertex_of(data.faces, previous_corner(t.ring[begin + faces - 1]));
     const auto [x, y] = direction(data, v, w, lift);
     const auto origin = is_origin(x, y);
     if (!origin) return std::nullopt;
@@ -180,7 +180,7 @@ int MpAngles::twice_index(u32 face) {
   MpInterval turn = -pi;
   int product = 1;
   for (u32 c = 3 * face; c < 3 * face + 3; ++c) {
-    const u32 edge = topology_.edge_of[c], v = vertex_of(data_, c);
+    const u32 edge = topology_.edge_of[c], v = vertex_of(data_.faces, c);
     const MpInterval& omega = rotation(edge);
     turn = topology_.edges[edge].low == v ? turn + omega : turn - omega;
     product *= acute_[edge];

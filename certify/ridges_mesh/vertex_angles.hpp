@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "certify/container/verdict.hpp"
+#include "certify/ridges_mesh/records.hpp"
 #include "certify/surface/mesh_checks.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 

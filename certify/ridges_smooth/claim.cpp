@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/ridges_smooth/claim.hpp"
-
-#include "certify/container/container.hpp"
+// Claim 4, ridges-smooth: ridges and umbilics of a surface that expressions define (SPEC.md). The
+// surface stands in the certificate itself: `--input` is refused.
+#include "certify/container/checker.hpp"
+#include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/ridges_smooth/decode.hpp"
 #include "certify/ridges_smooth/patches.hpp"
 #include "certify/ridges_smooth/sheet.hpp"
 
@@ -10,11 +12,6 @@ namespace crest::certify {
 namespace {
 
 using smooth::Claim;
-
-template <class... Arguments>
-void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-  verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
-}
 
 void describe_surface(const RidgesSmoothCertificate& c, Verdict& verdict) {
   const auto& s = c.surface;
@@ -52,8 +49,7 @@ void prove_graph(const RidgesSmoothCertificate& c, Verdict& verdict) {
       c.boundary_loops == 0 ? "; indices sum to the Euler characteristic" : "");
 }
 
-}  // namespace
-
+/// On all cores.
 void verify_ridges_smooth(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                           const VerifyOptions& options, Verdict& verdict) {
   const RidgesSmoothCertificate c = decode_ridges_smooth(data, claims);
@@ -87,5 +83,10 @@ void verify_ridges_smooth(std::span<const std::uint8_t> data, std::span<const st
   prove(verdict, "patches: one umbilic each, as many arcs as branches");
   prove_graph(c, verdict);
 }
+
+}  // namespace
+
+extern const ClaimChecker ridges_smooth_claim;
+const ClaimChecker ridges_smooth_claim = {kRidgesSmooth, "ridges-smooth", verify_ridges_smooth};
 
 }  // namespace crest::certify

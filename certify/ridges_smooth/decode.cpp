@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claim 4 from bytes that nobody has checked: no length is believed before it is compared.
-#include "certify/container/byte_reader.hpp"
+// No length is believed before it is compared.
+#include "certify/ridges_smooth/decode.hpp"
+
+#include "certify/container/plain_numbers.hpp"
 
 namespace crest::certify {
 namespace {
 
 double read_number(ByteReader& reader) {
   const auto bits = reader.integer<std::uint64_t>();
-  constexpr std::uint64_t kSign = std::uint64_t{1} << 63, kExponent = std::uint64_t{0x7ff} << 52;
-  if ((bits & kExponent) == kExponent || bits == kSign)
-    throw Malformed("a number is infinite, NaN or -0");
+  if (!is_plain(bits)) throw Malformed("a number is infinite, NaN or -0");
   return std::bit_cast<double>(bits);
 }
 

@@ -1,36 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claim 4 to bytes (certify/SPEC.md).
-#include <bit>
-#include <stdexcept>
+#include "certify/ridges_smooth/encode.hpp"
 
-#include "certify/container/container.hpp"
+#include "certify/container/compose.hpp"
 
 namespace crest::certify {
 namespace {
 
-class Writer {
- public:
-  Bytes bytes;
-
-  template <class Integer>
-  void integer(Integer value) {
-    auto bits = static_cast<std::uint64_t>(value);
-    for (std::size_t i = 0; i < sizeof(Integer); ++i, bits >>= 8)
-      bytes.push_back(static_cast<std::uint8_t>(bits));
-  }
-  /// A zero is written as +0.
-  void number(double x) { integer(x == 0 ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x)); }
-  void count(std::size_t n) {
-    if (n > 0xffffffffU) throw std::invalid_argument("certificate: a list is too long");
-    integer(static_cast<std::uint32_t>(n));
-  }
-  void list(const std::vector<std::uint32_t>& items) {
-    for (const auto item : items) integer(item);
-  }
-  void append(const Bytes& piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); }
-};
-
-void write_surface(Writer& out, const SmoothSurfaceData& s) {
+void write_surface(ByteWriter& out, const SmoothSurfaceData& s) {
   if (s.kind > 1 || s.texts.size() != (s.kind == 0 ? 1 : 7))
     throw std::invalid_argument("certificate: kind 0 has one text, kind 1 seven");
   out.integer(s.kind);
@@ -38,7 +14,7 @@ void write_surface(Writer& out, const SmoothSurfaceData& s) {
     if (text.size() > kLongestText)
       throw std::invalid_argument("certificate: an expression is too long");
     out.count(text.size());
-    out.bytes.insert(out.bytes.end(), text.begin(), text.end());
+    for (const char c : text) out.integer(static_cast<std::uint8_t>(c));
   }
   if (s.kind == 0)
     for (const double x : s.box) out.number(x);
@@ -46,7 +22,7 @@ void write_surface(Writer& out, const SmoothSurfaceData& s) {
     out.integer(s.periodic);
 }
 
-void write_face(Writer& out, const SmoothFaceRecord& f, bool implicit) {
+void write_face(ByteWriter& out, const SmoothFaceRecord& f, bool implicit) {
   if (f.in_patch) return out.integer(std::uint8_t{3});
   const unsigned flags = (f.type[0] & 3U) << 2 | (f.type[1] & 3U) << 4 | (f.purple ? 64U : 0U);
   out.integer(static_cast<std::uint8_t>(flags));
@@ -56,7 +32,7 @@ void write_face(Writer& out, const SmoothFaceRecord& f, bool implicit) {
   for (const auto verdict : f.verdict) out.integer(verdict);
 }
 
-void write_patch(Writer& out, const SmoothPatchRecord& p, bool implicit) {
+void write_patch(ByteWriter& out, const SmoothPatchRecord& p, bool implicit) {
   out.integer(p.axis);
   out.integer(p.twice_index);
   for (const auto n : p.branches) out.integer(n);
@@ -64,10 +40,10 @@ void write_patch(Writer& out, const SmoothPatchRecord& p, bool implicit) {
   if (implicit)
     for (const double x : p.height) out.number(x);
   out.count(p.faces.size());
-  out.list(p.faces);
+  out.numbers(p.faces);
 }
 
-void write_counts(Writer& out, const RidgesSmoothCertificate& c) {
+void write_counts(ByteWriter& out, const RidgesSmoothCertificate& c) {
   out.integer(c.euler_characteristic);
   out.integer(c.boundary_loops);
   out.integer(c.components);
@@ -77,7 +53,7 @@ void write_counts(Writer& out, const RidgesSmoothCertificate& c) {
   out.integer(c.purple_points);
 }
 
-void write_claims(Writer& out, const RidgesSmoothCertificate& c) {
+void write_claims(ByteWriter& out, const RidgesSmoothCertificate& c) {
   const bool implicit = c.surface.kind == 0;
   write_counts(out, c);
   out.count(c.vertices.size());
@@ -86,12 +62,12 @@ void write_claims(Writer& out, const RidgesSmoothCertificate& c) {
     for (std::size_t i = 0; i < (implicit ? 6 : 2); ++i) out.number(v[i]);
   for (const auto& f : c.faces)
     for (const auto v : f) out.integer(v);
-  if (!implicit && c.surface.periodic != 0) out.append(c.lifts);
+  if (!implicit && c.surface.periodic != 0) out.bytes(c.lifts);
   for (const auto& f : c.face_records) write_face(out, f, implicit);
   out.count(c.patches.size());
   for (const auto& p : c.patches) write_patch(out, p, implicit);
   if (!implicit) return;
-  out.list(c.one_sheet_faces);
+  out.numbers(c.one_sheet_faces);
   out.count(c.graph_boxes.size());
   for (const auto& g : c.graph_boxes) {
     for (const double x : g.box) out.number(x);
@@ -99,7 +75,7 @@ void write_claims(Writer& out, const RidgesSmoothCertificate& c) {
     out.integer(g.vertex);
   }
   out.count(c.tree.size());
-  out.append(c.tree);
+  out.bytes(c.tree);
 }
 
 }  // namespace
@@ -110,21 +86,11 @@ Bytes encode(const RidgesSmoothCertificate& c) {
     throw std::invalid_argument("certificate: as many records and lifts as faces are needed");
   if (c.surface.kind == 0 && c.one_sheet_faces.size() != c.components)
     throw std::invalid_argument("certificate: a named face of each component is needed");
-  Writer data, claims, out;
+  ByteWriter data;
   write_surface(data, c.surface);
-  write_claims(claims, c);
-  out.bytes.reserve(kHeaderSize + data.bytes.size() + claims.bytes.size() + kSealSize);
-  out.bytes.insert(out.bytes.end(), kMagic.begin(), kMagic.end());
-  out.integer(kVersion);
-  out.integer(kRidgesSmooth);
-  out.bytes.resize(kLengthsOffset);
-  out.integer(std::uint64_t{data.bytes.size()});
-  out.integer(std::uint64_t{claims.bytes.size()});
-  out.append(data.bytes);
-  out.append(claims.bytes);
-  out.bytes.resize(out.bytes.size() + kSealSize);
-  rebind(out.bytes);
-  return out.bytes;
+  return compose(
+      kRidgesSmooth, data.size(), [&](ByteWriter& out) { out.bytes(data.result()); },
+      [&](ByteWriter& out) { write_claims(out, c); });
 }
 
 }  // namespace crest::certify

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Statements about one face, or a piece of it, with one model type (certify/SPEC.md, claim 4,
-// "Triangulation" and "Faces outside patches").
+// Statements about one face, or a piece of it, with one model type (SPEC.md, "Triangulation"
+// and "Faces outside patches").
 #include "certify/ridges_smooth/foot.hpp"
 #include "certify/ridges_smooth/forms.hpp"
 #include "certify/ridges_smooth/mesh.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All faces and edges (certify/SPEC.md, claim 4, theorem 9).
+// All faces and edges (SPEC.md, theorem 9).
 #include "certify/ridges_smooth/provers.hpp"
 
 namespace crest::certify::smooth {

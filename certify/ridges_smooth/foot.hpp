@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Kind 0: the point of S on each fibre, p + s m with F(p + s m) = 0 (certify/SPEC.md, "Chart
+// Kind 0: the point of S on each fibre, p + s m with F(p + s m) = 0 (SPEC.md, "Chart
 // conditions"), and S as a graph m = h(p, q) by implicit differentiation.
 #include "certify/ridges_smooth/piece.hpp"
 #include "certify/ridges_smooth/vector.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The forms of certify/SPEC.md, claim 4, "Forms": I, L, T, X_v . X_vv, A, S, v1, v2, E1, E2,
+// The forms of SPEC.md, "Forms": I, L, T, X_v . X_vv, A, S, v1, v2, E1, E2,
 // written once for every number type and order of differentiation.
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The forms of a surface that is a graph (certify/SPEC.md, claim 4, "Forms"): of kind 0 all are, of
+// The forms of a surface that is a graph (SPEC.md, "Forms"): of kind 0 all are, of
 // kind 1 height fields.
 //
 // Let two coordinates of X(U, V) be affine, with Jacobian matrix J, and h the third. Only h has

@@ -2,7 +2,7 @@
 #pragma once
 
 // The forms of an immersed surface X(U, V) from the Taylor coefficients of its three coordinates
-// (certify/SPEC.md, claim 4, "Forms", kind 1).
+// (SPEC.md, "Forms", kind 1).
 #include "certify/ridges_smooth/graph_forms.hpp"
 #include "certify/ridges_smooth/vector.hpp"
 

@@ -124,11 +124,8 @@ void check_edges(const RidgesSmoothCertificate& c, const Mesh& mesh) {
 }  // namespace
 
 Mesh check_mesh(const RidgesSmoothCertificate& c) {
-  MeshData data;
-  data.faces = c.faces;
-  data.positions.resize(c.vertices.size());
   Mesh mesh;
-  mesh.topology = build_topology(data);
+  mesh.topology = build_topology(c.faces, c.vertices.size());
   const bool may_end = c.surface.kind == 1 && c.surface.periodic != 3;
   require(may_end || mesh.topology.boundary_loops == 0, "triangulation: it has a boundary");
   number_components(mesh, c.faces.size());

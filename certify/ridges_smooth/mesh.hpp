@@ -2,7 +2,9 @@
 #pragma once
 
 // Step 2 of claim 4: the complex |T|, its components, the patches as disks; and the chart
-// conditions of kind 1, which are exact (certify/SPEC.md, "Triangulation").
+// conditions of kind 1, which are exact (SPEC.md, "Triangulation").
+#include "certify/exact/sign_ladder.hpp"
+#include "certify/ridges_smooth/records.hpp"
 #include "certify/surface/mesh_checks.hpp"
 
 namespace crest::certify::smooth {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One umbilic with one model type (certify/SPEC.md, claim 4, "Patches"): the surface over a piece
+// One umbilic with one model type (SPEC.md, "Patches"): the surface over a piece
 // of the plane of its two coordinates, the umbilic's box (2, 5), the blow-up (4).
 #include "certify/ridges_smooth/blow_up.hpp"
 #include "certify/ridges_smooth/foot.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All patches (certify/SPEC.md, claim 4, theorem 10), and the graph's counts (theorem 11).
+// All patches (SPEC.md, theorem 10), and the graph's counts (theorem 11).
 #include "certify/ridges_smooth/faces.hpp"
 
 namespace crest::certify::smooth {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A period of a parametrisation, by the two abstract evaluations of certify/SPEC.md, claim 4.
+// A period of a parametrisation, by the two abstract evaluations of SPEC.md.
 #include "certify/container/reject.hpp"
 #include "certify/ridges_smooth/surface.hpp"
 

@@ -5,8 +5,8 @@
 // and on quarters, order 5 below; MPFR for points that doubles leave open, or for everything.
 #include <memory>
 
+#include "certify/container/verdict.hpp"
 #include "certify/ridges_smooth/face.hpp"
-#include "certify/verify.hpp"
 
 namespace crest::certify::smooth {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The certificate of claim 4, ridges-smooth, as plain structs (certify/SPEC.md).
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
+// The certificate of claim 4, ridges-smooth, as plain structs (SPEC.md).
+#include "certify/certificate.hpp"
 
 namespace crest::certify {
 
-using Bytes = std::vector<std::uint8_t>;
+inline constexpr std::uint32_t kRidgesSmooth = 4;
+/// Bytes of an expression.
+inline constexpr std::size_t kLongestText = 65535;
 
 /// What expressions define a smooth surface: claim ridges-smooth.
 struct SmoothSurfaceData {

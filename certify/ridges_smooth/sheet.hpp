@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Kind 0: Phi is one-to-one, and its image is all of S (certify/SPEC.md, claim 4, "One sheet" and
-// "Completeness").
+// Kind 0: Phi is one-to-one, and its image is all of S (SPEC.md, "One sheet" and "Completeness").
 #include "certify/ridges_smooth/faces.hpp"
 
 namespace crest::certify::smooth {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The surface of claim 4 (certify/SPEC.md, "Data section"): expressions, proven periods, values and
+// The surface of claim 4 (SPEC.md, "Data section"): expressions, proven periods, values and
 // derivatives over a model type.
 #include <array>
 #include <optional>
 #include <tuple>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/records.hpp"
 #include "kernel/arithmetic/jet.hpp"
 #include "kernel/expressions/enclosures.hpp"
 

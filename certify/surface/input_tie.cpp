@@ -12,7 +12,7 @@
 #include <numeric>
 
 #include "certify/container/reject.hpp"
-#include "certify/verify.hpp"
+#include "certify/container/verdict.hpp"
 
 namespace crest::certify {
 namespace {
@@ -106,20 +106,20 @@ std::array<std::size_t, 3> unoriented(std::array<std::size_t, 3> face) {
 
 }  // namespace
 
-void check_input(const std::string& path, const MeshData& data) {
+void check_input(const std::string& path, std::span<const Position> positions, Faces faces) {
   const Soup soup = read_input(path);
-  require(soup.positions.size() == data.positions.size(), "{}: {} vertices, {} in the certificate",
-          path, soup.positions.size(), data.positions.size());
-  require(soup.faces.size() == data.faces.size(), "{}: {} faces, {} in the certificate", path,
-          soup.faces.size(), data.faces.size());
+  require(soup.positions.size() == positions.size(), "{}: {} vertices, {} in the certificate", path,
+          soup.positions.size(), positions.size());
+  require(soup.faces.size() == faces.size(), "{}: {} faces, {} in the certificate", path,
+          soup.faces.size(), faces.size());
   for (std::size_t v = 0; v < soup.positions.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i)
       require(std::bit_cast<std::uint64_t>(soup.positions[v][i]) ==
-                  std::bit_cast<std::uint64_t>(data.positions[v][i]),
+                  std::bit_cast<std::uint64_t>(positions[v][i]),
               "{}: vertex {} is elsewhere", path, v);
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
     const auto& face = soup.faces[f];
-    const auto& [a, b, c] = data.faces[f];
+    const auto& [a, b, c] = faces[f];
     require(face.size() == 3 && unoriented({face[0], face[1], face[2]}) == unoriented({a, b, c}),
             "{}: face {} has other corners", path, f);
   }

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// `--input FILE`: are the data of a certificate the mesh of a file? (certify/SPEC.md, last section)
+// `--input FILE`: are the data of a certificate the mesh of a file? (ridges_mesh/SPEC.md, last
+// section)
 #include <string>
 
-#include "certify/certificate.hpp"
+#include "certify/surface/corners.hpp"
 
 namespace crest::certify {
 
 /// Reads OFF, OBJ, PLY or STL with CGAL's readers, merges exactly equal vertices of STL, drops
 /// unreferenced vertices. Throws Reject if positions or faces differ (faces up to rotation and
 /// orientation), TieUnavailable for other formats, InputUnreadable.
-void check_input(const std::string& path, const MeshData& data);
+void check_input(const std::string& path, std::span<const std::array<double, 3>> positions,
+                 Faces faces);
 
 }  // namespace crest::certify

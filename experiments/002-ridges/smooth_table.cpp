@@ -13,6 +13,7 @@
 #include <iostream>
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
 #include "kernel/arithmetic/self_test.hpp"

@@ -10,39 +10,12 @@
 // decisions share data on a coarse grid, machine integers may decide them all before the first
 // (stage integer, kernel/predicates/critical_value_grid.hpp).
 #include <cassert>
-#include <cstdint>
 
 #include "kernel/arithmetic/approximate.hpp"
 #include "kernel/arithmetic/sign.hpp"
+#include "kernel/arithmetic/stage.hpp"
 
 namespace crest::kernel {
-
-enum class Stage : std::uint8_t { triage, interval, integer, exact, symbolic };
-
-struct Decision {
-  Sign sign;
-  Stage stage;  ///< the one that decided
-};
-
-/// Who decided, summed over calls; the calls that no other stage decided triage did.
-struct StageCounts {
-  std::uint64_t calls = 0, interval = 0, integer = 0, exact = 0, symbolic = 0;
-  void add(Stage s) {
-    ++calls;
-    interval += s == Stage::interval;
-    integer += s == Stage::integer;
-    exact += s == Stage::exact;
-    symbolic += s == Stage::symbolic;
-  }
-  StageCounts& operator+=(const StageCounts& o) {
-    calls += o.calls;
-    interval += o.interval;
-    integer += o.integer;
-    exact += o.exact;
-    symbolic += o.symbolic;
-    return *this;
-  }
-};
 
 template <class Formula>
 MaybeSign triage(const Formula& formula) {

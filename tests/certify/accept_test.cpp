@@ -5,6 +5,7 @@
 
 #include "certify/container/container.hpp"
 #include "certify/ridges_mesh/canonical.hpp"
+#include "certify/ridges_mesh/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/reference_ridges.hpp"
 #include "tests/certify/sample_meshes.hpp"

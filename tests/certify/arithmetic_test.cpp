@@ -9,7 +9,7 @@
 #include "certify/ridges_mesh/vertex_angles.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 #include "tests/certify/sample_meshes.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/failures.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -52,6 +52,9 @@ TEST_CASE("MpInterval encloses exact results, also when operands are one object"
   for (std::uint64_t i = 0; i < scaled(20000); ++i) {
     auto [a, x] = interval_and_point(random);
     auto [b, y] = interval_and_point(random);
+    const OnFailure shown([&a = a, &b = b, &x = x, &y = y] {
+      return "[a], x, [b], y = " + in_braces(a.lower(), a.upper(), x, b.lower(), b.upper(), y);
+    });
     REQUIRE(a.contains(x));
     CHECK((a + b).contains(Rational(x + y)));
     CHECK((a - b).contains(Rational(x - y)));
@@ -106,6 +109,9 @@ TEST_CASE("MpInterval atan2 encloses the argument over whole boxes, modulo 2 pi"
     auto [x, px] = interval_and_point(random);
     auto [y, py] = interval_and_point(random);
     if (px == 0 && py == 0) continue;
+    const OnFailure shown([&x = x, &px = px, &y = y, &py = py] {
+      return "[x], px, [y], py = " + in_braces(x.lower(), x.upper(), px, y.lower(), y.upper(), py);
+    });
     const MpInterval angle = atan2(y, x);
     const MpInterval point = atan2(MpInterval::from(py, 500), MpInterval::from(px, 500));
     const MpInterval turn = MpInterval(2, 500) * MpInterval::pi(500);
@@ -132,6 +138,7 @@ TEST_CASE("Argument stays within its error bound") {
   const Argument argument;
   double worst = 0;
   const auto check = [&](double y, double x) {
+    const OnFailure shown([&] { return "y, x = " + in_braces(y, x); });
     const MpInterval exact = atan2(MpInterval(y, 120), MpInterval(x, 120));
     const MpInterval off = MpInterval(argument(y, x), 120) - exact;
     const double error = std::max(std::fabs(off.lower()), std::fabs(off.upper()));
@@ -163,6 +170,7 @@ TEST_CASE("Filtered: the error stays within the bound, and the bound is not idle
     double a[6];
     for (double& x : a) x = i % 4 ? uniform(random) : awkward(random);
     if (i % 2) a[5] = a[0] * a[1] / (a[2] + 1e-3);  // near cancellation
+    const OnFailure shown([&] { return "a = " + in_words(a); });
     const auto formula = [&](auto lift) {
       const auto d = lift(a[0]) * lift(a[1]) - lift(a[2]) * lift(a[5]);
       return (d * d - lift(a[3]) * d) * (lift(a[4]) - lift(a[3])) + d * lift(a[4]) * lift(a[4]);
@@ -186,6 +194,7 @@ TEST_CASE("Filtered never decides across underflow or overflow") {
     double a[4];
     for (double& x : a)
       x = std::ldexp(uniform(random), (random() % 2 ? 1 : -1) * static_cast<int>(random() % 1070));
+    const OnFailure shown([&] { return "a = " + in_words(a); });
     const auto formula = [&](auto lift) {
       return (lift(a[0]) * lift(a[1]) - lift(a[2]) * lift(a[3])) * lift(a[3]) + lift(a[1]);
     };
@@ -198,7 +207,7 @@ TEST_CASE("double angles enclose those of MPFR at every vertex") {
   std::size_t known = 0;
   for (const auto& [name, data] : all_samples()) {
     INFO(name);
-    const Topology t = build_topology(data);
+    const Topology t = build_topology(data.faces, data.positions.size());
     const DoubleAngles angles = enclose_angles(data, t);
     const MpInterval turn = MpInterval(2, 256) * MpInterval::pi(256);
     for (std::uint32_t v = 0; v < data.positions.size(); ++v) {

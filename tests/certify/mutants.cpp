@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "certify/container/container.hpp"
+#include "certify/ridges_mesh/decode.hpp"
 
 namespace crest::tests {
 namespace {
@@ -180,6 +181,18 @@ Bytes mutate_bytes(Bytes bytes, Random& random) {
     if (data <= left) write64(bytes, kLengthsOffset + 8, left - data);
   }
   return bytes;
+}
+
+std::string difference_in_words(const Bytes& original, const Bytes& mutant) {
+  const auto end = static_cast<std::ptrdiff_t>(std::min(original.size(), mutant.size()));
+  const auto at = std::mismatch(original.begin(), original.begin() + end, mutant.begin()).first -
+                  original.begin();
+  std::string text = std::to_string(original.size()) + " bytes became " +
+                     std::to_string(mutant.size()) + ", the first other one is byte " +
+                     std::to_string(at);
+  if (at == end) return text;
+  const auto i = static_cast<std::size_t>(at);
+  return text + ": " + std::to_string(original[i]) + " became " + std::to_string(mutant[i]);
 }
 
 std::string mutate_claim(Certificate& c, Random& random) {

@@ -4,7 +4,7 @@
 // False certificates from true ones.
 #include <string>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
 #include "tests/certify/sample_meshes.hpp"
 
 namespace crest::tests {
@@ -15,6 +15,9 @@ certify::RidgesMeshCertificate decode(const certify::Bytes& bytes);
 /// Bits, bytes, numbers, cuts, insertions anywhere in the file; the container's lengths are
 /// sometimes made to fit again.
 certify::Bytes mutate_bytes(certify::Bytes bytes, Random& random);
+
+/// Where the mutant departs from its original, for the message of a failing test.
+std::string difference_in_words(const certify::Bytes& original, const certify::Bytes& mutant);
 
 /// A wrong record: dropped, doubled, swapped, with another number, type, end, order or count.
 /// Returns what was done; the certificate may be unchanged when the record does not exist.

@@ -11,7 +11,7 @@
 #include "certify/verify.hpp"
 #include "tests/certify/mutants.hpp"
 #include "tests/certify/reference_ridges.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/failures.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -66,6 +66,8 @@ struct Tally {
 void judge(const Original& original, const Bytes& mutant, Tally& tally) {
   if (mutant == original.bytes) return;
   ++tally.mutants;
+  const OnFailure shown(
+      [&] { return original.name + ": " + difference_in_words(original.bytes, mutant); });
   Bytes sealed = mutant, bound = mutant;
   try {
     reseal(sealed);
@@ -76,13 +78,16 @@ void judge(const Original& original, const Bytes& mutant, Tally& tally) {
   if (sealed != original.bytes) {
     const bool accepted = verify(sealed).accepted;
     // Another true claim about the same data (patches may be chosen) is no false acceptance.
-    tally.resealed_accepted += accepted && true_claim(decode(sealed)) != sealed;
+    const bool is_false = accepted && true_claim(decode(sealed)) != sealed;
+    CHECK_FALSE(is_false);
+    tally.resealed_accepted += is_false;
   } else {
     CHECK_FALSE(verify(mutant).accepted);
   }
   if (!verify(bound).accepted) return;
   ++tally.rebound_accepted;
   const bool is_true = true_claim(decode(bound)) == bound;
+  CHECK(is_true);
   tally.rebound_true += is_true;
 }
 

@@ -4,7 +4,7 @@
 // False claims about Reeb graphs from true ones.
 #include <string>
 
-#include "certify/certificate.hpp"
+#include "certify/reeb/encode.hpp"
 #include "tests/certify/sample_meshes.hpp"
 
 namespace crest::tests {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "certify/container/container.hpp"
+#include "certify/reeb/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/reeb_samples.hpp"
 #include "tests/certify/reference_reeb.hpp"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/certify/reference_ridges.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -23,7 +24,7 @@ std::vector<PatchFaces> ReferenceRidges::single_faces() const {
   return out;
 }
 
-std::vector<PatchFaces> ReferenceRidges::grown(std::size_t size, std::mt19937_64& random) const {
+std::vector<PatchFaces> ReferenceRidges::grown(std::size_t size, Random& random) const {
   std::vector<PatchFaces> out = single_faces();
   std::vector<u32> taken;
   for (const auto& patch : out) taken.push_back(patch.centre);

@@ -6,6 +6,7 @@
 // theorem 6.
 #include <optional>
 
+#include "certify/reeb/encode.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "tests/certify/sample_meshes.hpp"
 

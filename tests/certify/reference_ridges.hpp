@@ -6,11 +6,11 @@
 // with algorithms/. For meshes of up to a few hundred faces.
 #include <map>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -32,7 +32,7 @@ class ReferenceRidges {
   std::vector<PatchFaces> single_faces() const;
   /// As single_faces(), each grown at random by up to `size` faces of index zero where the result
   /// is a coherent disk.
-  std::vector<PatchFaces> grown(std::size_t size, std::mt19937_64& random) const;
+  std::vector<PatchFaces> grown(std::size_t size, Random& random) const;
   /// The certificate with these patches; empty if they do not meet the definition.
   std::optional<certify::RidgesMeshCertificate> certificate(
       const std::vector<PatchFaces>& patches) const;

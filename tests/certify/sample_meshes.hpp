@@ -3,15 +3,13 @@
 
 // Small meshes with Monge data, regular and degenerate, for the certificate tests.
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_mesh/encode.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
-
-using Random = std::mt19937_64;
 
 struct Sample {
   std::string name;

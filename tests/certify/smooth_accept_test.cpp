@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "certify/container/container.hpp"
+#include "certify/ridges_smooth/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify/smooth_producer.hpp"
 #include "tests/support/program.hpp"

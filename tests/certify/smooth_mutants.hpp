@@ -4,7 +4,7 @@
 // False certificates of claim 4 from true ones.
 #include <string>
 
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "tests/certify/sample_meshes.hpp"
 
 namespace crest::tests {

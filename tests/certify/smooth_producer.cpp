@@ -9,6 +9,7 @@
 
 #include "certify/surface/mesh_checks.hpp"
 #include "tests/certify/smooth_samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -20,10 +21,7 @@ using u32 = std::uint32_t;
 class ClaimFiller {
  public:
   ClaimFiller(RidgesSmoothCertificate& c, int rings) : c_(c), sampler_(c), rings_(rings) {
-    MeshData data;
-    data.faces = c.faces;
-    data.positions.resize(c.vertices.size());
-    topology_ = build_topology(data);
+    topology_ = build_topology(c.faces, c.vertices.size());
     patch_of_.assign(c.faces.size(), kNone);
     c.face_records.assign(c.faces.size(), {});
     c.patches.clear();
@@ -122,7 +120,7 @@ RidgesSmoothCertificate smooth_grid(const SmoothSurfaceData& surface, int nu, in
   c.surface = surface;
   const int periodic[] = {surface.periodic & 1, surface.periodic >> 1 & 1};
   const int n[] = {nu, nv}, points[] = {nu + 1 - periodic[0], nv + 1 - periodic[1]};
-  std::mt19937_64 random(seed);
+  Random random(seed);
   std::uniform_real_distribution<double> shift(-jitter, jitter);
   for (int j = 0; j < points[1]; ++j)
     for (int i = 0; i < points[0]; ++i) {

@@ -3,7 +3,7 @@
 
 // A second producer of claim 4, kind 1, for the tests: everything by sampling in plain double. What
 // it writes is likely on a mesh fine enough, and nothing more; the checker decides.
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 
 namespace crest::tests {
 

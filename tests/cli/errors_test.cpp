@@ -104,11 +104,30 @@ TEST_CASE("a place that cannot be written is found out first, in one line") {
 }
 
 TEST_CASE("a full device: exit code 3, nothing left behind") {
-  if (!fs::exists("/dev/full")) return;
+  REQUIRE(fs::is_character_file("/dev/full"));
   const TemporaryFolder folder;
   write_text(folder / "kept", "old");
   write_text(folder / "t.off", kTetrahedron);
   check_refused("crest ridges t.off --quiet -o t.vtp --report /dev/full", folder.path(), 3);
+}
+
+TEST_CASE("crest-verify --reseal and --rebind to a full device or a missing folder: exit code 3") {
+  if (!fs::exists("/dev/full")) return;
+  const TemporaryFolder folder;
+  write_text(folder / "kept", "old");
+  write_text(folder / "t.off", kTetrahedron);
+  REQUIRE(run_crest("crest ridges t.off --quiet --certificate t.crest", folder.path()).exit_code ==
+          0);
+  for (const char* option : {"--reseal", "--rebind"}) {
+    for (const char* target : {"/dev/full", "no/such.crest", "."}) {
+      check_refused(std::string("crest-verify ") + option + " t.crest " + target, folder.path(), 3);
+      CHECK(fs::is_character_file("/dev/full"));
+    }
+    // A disk that fills up on the way: no file may grow beyond one block.
+    check_refused(
+        std::string("ulimit -f 1; trap '' XFSZ; crest-verify ") + option + " t.crest u.crest",
+        folder.path(), 3);
+  }
 }
 
 TEST_CASE("a report can go to a device, an output replaces a link's target") {

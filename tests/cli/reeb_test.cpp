@@ -3,11 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 #include "tests/cli/run_crest.hpp"
-#include "tests/support/environment.hpp"
 #include "tests/support/quadratic_files.hpp"
+#include "tests/support/random.hpp"
 
 using namespace crest::tests;
 
@@ -99,7 +98,7 @@ TEST_CASE("crest reeb gives the same graph for any numbering of the triangles") 
       return ties ? std::round(2 * slanted(p)) : std::sin(5 * p[0] + p[2]) * p[1];
     });
     write_text(folder / "a.vtu", vtu_text(grid));
-    std::mt19937_64 random(kSeed);
+    Random random(kSeed);
     std::shuffle(grid.cells.begin(), grid.cells.end(), random);
     write_text(folder / "b.vtu", vtu_text(grid));
     // Faces also turned and mirrored: another corner first, the other way round.
@@ -131,7 +130,7 @@ TEST_CASE("crest reeb --contract gives the same graph for any numbering of the v
     QuadraticGrid other = grid;
     std::vector<Index> number(grid.nodes.size());
     std::iota(number.begin(), number.end(), 0u);
-    std::mt19937_64 random(kSeed);
+    Random random(kSeed);
     std::shuffle(number.begin(), number.end(), random);
     for (Index v = 0; v < number.size(); ++v) {
       other.nodes[number[v]] = grid.nodes[v];

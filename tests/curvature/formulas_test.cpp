@@ -7,7 +7,7 @@
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/curvature/normal_tensor.hpp"
 #include "kernel/arithmetic/rational.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/failures.hpp"
 
 using namespace crest::curvature;
 using crest::kernel::Rational;
@@ -24,7 +24,7 @@ struct Case {
 
 /// Random corners, normals near the triangle's own, a random point (lambda sums to 1 exactly:
 /// multiples of 1/1024).
-Case random_case(std::mt19937_64& random) {
+Case random_case(crest::tests::Random& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Case c;
   for (auto& x : c.t.x) x = {unit(random), unit(random), unit(random)};
@@ -75,17 +75,16 @@ bool regular(const Case& c) {
 }  // namespace
 
 TEST_CASE("K and H of 3.13 and 3.14 equal the forms' and the determinant form's, exactly") {
-  std::mt19937_64 random(crest::tests::kSeed);
+  crest::tests::Random random(crest::tests::kSeed);
   for (std::uint64_t i = 0; i < crest::tests::scaled(300); ++i) {
     const Case c = random_case(random);
     if (!regular(c)) continue;
+    const crest::tests::OnFailure shown([&] { return "case " + crest::tests::in_words(c); });
     const auto t = exact(c.t);
     const Exact lambda = exact(c.lambda);
     const Exact n = interpolated_normal(t, lambda);
     const Rational nn = inner(n, n);
     const Rational K = gaussian_curvature(t, lambda), H = scaled_mean_curvature(t, lambda);
-    INFO("seed " << crest::tests::kSeed << ", case " << i);
-
     const auto w = scaled_weingarten(t, lambda);
     CHECK(K * nn == w.w11 * w.w22 - w.w12 * w.w21);
     CHECK(2 * H == w.w11 + w.w22);
@@ -102,10 +101,11 @@ TEST_CASE("K and H of 3.13 and 3.14 equal the forms' and the determinant form's,
 }
 
 TEST_CASE("the determinant form is the matrix of -dn on the sides of the triangle") {
-  std::mt19937_64 random(crest::tests::kSeed + 1);
+  crest::tests::Random random(crest::tests::kSeed + 1);
   for (std::uint64_t i = 0; i < crest::tests::scaled(100); ++i) {
     const Case c = random_case(random);
     if (!regular(c)) continue;
+    const crest::tests::OnFailure shown([&] { return "case " + crest::tests::in_words(c); });
     const auto t = exact(c.t);
     const Exact lambda = exact(c.lambda);
     const Exact n = interpolated_normal(t, lambda);
@@ -123,11 +123,12 @@ TEST_CASE("the determinant form is the matrix of -dn on the sides of the triangl
 }
 
 TEST_CASE("curvature in doubles agrees with exact rationals, any point of a triangle") {
-  std::mt19937_64 random(crest::tests::kSeed + 2);
+  crest::tests::Random random(crest::tests::kSeed + 2);
   double worst = 0;
   for (std::uint64_t i = 0; i < crest::tests::scaled(300); ++i) {
     const Case c = random_case(random);
     if (!regular(c)) continue;
+    const crest::tests::OnFailure shown([&] { return "case " + crest::tests::in_words(c); });
     const TriangleMesh mesh({c.t.x[0], c.t.x[1], c.t.x[2]}, {{0, 1, 2}});
     const auto got = curvature_at(mesh, {c.t.n[0], c.t.n[1], c.t.n[2]}, 0, c.lambda);
     const auto t = exact(c.t);
@@ -140,7 +141,6 @@ TEST_CASE("curvature in doubles agrees with exact rationals, any point of a tria
     const double a = std::abs(static_cast<double>(A));
     // Entries of W carry the error: compare on their scale.
     const double scale = 1 + h * h + std::abs(k) + a * a;
-    INFO("seed " << crest::tests::kSeed + 2 << ", case " << i);
     CHECK(std::abs(got.K - k) <= 1e-9 * scale);
     CHECK(std::abs(got.H - h) <= 1e-9 * scale);
     CHECK(std::abs(got.asymmetry - a) <= 1e-9 * scale);
@@ -158,11 +158,12 @@ TEST_CASE("curvature in doubles agrees with exact rationals, any point of a tria
 }
 
 TEST_CASE("principal directions are eigenvectors of the tensor and tangent") {
-  std::mt19937_64 random(crest::tests::kSeed + 3);
+  crest::tests::Random random(crest::tests::kSeed + 3);
   int real = 0;
   for (std::uint64_t i = 0; i < crest::tests::scaled(300); ++i) {
     const Case c = random_case(random);
     if (!regular(c)) continue;
+    const crest::tests::OnFailure shown([&] { return "case " + crest::tests::in_words(c); });
     const TriangleMesh mesh({c.t.x[0], c.t.x[1], c.t.x[2]}, {{0, 1, 2}});
     const auto got = curvature_at(mesh, {c.t.n[0], c.t.n[1], c.t.n[2]}, 0, c.lambda);
     const auto n = interpolated_normal(c.t, c.lambda);

@@ -4,9 +4,9 @@
 // Meshes with known curvatures: torus grids, patches, spheres.
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "algorithms/curvature/curvature.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -33,7 +33,7 @@ inline Shape torus(int n, std::uint64_t seed) {
   Shape s;
   std::vector<kernel::Vec3> points;
   std::vector<kernel::Triangle> faces;
-  std::mt19937_64 random(seed);
+  crest::tests::Random random(seed);
   const auto at = [&](int i, int j) {
     return static_cast<kernel::Index>(((i + n) % n) * n + (j + n) % n);
   };

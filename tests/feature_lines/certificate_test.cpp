@@ -6,9 +6,10 @@
 #include <iostream>
 
 #include "certify/container/container.hpp"
+#include "certify/features_mesh/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/feature_lines/meshes.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/failures.hpp"
 
 using namespace crest::tests;
 namespace fl = crest::feature_lines;
@@ -172,6 +173,7 @@ TEST_CASE("edited claims and data are accepted only if true of their own data") 
     const cert::Bytes rebound = cert::encode(c);
     if (rebound == original) continue;
     ++mutants;
+    const OnFailure shown([&] { return "mutant " + std::to_string(i); });
     // With the digest of the data it was made for, only the seal anew: other data are noticed.
     cert::Bytes sealed = rebound;
     std::copy(original.begin() + cert::kDigestOffset, original.begin() + cert::kLengthsOffset,
@@ -214,6 +216,7 @@ TEST_CASE("edited bytes: resealed all rejected unless true, rebound only true on
         bytes.insert(bytes.begin() + static_cast<long>(at), static_cast<std::uint8_t>(random()));
     }
     ++mutants;
+    const OnFailure shown([&] { return "mutant " + std::to_string(i); });
     cert::Bytes sealed = bytes;
     try {
       cert::reseal(sealed);

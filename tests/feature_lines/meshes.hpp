@@ -4,11 +4,11 @@
 // Meshes with known topology, and Betti numbers the slow way.
 #include <cmath>
 #include <map>
-#include <random>
 #include <set>
 #include <tuple>
 
 #include "algorithms/feature_lines/topology.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -18,8 +18,6 @@ using kernel::Index;
 using kernel::Triangle;
 using kernel::TriangleMesh;
 using kernel::Vec3;
-using Random = std::mt19937_64;
-
 /// Vertex 0 in the middle of a fan; its neighbours 1 .. n around a cycle, or along a path.
 inline TriangleMesh fan(Index n, bool closed) {
   std::vector<Vec3> points = {{0, 0, 0}};

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "certify/container/container.hpp"
+#include "certify/reeb/decode.hpp"
 #include "certify/verify.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "tests/certify/reeb_samples.hpp"

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "certify/container/container.hpp"
+#include "certify/ridges_smooth/decode.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace crest::certify;

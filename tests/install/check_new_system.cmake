@@ -14,8 +14,11 @@ foreach(part algorithms cli cmake experiments io kernel scripts tests CMakeLists
              CMakePresets.json README.md references.bib)
   file(COPY ${SOURCE}/${part} DESTINATION ${WORK}/tree)
 endforeach()
-# The skeleton's test links nothing of claim 4, whose sources take minutes to compile.
-file(COPY ${SOURCE}/certify DESTINATION ${WORK}/tree PATTERN "smooth_*.cpp" EXCLUDE)
+# The skeleton's test links nothing of claim 4, whose sources take minutes to compile: the table of
+# claims is made without it.
+file(COPY ${SOURCE}/certify DESTINATION ${WORK}/tree)
+file(GLOB sources ${WORK}/tree/certify/ridges_smooth/*.cpp)
+file(REMOVE ${sources})
 run(${WORK}/tree/scripts/new-system.sh shape_census)
 run(${CMAKE_COMMAND} -S ${WORK}/tree -B ${WORK}/build -G Ninja -D CMAKE_BUILD_TYPE=Debug
   -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_CXX_COMPILER=${COMPILER})

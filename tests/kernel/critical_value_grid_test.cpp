@@ -57,6 +57,7 @@ std::optional<ValueGrid> grid_of(const Steps& step) {
 }
 
 struct Keyed {
+  CriticalValue node;
   Rational value;
   std::uint64_t key;
 };
@@ -69,6 +70,7 @@ std::size_t require_law_1(std::vector<Keyed> all) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     const bool equal = all[i].value == all[i - 1].value;
     ties += equal;
+    const OnFailure shown([&] { return "values " + in_braces(all[i - 1].node, all[i].node); });
     REQUIRE((equal ? all[i].key == all[i - 1].key : all[i].key > all[i - 1].key));
   }
   return ties;
@@ -87,7 +89,7 @@ TEST_CASE("values on a grid: law 1, keys order as rationals do") {
       std::vector<Keyed> all;
       for (std::uint64_t i = 0; i < scaled(1000); ++i) {
         const CriticalValue v = draw_value(step);
-        all.push_back({exact_value(v), grid->key(v)});
+        all.push_back({v, exact_value(v), grid->key(v)});
       }
       ties += require_law_1(std::move(all));
     }
@@ -99,7 +101,9 @@ TEST_CASE("values on a grid: all edges and many faces of a small one, all pairs"
     Steps step{Draw(561), largest};
     const ValueGrid grid = *grid_of(step);
     std::vector<Keyed> all;
-    const auto add = [&](const CriticalValue& v) { all.push_back({exact_value(v), grid.key(v)}); };
+    const auto add = [&](const CriticalValue& v) {
+      all.push_back({v, exact_value(v), grid.key(v)});
+    };
     for (int a = 0; a <= largest; ++a)
       for (int b = 0; b <= largest; ++b)
         for (int m = 0; m <= largest; ++m) {
@@ -115,6 +119,7 @@ TEST_CASE("values on a grid: law 2, shifts and scales") {
   for (std::uint64_t i = 0; i < scaled(2000); ++i) {
     Steps at_zero{Draw(562 + i), 1000}, elsewhere{Draw(562 + i), 1000, 0x1p-20, 12345.0};
     const CriticalValue x = draw_value(at_zero), y = draw_value(elsewhere);
+    const OnFailure shown([&] { return "values " + in_braces(x, y); });
     REQUIRE(x.kind == y.kind);
     REQUIRE(grid_of(at_zero)->key(x) == grid_of(elsewhere)->key(y));
   }
@@ -147,7 +152,7 @@ TEST_CASE("values on a grid: which values are on one") {
 TEST_CASE("critical values: the normal form does not depend on the corners' order") {
   std::size_t faces = 0;
   for (const Family family : kFamilies) {
-    Draw d(570 + static_cast<std::uint64_t>(family));
+    Draw d(570, family);
     const auto normal = [](const CriticalValue& v) { return normal_form(v).f; };
     for (std::uint64_t i = 0; i < scaled(500); ++i) {
       const double a = draw(d, family), b = draw(d, family), m = draw(d, family);
@@ -160,6 +165,7 @@ TEST_CASE("critical values: the normal form does not depend on the corners' orde
       const Sign s = face_critical(f).sign;
       if (s == Sign::zero) continue;
       ++faces;
+      const OnFailure shown([&] { return "face " + in_words(f); });
       const CriticalValue v = CriticalValue::face(f, s);
       for (const FaceValues& g : {f.rotated(1), f.rotated(2), f.mirrored(), f.rotated(1).mirrored(),
                                   f.rotated(2).mirrored()})

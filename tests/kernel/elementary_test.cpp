@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/failures.hpp"
+
 using namespace crest::kernel;
 
 namespace {
@@ -30,7 +32,7 @@ bool holds(Function function, double x, const Approximation& y) {
 /// Numbers of all sizes, near multiples of `period` (where k changes and sin or cos vanish) and
 /// plain ones.
 std::vector<double> arguments(double largest, double period) {
-  std::mt19937_64 random(1980);
+  crest::tests::Random random(1980);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<double> all = {0,       0x1p-1074, 1e-320, 1e-300,  -1e-300,
                              0x1p-30, 1,         -1,     largest, -largest};
@@ -52,25 +54,24 @@ std::vector<double> arguments(double largest, double period) {
 }  // namespace
 
 TEST_CASE("exp is within its error") {
-  int wrong = 0, loose = 0;
+  crest::tests::Failures failures;
   for (const double x : arguments(700, std::log(2))) {
     const auto y = exp_near(x);
-    wrong += !holds(mpfr_exp, x, y);
-    loose += !(y.error <= 0x1p-51 * y.value);
+    failures.expect(holds(mpfr_exp, x, y), "exp is within its error at", x);
+    failures.expect(y.error <= 0x1p-51 * y.value, "the error of exp is small at", x);
   }
-  CHECK(wrong == 0);
-  CHECK(loose == 0);
+  CHECK(failures.report() == "");
 }
 
 TEST_CASE("sin and cos are within their errors") {
-  int wrong = 0, loose = 0;
+  crest::tests::Failures failures;
   for (const double x : arguments(0x1p19, std::acos(-1))) {
     const auto [s, c] = sin_cos_near(x);
-    wrong += !holds(mpfr_sin, x, s) + !holds(mpfr_cos, x, c);
-    loose += !(s.error <= 0x1p-51) + !(c.error <= 0x1p-51);
+    failures.expect(holds(mpfr_sin, x, s), "sin is within its error at", x);
+    failures.expect(holds(mpfr_cos, x, c), "cos is within its error at", x);
+    failures.expect(s.error <= 0x1p-51 && c.error <= 0x1p-51, "the errors are small at", x);
   }
-  CHECK(wrong == 0);
-  CHECK(loose == 0);
+  CHECK(failures.report() == "");
   CHECK(sin_cos_near(0)[0].value == 0);
   CHECK(sin_cos_near(0)[0].error == 0);
 }

@@ -107,6 +107,7 @@ TEST_CASE("MPFR intervals with doubles") {
     const double low = d.uniform(), high = low + d.integer(0, 2) * 0.75, s = d.uniform();
     const MpInterval x = MpInterval::between(low, high, 60);
     const Rational at = (Rational(low) + Rational(high)) / 2, t(s);
+    const OnFailure shown([&] { return "low, high, s = " + in_braces(low, high, s); });
     REQUIRE((x + s).contains(at + t));
     REQUIRE((x - s).contains(at - t));
     REQUIRE((x * s).contains(at * t));

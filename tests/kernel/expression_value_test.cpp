@@ -123,7 +123,7 @@ TEST_CASE("random expressions have the values that rationals give them") {
     const std::vector<Rational> at = {Rational(d.integer(-9, 9), 4), Rational(d.integer(-9, 9), 7),
                                       d.integer(-9, 9)};
     const Grown grown = grow(d, d.integer(1, 4), at);
-    INFO("seed " << crest::tests::kSeed << ", trial " << i << ": " << grown.text);
+    INFO("trial " << i << ": " << grown.text);
     const Expression e = Expression::parse(grown.text, kXyz);
     CHECK(e.rational());
     CHECK(rational_evaluator(e)(at) == grown.value);

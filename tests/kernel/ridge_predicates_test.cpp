@@ -35,10 +35,11 @@ TEST_CASE("depths are those of the templates") {
 
 TEST_CASE("extremality sign: odd, never zero, symbolic only at zero") {
   for (Family family : kFamilies) {
-    Draw d(10 + static_cast<std::uint64_t>(family));
+    Draw d(10, family);
     for (int i = 0; i < 2000; ++i) {
       const Vec3 v = draw_vector(d, family);
       const double b = i % 3 == 0 ? 0.0 : draw(d, family);
+      const OnFailure shown([&] { return "b, v = " + in_braces(b, v); });
       const Decision s = extremality_sign(b, v);
       REQUIRE(s.sign != Sign::zero);
       REQUIRE(extremality_sign(-b, negated(v)).sign == -s.sign);
@@ -56,12 +57,13 @@ TEST_CASE("crossing type: stages, laws, agreement", "[stress]") {
   CHECK(crossing_type({1, 1, 0, 2, 0}, {1, 1, 0, 2, 0}).stage == Stage::triage);
   StageCounts all;
   for (Family family : kFamilies) {
-    Draw d(20 + static_cast<std::uint64_t>(family));
+    Draw d(20, family);
     all += require_stages_agree<InterpolatedP>(scaled(150000), [&](std::uint64_t) {
       return InterpolatedP{draw_end(d, family), draw_end(d, family)};
     });
     for (int i = 0; i < 500; ++i) {
       const RidgeEndData p = draw_end(d, family), q = draw_end(d, family);
+      const OnFailure shown([&] { return "ends " + in_braces(p, q); });
       REQUIRE(crossing_type(p, q).sign == crossing_type(q, p).sign);  // law 1
       RidgeEndData r = p;                                             // law 2: reversal
       r.b = -r.b;
@@ -77,7 +79,7 @@ TEST_CASE("crossing type: stages, laws, agreement", "[stress]") {
 TEST_CASE("segment type: stages, laws, agreement", "[stress]") {
   StageCounts all;
   for (Family family : kFamilies) {
-    Draw d(40 + static_cast<std::uint64_t>(family));
+    Draw d(40, family);
     CrossedTriangle t{};
     auto next = [&](std::uint64_t i) {
       t = {draw_vector(d, family), draw_vector(d, family), draw_vector(d, family),
@@ -87,6 +89,7 @@ TEST_CASE("segment type: stages, laws, agreement", "[stress]") {
     all += require_stages_agree<SegmentSide>(scaled(150000), next);
     for (std::uint64_t i = 0; i < 300; ++i) {
       const SegmentSide s = next(i);
+      const OnFailure shown([&] { return "side " + in_words(s); });
       SegmentSide reversed = s;
       reversed.d1 = negated(s.d1);
       REQUIRE(segment_side(reversed).sign == -segment_side(s).sign);  // law 1
@@ -110,11 +113,12 @@ TEST_CASE("umbilic kind: roots of the cubic form, laws, agreement", "[stress]") 
   CHECK(umbilic_kind({0, 0, 0, 0}).sign == Sign::zero);
   StageCounts all;
   for (Family family : kFamilies) {
-    Draw d(60 + static_cast<std::uint64_t>(family));
+    Draw d(60, family);
     all += require_stages_agree<CubicDiscriminant>(
         scaled(150000), [&](std::uint64_t) { return draw_cubic(d, family); });
     for (int i = 0; i < 500; ++i) {
       const CubicDiscriminant c = draw_cubic(d, family);
+      const OnFailure shown([&] { return "cubic " + in_words(c); });
       REQUIRE(umbilic_kind({-c.b0, -c.b1, -c.b2, -c.b3}).sign == umbilic_kind(c).sign);
       // Rotation by a quarter turn: (x, y) -> (y, -x).
       REQUIRE(umbilic_kind({-c.b3, c.b2, -c.b1, c.b0}).sign == umbilic_kind(c).sign);
@@ -132,14 +136,15 @@ TEST_CASE("collinear: exact on thin triangles", "[stress]") {
   // 0.1 + 0.1 is exactly twice 0.1, 0.1 + 0.2 is not three times 0.1.
   CHECK(collinear({0, 0, 0}, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}));
   CHECK(!collinear({0, 0, 0}, {0.1, 0.1, 0.3}, {0.2, 0.2, 0.6000000000000001}));
-  Draw d(80);
   for (Family family : kFamilies) {
+    Draw d(80, family);
     require_stages_agree<CrossCoordinate>(scaled(150000), [&](std::uint64_t) {
       return CrossCoordinate{draw(d, family), draw(d, family), draw(d, family),
                              draw(d, family), draw(d, family), draw(d, family)};
     });
     for (int i = 0; i < 500; ++i) {
       const Vec3 a = draw_vector(d, family), b = draw_vector(d, family), c = draw_vector(d, family);
+      const OnFailure shown([&] { return "points " + in_braces(a, b, c); });
       const bool answer = collinear(a, b, c);
       REQUIRE(collinear(b, a, c) == answer);  // law 1
       REQUIRE(collinear(c, b, a) == answer);

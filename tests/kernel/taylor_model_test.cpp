@@ -23,6 +23,11 @@ struct Sample {
 };
 
 template <int N>
+std::string in_words(const Sample<N>& s) {
+  return in_braces(s.model.c, s.model.radius, s.value);
+}
+
+template <int N>
 Sample<N> draw_sample(Draw& d, const TrianglePoint& at, double constant, double size) {
   Sample<N> s;
   for (double& x : s.model.c)
@@ -39,6 +44,8 @@ void check_ring_operations(Draw& d) {
   const double size = std::exp2(d.integer(-60, 60));
   const auto a = draw_sample<N>(d, at, size * between(d, -2, 2), size);
   const auto b = draw_sample<N>(d, at, 0, std::exp2(d.integer(-60, 60)));
+  const OnFailure shown(
+      [&] { return "point " + in_words(at) + ", samples " + in_words(a) + ", " + in_words(b); });
   REQUIRE(encloses(a.model + b.model, at, a.value + b.value));
   REQUIRE(encloses(a.model - b.model, at, a.value - b.value));
   REQUIRE(encloses(a.model * b.model, at, a.value * b.value));
@@ -101,6 +108,7 @@ void check_rounding(Draw& d) {
     return m;
   };
   const auto a = linear(), b = linear();
+  const OnFailure shown([&] { return "point, models = " + in_braces(at, a.c, b.c); });
   const Rational x = polynomial(a, at), y = polynomial(b, at);
   REQUIRE(encloses(a * b, at, x * y));
   REQUIRE(encloses(a + b, at, x + y));
@@ -118,6 +126,7 @@ void check_functions(Draw& d) {
   const double c = between(d, 0.2, 4) * (d.integer(0, 3) == 0 ? 100 : 1);
   // Without a size only the coefficients' own errors are left.
   const auto a = draw_sample<N>(d, at, c, d.integer(0, 3) == 0 ? 0 : c * share);
+  const OnFailure shown([&] { return "point " + in_words(at) + ", sample " + in_words(a); });
   REQUIRE(encloses(inverse(a.model), at, 1 / a.value));
   REQUIRE(encloses(inverse(-a.model), at, -1 / a.value));
   struct Case {

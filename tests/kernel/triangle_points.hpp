@@ -10,6 +10,7 @@
 #include "kernel/arithmetic/mp_taylor_model.hpp"
 #include "kernel/arithmetic/taylor_model.hpp"
 #include "tests/support/degenerate_families.hpp"
+#include "tests/support/failures.hpp"
 
 namespace crest::tests {
 

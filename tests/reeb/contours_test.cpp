@@ -83,7 +83,7 @@ void check_counts(const QuadraticMesh& mesh, Draw& d) {
 TEST_CASE("a level has a line for every arc that passes it, open and closed alike", "[reeb]") {
   Draw d(71);
   for (std::uint64_t i = 0; i < scaled(40); ++i) {
-    INFO("seed " << kSeed << ", trial " << i);
+    INFO("trial " << i);
     const auto noise = [&](const Vec3&) { return d.uniform(); };
     const auto ties = [&](const Vec3&) -> double { return d.integer(-2, 2); };
     check_counts(mesh_of(square_grid(4, noise)), d);

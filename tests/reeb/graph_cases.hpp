@@ -7,6 +7,7 @@
 
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "tests/support/closed_surfaces.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -86,7 +87,7 @@ inline std::vector<Surface> tiny_surfaces() {
 }
 
 /// The triangles in another order, from other corners and in other directions.
-inline Surface turned_at_random(Surface s, std::mt19937_64& random) {
+inline Surface turned_at_random(Surface s, Random& random) {
   std::shuffle(s.triangles.begin(), s.triangles.end(), random);
   for (auto& t : s.triangles) {
     std::rotate(t.begin(), t.begin() + random() % 3, t.end());

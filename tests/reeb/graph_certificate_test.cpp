@@ -5,7 +5,7 @@
 #include "algorithms/reeb/certificate.hpp"
 #include "certify/verify.hpp"
 #include "tests/reeb/graph_cases.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -17,7 +17,7 @@ certify::ReebCertificate certificate_of(const Surface& s, const std::vector<doub
 }
 
 TEST_CASE("certificates of Reeb graphs are accepted on every surface") {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (const SurfaceRow& row : surface_rows()) {
     const Surface s = turned_at_random(row.make(), random);
     for (std::uint64_t seed = 0; seed < scaled(5); ++seed) {

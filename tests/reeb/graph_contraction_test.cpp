@@ -6,7 +6,7 @@
 
 #include "algorithms/reeb/contraction.hpp"
 #include "tests/reeb/graph_cases.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -207,7 +207,7 @@ Signs contracted_signs(const Surface& s, const std::vector<double>& values) {
 }
 
 TEST_CASE("Contracted graphs are those of the function itself, whatever the numbering") {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (const SurfaceRow& row : surface_rows()) {
     const Surface s = row.make();
     for (std::uint64_t seed = 0; seed < scaled(4); ++seed) {

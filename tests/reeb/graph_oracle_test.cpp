@@ -5,7 +5,7 @@
 #include "algorithms/reeb/segmentation.hpp"
 #include "algorithms/reeb/slab_oracle.hpp"
 #include "tests/reeb/graph_cases.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -82,7 +82,7 @@ TEST_CASE("Reeb graphs of tiny complexes, all orders") {
 }
 
 TEST_CASE("Reeb graphs of wheels: multiple saddles of any order, large stars") {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (std::uint64_t trial = 0; trial < scaled(200); ++trial) {
     const unsigned n = 3 + static_cast<unsigned>(random() % 40);
     for (const bool closed : {true, false}) {
@@ -97,7 +97,7 @@ TEST_CASE("Reeb graphs of wheels: multiple saddles of any order, large stars") {
 }
 
 TEST_CASE("Reeb graphs do not depend on the triangles' order or direction") {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (const SurfaceRow& r : surface_rows()) {
     const Surface s = r.make();
     for (std::uint64_t trial = 0; trial < scaled(5); ++trial) {

@@ -73,11 +73,12 @@ TEST_CASE("indices sum to the Euler characteristic for any Monge data whatsoever
         RidgeCase c = shape;
         c.forms = random_forms(c.forms.size(), family, salt++);
         const ridges::RidgeGraph g = ridges::extract_ridge_graph(c.mesh, c.forms);
+        CAPTURE(name_of(family), trial);
         REQUIRE(g.twice_index_sum == 2 * c.mesh.euler_characteristic());
         REQUIRE(ridges::open_ends(g) == 0);
         conflicts += g.conflict_triangles;
         const certify::Verdict v = certify::verify(certificate_of(c));
-        CAPTURE(static_cast<int>(family), trial, v.reason);
+        CAPTURE(v.reason);
         REQUIRE(v.accepted);
       }
   CHECK(conflicts > 1000);

@@ -6,6 +6,7 @@
 
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "tests/smooth_ridges/samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -17,7 +18,7 @@ struct Barycentric {
   double l0() const { return 1 - l1 - l2; }
 };
 
-Barycentric random_point(std::mt19937& random) {
+Barycentric random_point(crest::tests::Random& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   Barycentric l{uniform(random), uniform(random)};
   if (l.l1 + l.l2 > 1) l = {1 - l.l1, 1 - l.l2};
@@ -49,7 +50,7 @@ Vec3 phi(Projection& f, const std::array<Vertex, 3>& c, const Barycentric& l) {
 }  // namespace
 
 TEST_CASE("charts enclose the surface and its tangents") {
-  std::mt19937 random(3);
+  crest::tests::Random random(3);
   for (const Sample& sample : closed_samples()) {
     INFO(sample.name);
     const Triangulation mesh = initial_mesh(sample.surface, 4000);

@@ -7,6 +7,7 @@
 #include "algorithms/smooth_ridges/chart.hpp"
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "tests/smooth_ridges/samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -76,7 +77,7 @@ class TreeWalk {
   Projection f_;
   const Surface& surface_;
   const Cover& cover_;
-  std::mt19937 random_{4};
+  crest::tests::Random random_{4};
   std::size_t at_ = 0, leaves_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/smooth_ridges/surface.hpp"
-#include "certify/certificate.hpp"
+#include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 
 namespace crest::smooth_ridges {

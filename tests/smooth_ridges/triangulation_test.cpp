@@ -3,12 +3,12 @@
 
 #include <catch2/catch.hpp>
 #include <map>
-#include <random>
 #include <set>
 
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "tests/smooth_ridges/samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -57,7 +57,7 @@ Rational total_area(const Triangulation& mesh) {
   return sum / 2;
 }
 
-std::vector<Index> random_faces(const Triangulation& mesh, std::mt19937& random) {
+std::vector<Index> random_faces(const Triangulation& mesh, crest::tests::Random& random) {
   std::vector<Index> marked;
   for (int i = 0; i < 40; ++i) marked.push_back(static_cast<Index>(random() % mesh.faces().size()));
   // Refinement that runs into one point.
@@ -68,7 +68,7 @@ std::vector<Index> random_faces(const Triangulation& mesh, std::mt19937& random)
 }  // namespace
 
 TEST_CASE("random refinement keeps parametric triangulations exact") {
-  std::mt19937 random(1);
+  crest::tests::Random random(1);
   for (const Surface& s : {parametric_torus(), parametric_tube(), parametric_patch()}) {
     Triangulation mesh = initial_mesh(s, 200);
     const int chi = mesh.euler_characteristic();
@@ -88,7 +88,7 @@ TEST_CASE("random refinement keeps parametric triangulations exact") {
 }
 
 TEST_CASE("random refinement keeps closed triangulations closed") {
-  std::mt19937 random(2);
+  crest::tests::Random random(2);
   for (const Sample& sample : closed_samples()) {
     INFO(sample.name);
     Triangulation mesh = initial_mesh(sample.surface, 600);

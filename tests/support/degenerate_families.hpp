@@ -5,29 +5,15 @@
 // all.
 #include <array>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
-#include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
 using kernel::Vec3;
-
-class Draw {
- public:
-  explicit Draw(std::uint64_t salt) : engine_(kSeed * 1000003 + salt) {}
-  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-52 - 1; }  // [-1, 1)
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  bool coin() { return engine_() & 1; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// Number families.
 enum class Family {
@@ -43,6 +29,33 @@ enum class Family {
 inline constexpr std::array kFamilies = {
     Family::generic, Family::small_integers, Family::equal_mantissas, Family::tiny,
     Family::huge,    Family::mixed_scales,   Family::nearly_equal,    Family::subnormal};
+
+inline const char* name_of(Family family) {
+  constexpr const char* kNames[] = {"generic", "small_integers", "equal_mantissas", "tiny",
+                                    "huge",    "mixed_scales",   "nearly_equal",    "subnormal"};
+  return kNames[static_cast<std::size_t>(family)];
+}
+
+/// A generator of its own for every salt.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t salt) : Draw(salt, "") {}
+  /// Another for each family.
+  Draw(std::uint64_t salt, Family family)
+      : Draw(salt + static_cast<std::uint64_t>(family), name_of(family)) {}
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-52 - 1; }  // [-1, 1)
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  bool coin() { return engine_() & 1; }
+
+ private:
+  Draw(std::uint64_t salt, const std::string& family) : engine_(kSeed * 1000003 + salt) {
+    const std::string of = family.empty() ? "" : ", family " + family;
+    latest_generator = "Draw(" + std::to_string(salt) + ")" + of;
+  }
+  Random engine_;
+};
 
 inline double draw(Draw& d, Family family) {
   switch (family) {

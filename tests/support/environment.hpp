@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the tests share: the multiplier, the seed, and the data a user may not have.
+// What all random tests share: the multiplier and the seed.
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <string>
 
 namespace crest::tests {
 
@@ -20,15 +17,7 @@ inline std::uint64_t scaled(std::uint64_t n) {
   return m < 1 ? 1 : static_cast<std::uint64_t>(m);
 }
 
-/// Fixed and printed with a failing case; random tests derive their generators from it.
+/// Fixed, and printed with a failing case; random tests derive their generators from it.
 inline constexpr std::uint64_t kSeed = 20041;
-
-/// A file of the shared data set, or nothing where it is not installed: the test then skips with a
-/// message (WARN) and returns.
-inline std::optional<std::string> shared_data(const std::string& relative) {
-  const auto path = std::filesystem::path(CREST_SOURCE_DIR) / ".." / "shared" / "data" / relative;
-  if (!std::filesystem::exists(path)) return std::nullopt;
-  return path.string();
-}
 
 }  // namespace crest::tests

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Claim 1, ridges-mesh: the steps of certify/SPEC.md, "What the checker proves, in order".
-#include <span>
-
+// Steps 5 to 7 of claim 1 (SPEC.md, "What the checker proves, in order").
 #include "certify/ridges_mesh/signs.hpp"
 
 namespace crest::certify {
-
-/// Steps 1 (data) to 7; appends a line to the verdict for each claim proved. Throws Reject,
-/// Malformed, TieUnavailable, InputUnreadable.
-void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
-                        const VerifyOptions& options, Verdict& verdict);
 
 /// What steps 2 to 4 have established.
 struct CheckedMesh {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/container/compose.hpp"
+
+#include <algorithm>
+
+#include "certify/container/container.hpp"
+#include "certify/container/sha256.hpp"
+
+namespace crest::certify {
+
+EncodedData begin(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data) {
+  ByteWriter out;
+  out.reserve(kHeaderSize + data_size + data_size / 8);
+  out.bytes(kMagic);
+  out.integer(kVersion);
+  out.integer(claim);
+  out.bytes(Digest{});
+  out.integer(std::uint64_t{data_size});
+  out.integer(std::uint64_t{0});
+  write_data(out);
+  EncodedData data{std::move(out.result()), {}};
+  data.digest = sha256({std::span(data.bytes).subspan(kHeaderSize)});
+  std::copy(data.digest.begin(), data.digest.end(), data.bytes.begin() + kDigestOffset);
+  return data;
+}
+
+Bytes finish(EncodedData data, const WriteSection& write_claims) {
+  ByteWriter out(std::move(data.bytes));
+  const std::size_t claims_start = out.size();
+  write_claims(out);
+  auto claims_size = static_cast<std::uint64_t>(out.size() - claims_start);
+  out.bytes(Digest{});
+  Bytes bytes = std::move(out.result());
+  for (std::size_t i = 0; i < 8; ++i, claims_size >>= 8)
+    bytes[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(claims_size);
+  reseal(bytes);
+  return bytes;
+}
+
+Bytes compose(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data,
+              const WriteSection& write_claims) {
+  return finish(begin(claim, data_size, write_data), write_claims);
+}
+
+}  // namespace crest::certify

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The container around a claim's two sections (certify/SPEC.md), for encoders.
+#include <functional>
+
+#include "certify/container/byte_writer.hpp"
+
+namespace crest::certify {
+
+using WriteSection = std::function<void(ByteWriter&)>;
+
+/// Header and data section; the claim section's length is still open. Requires: write_data writes
+/// data_size bytes.
+EncodedData begin(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data);
+/// Claim section and seal.
+Bytes finish(EncodedData data, const WriteSection& write_claims);
+/// Both.
+Bytes compose(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data,
+              const WriteSection& write_claims);
+
+}  // namespace crest::certify
