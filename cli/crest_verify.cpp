@@ -132,7 +132,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc > 0) program = std::filesystem::path(argv[0]).filename();
+    if (argc > 0) program = std::filesystem::path(argv[0]).filename().string();
     return run(argc, argv);
   } catch (const std::exception& problem) {
     return complain(kInternal, problem.what());

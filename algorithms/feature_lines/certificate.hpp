@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A thinning as claim features-mesh of certify/SPEC.md.
+// A thinning as claim features-mesh of certify/features_mesh/SPEC.md.
 #include "algorithms/feature_lines/feature_lines.hpp"
 #include "certify/features_mesh/encode.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a Reeb graph's certificate records (certify/SPEC.md, claim 3).
+// What a Reeb graph's certificate records (certify/reeb/SPEC.md).
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 #include "certify/reeb/encode.hpp"

@@ -7,7 +7,7 @@
 
 namespace crest::reeb {
 
-/// The exact value of a node (certify/SPEC.md, claim 3, "Definitions").
+/// The exact value of a node (certify/reeb/SPEC.md, "Definitions").
 kernel::Rational exact_node_value(const kernel::QuadraticMesh& mesh, const TileComplex& tiles,
                                   Index node);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The values of a tile complex's nodes and their total order (certify/SPEC.md, claim 3, "Nodes").
+// The values of a tile complex's nodes and their total order (certify/reeb/SPEC.md, "Nodes").
 #include <vector>
 
 #include "algorithms/reeb/tile_complex.hpp"

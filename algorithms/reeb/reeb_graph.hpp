@@ -24,7 +24,7 @@ struct OrderedComplex {
 enum class NodeKind : std::uint8_t { minimum, saddle, maximum };
 
 /// A critical vertex: one whose link has not exactly one lower and one upper run
-/// (certify/SPEC.md, claim 3, "Types"). It may have degree 2 in the graph: where a contour turns
+/// (certify/reeb/SPEC.md, "Types"). It may have degree 2 in the graph: where a contour turns
 /// from a path into a cycle, or at a saddle of a non-orientable surface.
 struct ReebNode {
   Index vertex;

@@ -2,7 +2,7 @@
 #pragma once
 
 // The tessellation of every quadratic face into monotone tiles (paper 003, sections 3 and 4), as
-// certify/SPEC.md, claim 3, defines it: nodes, tiles, and the total order of the nodes.
+// certify/reeb/SPEC.md defines it: nodes, tiles, and the total order of the nodes.
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The certificate of a ridge graph (claim ridges-mesh of certify/SPEC.md).
+// The certificate of a ridge graph (claim ridges-mesh of certify/ridges_mesh/SPEC.md).
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/ridges_mesh/encode.hpp"
 

@@ -22,7 +22,7 @@ struct EdgeStates {
     for (Index e : mesh.face_edges()[f]) n += is_crossed(e, c);
     return n;
   }
-  /// Lemma 1 of certify/SPEC.md: 1 or 3 crossings of each colour.
+  /// Lemma 1 of certify/ridges_mesh/SPEC.md: 1 or 3 crossings of each colour.
   bool conflict(const kernel::TriangleMesh& mesh, Index f) const {
     const auto& e = mesh.face_edges()[f];
     return acute[e[0]] * acute[e[1]] * acute[e[2]] < 0;

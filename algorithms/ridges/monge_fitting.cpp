@@ -25,7 +25,7 @@ struct Workspace {
 };
 
 // From the jet's coordinates to space, and from its unit of length to the input's. Adding zero
-// turns -0 into +0: a zero has one representation (certify/SPEC.md).
+// turns -0 into +0: a zero has one representation (certify/ridges_mesh/SPEC.md).
 MongeForm to_space(const MongeForm& m, const LocalFrame& f) {
   auto rotate = [&](const Vec3& v) {
     Vec3 r;

@@ -15,7 +15,8 @@ class PaperMethod {
   }
 
   PaperUmbilics run(const RidgeGraph& graph, double size) {
-    // The winding along a disk's contour is the sum of the indices of its faces (certify/SPEC.md).
+    // The winding along a disk's contour is the sum of the indices of its faces
+    // (certify/ridges_mesh/SPEC.md).
     std::vector<int> twice(mesh_.face_count(), 0);
     for (const FaceIndex& i : graph.face_indices) twice[i.face] = i.twice_index;
     const std::vector<Index> nobody(mesh_.face_count(), kernel::kNone);

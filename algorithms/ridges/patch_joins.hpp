@@ -2,7 +2,7 @@
 #pragma once
 
 // Drawing ridges inside umbilic patches: polylines on the mesh, from the contour's crossings to the
-// umbilic, that do not cross (paper 002, section 6.5; "Join" in certify/SPEC.md).
+// umbilic, that do not cross (paper 002, section 6.5; "Join" in certify/ridges_mesh/SPEC.md).
 #include <functional>
 #include <map>
 

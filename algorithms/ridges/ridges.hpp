@@ -44,8 +44,8 @@ struct PaperUmbilics {
 
 /// The acute-rule ridge graph of the mesh for these Monge data, joined at umbilics.
 /// Requires: forms.size() == V, every number finite, d1 and n non-zero, k1 >= k2.
-/// Guarantees: what certify/SPEC.md defines, whatever the thread count; independent of the frames'
-///   signs where no d1 is parallel to its n. Cost: O(V) for bounded patches.
+/// Guarantees: what certify/ridges_mesh/SPEC.md defines, whatever the thread count; independent of
+///   the frames' signs where no d1 is parallel to its n. Cost: O(V) for bounded patches.
 RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
                                const std::vector<kernel::MongeForm>& forms,
                                const GraphOptions& options = {}, PredicateReport* report = nullptr);

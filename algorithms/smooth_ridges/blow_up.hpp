@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The ridges at an umbilic, proven by a blow-up (certify/SPEC.md, claim 4, Patches; paper 002,
+// The ridges at an umbilic, proven by a blow-up (certify/ridges_smooth/SPEC.md, Patches; paper 002,
 // section 8.2 names the index and the two kinds).
 //
 // On the square Q = z + [-R, R]^2 of the coordinates write a point as z* + r e, e on the boundary

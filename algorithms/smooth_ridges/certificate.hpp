@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The certificate of claim ridges-smooth (certify/SPEC.md, claim 4).
+// The certificate of claim ridges-smooth (certify/ridges_smooth/SPEC.md).
 #include "algorithms/smooth_ridges/completeness.hpp"
 #include "algorithms/smooth_ridges/refinement.hpp"
 

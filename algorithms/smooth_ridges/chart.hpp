@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Taylor models of the map Phi from a face to the surface (certify/SPEC.md, claim 4,
+// Taylor models of the map Phi from a face to the surface (certify/ridges_smooth/SPEC.md,
 // "Triangulation"), and the proof of the chart conditions (F) and (J).
 //
 // Implicit: with p(l) and m(l) linear, Phi(l) = p(l) + s(l) m(l). Let D enclose the derivative

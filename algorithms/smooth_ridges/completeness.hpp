@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What theorem 8 (certify/SPEC.md, claim 4) needs besides charts: the tree over the box which shows
-// that every component of S = {F = 0} passes through a graph box, and faces with one sheet.
+// What theorem 8 (certify/ridges_smooth/SPEC.md) needs besides charts: the tree over the box which
+// shows that every component of S = {F = 0} passes through a graph box, and faces with one sheet.
 //
 // Cells are decided by double intervals: F by the mean value form F(c) + grad F(K) . (K - c), and
 // by its plain value; a . grad F, b . grad F likewise with the Hessian. Left are cells around

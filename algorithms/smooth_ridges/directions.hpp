@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The 128 directions of certify/SPEC.md, claim 4: points of a square, exact, one of each opposite
-// pair.
+// The 128 directions of certify/ridges_smooth/SPEC.md: points of a square, exact, one of each
+// opposite pair.
 #include <array>
 #include <cmath>
 #include <cstdint>

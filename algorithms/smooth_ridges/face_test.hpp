@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The conditions on one face (certify/SPEC.md, claim 4, Faces outside patches; paper 002, section
-// 6).
+// The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper
+// 002, section 6).
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Exact frames of an implicit surface's faces (certify/SPEC.md, claim 4, Forms): from four small
-// integers three orthogonal integer vectors of one length, the third close to the normal. In such
-// coordinates slopes are small, and E loses nothing by cancellation.
+// Exact frames of an implicit surface's faces (certify/ridges_smooth/SPEC.md, Forms): from four
+// small integers three orthogonal integer vectors of one length, the third close to the normal. In
+// such coordinates slopes are small, and E loses nothing by cancellation.
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The ridge graph of a refined surface (certify/SPEC.md, claim 4, The graph; paper 002,
+// The ridge graph of a refined surface (certify/ridges_smooth/SPEC.md, The graph; paper 002,
 // section 6.3).
 #include "algorithms/smooth_ridges/refinement.hpp"
 

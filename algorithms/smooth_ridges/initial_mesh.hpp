@@ -2,7 +2,7 @@
 #pragma once
 
 // Start triangulations: good triangles in generic position. Their topology is checked, not proven;
-// the certificate's conditions prove it (certify/SPEC.md, claim 4, theorem 8).
+// the certificate's conditions prove it (certify/ridges_smooth/SPEC.md, theorem 8).
 #include <stdexcept>
 #include <vector>
 

@@ -3,8 +3,8 @@
 
 // First, second and third fundamental quantities of a surface in two coordinates, with K
 // derivatives, from the jets of a graph or of a parametrisation: I_ij = X_i . X_j, L_ij = N . X_ij,
-// T_ijk = N . X_ijk (certify/SPEC.md, claim 4, Forms; N is X_1 x X_2, of a graph (-h_p, -h_q, 1) or
-// its opposite).
+// T_ijk = N . X_ijk (certify/ridges_smooth/SPEC.md, Forms; N is X_1 x X_2, of a graph (-h_p, -h_q,
+// 1) or its opposite).
 #include <array>
 
 #include "algorithms/smooth_ridges/local_graph.hpp"

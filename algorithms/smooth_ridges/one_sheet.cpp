@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces whose image no other face meets (certify/SPEC.md, claim 4, "One sheet").
+// Faces whose image no other face meets (certify/ridges_smooth/SPEC.md, "One sheet").
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The faces of an umbilic's patch: a disk within the square of its blow-up (certify/SPEC.md, claim
-// 4, Patches 1; paper 002, section 6.3).
+// The faces of an umbilic's patch: a disk within the square of its blow-up
+// (certify/ridges_smooth/SPEC.md, Patches 1; paper 002, section 6.3).
 #include <vector>
 
 #include "algorithms/smooth_ridges/face_test.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Refines a triangulation until every condition of certify/SPEC.md, claim 4, that speaks of faces,
-// edges and patches is proven, or the budget is spent.
+// Refines a triangulation until every condition of certify/ridges_smooth/SPEC.md that speaks of
+// faces, edges and patches is proven, or the budget is spent.
 #include <vector>
 
 #include "algorithms/smooth_ridges/face_test.hpp"

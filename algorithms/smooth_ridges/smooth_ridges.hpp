@@ -2,7 +2,7 @@
 #pragma once
 
 // Certified ridges and umbilics of a smooth surface given by expressions (paper 002, case I;
-// certify/SPEC.md, claim 4, states what is proven and why).
+// certify/ridges_smooth/SPEC.md states what is proven and why).
 #include <functional>
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The smooth surface that expressions define (certify/SPEC.md, claim 4, "Data section").
+// The smooth surface that expressions define (certify/ridges_smooth/SPEC.md, "Data section").
 //
 // Implicit: S = {F = 0} inside a box. Parametric: X(u, v) on a rectangle, always evaluated in unit
 // coordinates (U, V) in [0, 1]^2 with u = u0 + (u1 - u0) U, v = v0 + (v1 - v0) V.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Points of a surface in the coordinates of certify/SPEC.md, claim 4, Forms.
+// Points of a surface in the coordinates of certify/ridges_smooth/SPEC.md, Forms.
 #include <array>
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A triangulation of a smooth surface (certify/SPEC.md, claim 4, "Triangulation") that is refined
-// where a proof fails.
+// A triangulation of a smooth surface (certify/ridges_smooth/SPEC.md, "Triangulation") that is
+// refined where a proof fails.
 //
 // Refinement bisects longest edges (Rivara 1984): from a face walk across longest edges to the next
 // face until two neighbours agree on their longest edge, bisect both, and start again until the

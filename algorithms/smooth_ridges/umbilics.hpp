@@ -2,7 +2,7 @@
 #pragma once
 
 // Umbilics of a smooth surface: found by Newton's method, proven by Krawczyk's operator and the
-// blow-up (certify/SPEC.md, claim 4, Patches 2, 4 and 5).
+// blow-up (certify/ridges_smooth/SPEC.md, Patches 2, 4 and 5).
 #include <array>
 #include <optional>
 

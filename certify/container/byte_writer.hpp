@@ -45,7 +45,8 @@ class ByteWriter {
     integer(static_cast<std::uint32_t>(n));
   }
   void bytes(std::span<const std::uint8_t> piece) {
-    bytes_.insert(bytes_.end(), piece.begin(), piece.end());
+    std::uint8_t* to = grow(piece.size());  // insert() makes GCC 12 warn of bounds
+    for (const auto byte : piece) to = store(to, byte);
   }
   void reserve(std::size_t n) { bytes_.reserve(n); }
   std::size_t size() const { return bytes_.size(); }

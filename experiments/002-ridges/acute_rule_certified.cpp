@@ -3,8 +3,8 @@
 // triangulation of a smooth surface is oriented by the sign of d1(p).d1(q), and by continuity along
 // the chain of edges into which certification bisects it.
 //
-// On a certified face S(w) > 0 (certify/SPEC.md, claim 4): d1 stays within 45 degrees of w, so w
-// orients d1 at both ends of an edge by continuity along it. Chains that meet an umbilic's patch,
+// On a certified face S(w) > 0 (certify/ridges_smooth/SPEC.md): d1 stays within 45 degrees of w, so
+// w orients d1 at both ends of an edge by continuity along it. Chains that meet an umbilic's patch,
 // or a face that is not certified, are undecided.
 #include <fmt/format.h>
 

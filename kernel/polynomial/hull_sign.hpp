@@ -76,7 +76,7 @@ template <class B>
 std::optional<Hull> certain_hull(const Form<Bounded<double>, B>& f) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (std::size_t i = 0; i < B::count; ++i) {
-    // Weights are at least 1: dividing by them would only shrink.
+    // The error's slack covers this product's rounding.
     const double slack = B::weights[i] * f.error;
     low = smaller(low, (f.s[i] > slack) - (f.s[i] < -slack));
     high = larger(high, (f.s[i] > slack) - (f.s[i] < -slack));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A second, slow producer of Reeb graph certificates, straight from certify/SPEC.md in rationals:
-// the graph is found by listing the contours between all successive nodes. It knows nothing of
-// theorem 6.
+// A second, slow producer of Reeb graph certificates, straight from certify/reeb/SPEC.md in
+// rationals: the graph is found by listing the contours between all successive nodes. It knows
+// nothing of theorem 6.
 #include <optional>
 
 #include "certify/reeb/encode.hpp"

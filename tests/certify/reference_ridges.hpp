@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A slow producer of certificates written straight from certify/SPEC.md: exact rationals for every
-// sign, 100 digits for angles where 64 bits are not clear. It shares no code with the checker or
-// with algorithms/. For meshes of up to a few hundred faces.
+// A slow producer of certificates written straight from certify/ridges_mesh/SPEC.md: exact
+// rationals for every sign, 100 digits for angles where 64 bits are not clear. It shares no code
+// with the checker or with algorithms/. For meshes of up to a few hundred faces.
 #include <map>
 #include <optional>
 #include <utility>

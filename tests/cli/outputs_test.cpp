@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all commands write, byte for byte, and what they do on a machine that cannot certify.
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <set>
+#include <iterator>
 
 #include "tests/cli/run_crest.hpp"
 

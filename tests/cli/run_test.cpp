@@ -36,6 +36,7 @@ int run_with(const CommonOptions& options, const std::function<void(Run&)>& work
 int status_of(const std::function<void()>& work) {
   const pid_t child = fork();
   if (child == 0) {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);  // not Catch's
     work();
     _exit(0);
   }
@@ -104,7 +105,7 @@ TEST_CASE("a killed run leaves nothing and the old files whole") {
   }
 }
 
-TEST_CASE("files held back appear over what was made meanwhile; a folder that went is an error") {
+TEST_CASE("files held back appear over what was made meanwhile, a folder that went is an error") {
   const TemporaryFolder folder;
   const auto place = folder / "sub";
   fs::create_directory(place);

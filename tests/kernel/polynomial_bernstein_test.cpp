@@ -158,8 +158,6 @@ void require_box_laws(Draw& d) {
   const auto other = draw_net<BoxNet<Rational, N...>>(d);
   REQUIRE(value_at(b * other, x) == value * value_at(other, x));
   for (std::size_t axis = 0; axis < kDim; ++axis) {
-    // The definition's difference along one axis is the integral of the derivative: check linearity
-    // by the split's parts.
     const Rational t(d.integer(1, 9), 10);
     const auto parts = split(b, axis, t);
     auto low = x, high = x;

@@ -44,7 +44,7 @@ TEST_CASE("quadratic roots: signs, order and number agree with algebraic numbers
   std::size_t zeros = 0, ties = 0;
   for (const Family family : kFamilies) {
     Draw d(870 + static_cast<std::uint64_t>(family));
-    for (std::uint64_t i = 0; i < scaled(150); ++i) {
+    for (std::uint64_t i = 0; i < scaled(400); ++i) {
       const Quadratic p = draw_quadratic(d, family);
       // A multiple of p, or one that shares a root where there are integers.
       Quadratic q = draw_quadratic(d, family);
@@ -78,7 +78,7 @@ TEST_CASE("quadratic roots: signs, order and number agree with algebraic numbers
 
 TEST_CASE("quadratic roots: laws") {
   Draw d(880);
-  for (std::uint64_t i = 0; i < scaled(500); ++i) {
+  for (std::uint64_t i = 0; i < scaled(5000); ++i) {
     const Quadratic p = draw_quadratic(d, Family::small_integers);
     const Quadratic q = draw_quadratic(d, Family::small_integers);
     const Quadratic times{3 * p.a, 3 * p.b, 3 * p.c}, minus{-p.a, -p.b, -p.c};

@@ -32,7 +32,7 @@ Index absorbed(const reeb::ReebGraph& graph) {
   return sum;
 }
 
-/// The hypotheses of theorem 6 (certify/SPEC.md), counted anew.
+/// The hypotheses of theorem 6 (certify/reeb/SPEC.md), counted anew.
 void check_cuts(const reeb::ReebGraph& graph, const std::vector<Index>& cuts) {
   CHECK(std::is_sorted(cuts.begin(), cuts.end()));
   CHECK(std::adjacent_find(cuts.begin(), cuts.end()) == cuts.end());

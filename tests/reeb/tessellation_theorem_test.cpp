@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Theorem 4 of certify/SPEC.md by brute force: on every triangle, at every critical level and
+// Theorem 4 of certify/reeb/SPEC.md by brute force: on every triangle, at every critical level and
 // between any two, the tiles join the boundary's nodes in sub- and superlevel sets as the conics
 // do.
 //
