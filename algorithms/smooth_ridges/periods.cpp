@@ -52,6 +52,7 @@ struct PiNumber {
   friend PiNumber log(const PiNumber&) { return {}; }
   friend PiNumber sin(const PiNumber&) { return {}; }
   friend PiNumber cos(const PiNumber&) { return {}; }
+  friend bool is_defined(const PiNumber& x) { return x.known.has_value(); }
 };
 
 /// How a function f of the variable changes over the period p = 2 pi q: f + k p, or in a way not
@@ -98,6 +99,7 @@ struct Growth {
   friend Growth log(const Growth& f) { return f.function(); }
   friend Growth sin(const Growth& f) { return f.circular(); }
   friend Growth cos(const Growth& f) { return f.circular(); }
+  friend bool is_defined(const Growth& f) { return f.k.has_value(); }
 };
 
 PiNumber pi_number(const Expression& e) {

@@ -8,6 +8,7 @@
 #include "algorithms/smooth_ridges/graph.hpp"
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/timed.hpp"
+#include "algorithms/smooth_ridges/undefined.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -65,6 +66,10 @@ class Run {
  private:
   /// The first triangulation; implicit: after the box is searched.
   bool start() {
+    if (const auto undefined = find_undefined(surface_)) {
+      out_.obstacles.push_back(undefined->text);
+      return false;
+    }
     if (surface_.is_implicit()) {
       const CoverResult covered =
           timed(out_.seconds.completeness, [&] { return cover_box(surface_); });

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "certify/ridges_smooth/records.hpp"
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/index.hpp"
+#include "kernel/geometry/ridge_words.hpp"
 
 namespace crest::smooth_ridges {
 
+using kernel::Colour;
 using kernel::Index;
 using kernel::kNone;
+using kernel::RidgeType;
 using kernel::Vec3;
-
-/// Elliptic: a maximum of k1 (blue) or a minimum of k2 (red); hyperbolic: the other extremum;
-/// turning: the segment has a turning point; none: inside a patch.
-enum class ArcType : std::uint8_t { none, elliptic, hyperbolic, turning };
 
 struct UmbilicPoint {
   Vec3 point;
@@ -30,16 +30,16 @@ struct UmbilicPoint {
 
 /// A ridge as a polyline through its crossings of edges.
 struct SmoothRidge {
-  std::size_t colour = 0;  ///< 0 blue, 1 red
+  Colour colour = Colour::blue;
   bool loop = false;
   std::array<Index, 2> ends{kNone, kNone};  ///< umbilics; kNone: a loop, or the boundary
   std::vector<Vec3> points;                 ///< a loop's first point is not repeated
-  std::vector<ArcType> types;  ///< of the segment after each point; none inside a patch
+  std::vector<RidgeType> types;  ///< of the segment after each point; none inside a patch
 };
 
 struct RidgePoint {
   Vec3 point;
-  std::size_t colour = 0;  ///< of a turning point
+  Colour colour = Colour::blue;  ///< of a turning point
 };
 
 struct UndecidedCell {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "algorithms/smooth_ridges/undefined.hpp"
+
 namespace crest::smooth_ridges {
 namespace {
 
@@ -22,6 +24,11 @@ Expression parse(const std::string& name, const std::string& text,
     throw kernel::ExpressionError(
         error.column(), what.substr(what.find(": ") + 2) + " (in " + name + " = " + text + ")");
   }
+}
+
+void require_defined(const std::optional<Undefined>& undefined) {
+  if (undefined && undefined->extent == Undefined::Extent::nowhere)
+    throw std::invalid_argument(undefined->text);
 }
 
 /// Throws unless lower < upper, with enough bits for any sensible domain.
@@ -49,6 +56,7 @@ Surface Surface::implicit(const std::string& f, const Box& box) {
     if (!(box[2 * i] < box[2 * i + 1]))
       throw std::invalid_argument(std::string("the box: the upper bound of ") + "xyz"[i] +
                                   " is not above the lower one");
+  require_defined(find_undefined(s));
   return s;
 }
 
@@ -62,16 +70,19 @@ Surface Surface::parametric(const std::array<std::string, 3>& coordinates,
   const std::array<std::string, 4> bounds = {"u0", "u1", "v0", "v1"};
   for (std::size_t i = 0; i < 3; ++i)
     s.functions_.push_back(parse(names[i], coordinates[i], {"u", "v"}));
-  for (std::size_t i = 0; i < 4; ++i) s.domain_.push_back(parse(bounds[i], domain[i], {}));
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string name = i == 0 ? "u" : "v";
-    const Expression &lower = s.domain_[2 * i], &upper = s.domain_[2 * i + 1];
-    require_order(lower, upper, name);
-    if (periodic[i] && !provably_periodic(s.functions_, lower, upper, i))
-      throw std::invalid_argument(
-          "periodic in " + name + ": x, y, z must be made of sin and cos of " +
-          "rational multiples of " + name + ", and the domain a whole number of their periods");
+  for (std::size_t i = 0; i < 4; ++i) {
+    s.domain_.push_back(parse(bounds[i], domain[i], {}));
+    require_defined(find_undefined(s.domain_[i], bounds[i]));
   }
+  const auto name = [](std::size_t i) { return std::string(1, "uv"[i]); };
+  for (std::size_t i = 0; i < 2; ++i)
+    require_order(s.domain_[2 * i], s.domain_[2 * i + 1], name(i));
+  require_defined(find_undefined(s));
+  for (std::size_t i = 0; i < 2; ++i)
+    if (periodic[i] && !provably_periodic(s.functions_, s.domain_[2 * i], s.domain_[2 * i + 1], i))
+      throw std::invalid_argument(
+          "periodic in " + name(i) + ": x, y, z must be made of sin and cos of " +
+          "rational multiples of " + name(i) + ", and the domain a whole number of their periods");
   return s;
 }
 

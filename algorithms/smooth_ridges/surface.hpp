@@ -15,7 +15,8 @@
 
 namespace crest::smooth_ridges {
 
-using kernel::Vec3;
+using kernel::cross, kernel::determinant, kernel::dot, kernel::norm, kernel::Vec3;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 class Surface {
  public:
@@ -23,13 +24,13 @@ class Surface {
 
   /// F in x, y, z.
   /// Throws: kernel::ExpressionError for F; std::invalid_argument for a box that is not finite or
-  ///   has an upper bound not above the lower one.
+  ///   has an upper bound not above the lower one, or an expression defined nowhere in the box.
   static Surface implicit(const std::string& f, const Box& box);
 
   /// x, y, z in u, v; the domain u0, u1, v0, v1 (constants, pi and e allowed); periodic in u, in v.
   /// Throws: kernel::ExpressionError, its message led by the expression's name;
   ///   std::invalid_argument if u0 < u1 or v0 < v1 is not certain, or a direction stated periodic
-  ///   is not provably so by the rules of SPEC.md.
+  ///   is not provably so by the rules of SPEC.md, or an expression is defined nowhere.
   static Surface parametric(const std::array<std::string, 3>& coordinates,
                             const std::array<std::string, 4>& domain,
                             const std::array<bool, 2>& periodic);

@@ -71,6 +71,15 @@ template <class T>
 BoxProver<T>::BoxProver(const Surface& surface)
     : first_(make<T, 1>(surface)), second_(make<T, 2>(surface)) {}
 
+/// Condition (A): F is defined, and analytic where its derivatives are asked for. A function is
+/// defined where it is not analytic only for sqrt at 0, whose derivatives are not.
+template <class Jet>
+bool holds_a(const Jet& f, const std::array<double, 3>* d) {
+  return is_defined(f) && (d == nullptr || (is_defined(f.coefficient(1, 0, 0)) &&
+                                            is_defined(f.coefficient(0, 1, 0)) &&
+                                            is_defined(f.coefficient(0, 0, 1))));
+}
+
 /// f(box) and f(c) + grad f(box) . (box - c); n: order of the jet that holds grad f.
 template <class T>
 template <int n>
@@ -78,6 +87,7 @@ kernel::MaybeSign BoxProver<T>::natural_or_mean(const Box& box, Direction d) {
   using kernel::certain_sign;
   auto& evaluate = evaluator<n>();
   const auto f = evaluate(variables<T, n>(box));
+  if (!holds_a(f, d)) return std::nullopt;
   if (const auto sign = certain_sign(quantity(f, d)); sign && *sign != kernel::Sign::zero)
     return sign;
   Box middle;

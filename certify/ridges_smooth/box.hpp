@@ -20,9 +20,9 @@ class BoxProver {
  public:
   explicit BoxProver(const Surface& surface);
 
-  /// The one sign of F on the box, if it is certain.
+  /// The one sign of F on the box, if it is certain; then F is defined there.
   kernel::MaybeSign value(const Box& box) { return on_pieces(box, nullptr, kDepth); }
-  /// The one sign of d . grad F on the box.
+  /// The one sign of d . grad F on the box, if it is certain; then F is analytic there.
   kernel::MaybeSign slope(const Box& box, const std::array<double, 3>& d) {
     return on_pieces(box, &d, kDepth);
   }

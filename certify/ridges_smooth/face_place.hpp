@@ -116,7 +116,9 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
     -> std::optional<Jets<K>> {
   Jets<K> r;
   if (!surface_.surface().implicit) {
-    r.forms = surface_forms<K, 3 + K, M>(surface_.template immersion<3 + K>(at.u, at.v));
+    const auto x = surface_.template immersion<3 + K>(at.u, at.v);
+    if (!are_defined(x)) return std::nullopt;  // (A)
+    r.forms = surface_forms<K, 3 + K, M>(x);
     for (std::size_t i = 0; with_edges && i < 3; ++i)
       for (std::size_t d = 0; d < 2; ++d) {
         const std::size_t j = (i + 1) % 3;
@@ -129,6 +131,7 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
   }
   const Frame frame = frame_of(c_.face_records[face]);
   const auto f = surface_.template implicit<3 + K>(at.x, frame);
+  if (!is_defined(f)) return std::nullopt;  // (A)
   if (!is_positive(gradient(f)[2])) return std::nullopt;
   r.forms = graph_forms<K, 3 + K>(graph_of<M>(implicit_function<M, 3 + K>(f, 2), 1));
   if (!with_edges) return r;

@@ -21,9 +21,9 @@ auto gradient(const Jet& f) {
   return std::array{f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
 }
 
-/// Nothing if (F) is undecided. `scale` is a length below which h makes no difference, as a
-/// multiple of m.
-/// Proof. Let D enclose dF/ds = grad F . m for |s| <= h, D > 0, and let t be a polynomial and N = t
+/// Nothing if (F), or (A) on the fibres, is undecided. `scale` is a length below which h makes no
+/// difference, as a multiple of m. Proof. Let D enclose dF/ds = grad F . m for |s| <= h, D > 0, and
+/// let t be a polynomial and N = t
 /// - F(p + t m) / D, both within (-h, h). F ascends along the fibre, and by the mean value theorem
 /// F(p + s m) = F(p + t m) + d (s - t) with a d in D for |s| <= h: negative at s = -h and positive
 /// at h, as -h < t - F(p + t m) / d < h. So there is one zero, and it is in N.
@@ -42,6 +42,7 @@ std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<
   const double h = 2 * magnitude(at_p.range()) / guess + scale * 0x1p-10;
   if (!(h > 0 && h < HUGE_VAL)) return std::nullopt;
   const auto nearby = surface.template implicit<1>(along(p, M::around(0, h), m));
+  if (!is_defined(nearby)) return std::nullopt;  // (A)
   const M slope = dot(gradient(nearby), m);
   if (!is_positive(slope)) return std::nullopt;
   const M factor = inverse(slope);

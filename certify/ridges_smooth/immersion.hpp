@@ -11,6 +11,13 @@ namespace crest::certify::smooth {
 template <class F>
 using Triple = std::array<F, 3>;
 
+/// Condition (A) where the jets were taken: a defined value proves that all parts of its expression
+/// are defined and analytic (kernel/arithmetic/defined.hpp).
+template <class Jet>
+bool are_defined(const Triple<Jet>& x) {
+  return is_defined(x[0]) && is_defined(x[1]) && is_defined(x[2]);
+}
+
 /// D^(a, b) X. Jet: an indexable expansion with mask(), up to `Order`.
 template <class F, int Order, class Jet>
 Triple<F> derivative(const Triple<Jet>& x, int a, int b) {

@@ -64,8 +64,9 @@ class Local {
   friend Local operator-(const Local& a, const Local& b) { return a.plus(b, true); }
   Local operator-() const { return *this * -1.0; }
   friend Local operator*(const Local& a, double s) {
+    using kernel::is_defined;
     Local r;
-    if (s == 0) return r;
+    if (s == 0 && (!a.c_.has(0) || is_defined(a.c_[0]))) return r;
     kernel::for_each_bit(a.c_.mask(), [&](std::size_t i) {
       r.c_.make(i, [&] { return s == 1 ? a.c_[i] : s == -1 ? M(-a.c_[i]) : M(a.c_[i] * s); });
     });

@@ -64,7 +64,9 @@ auto PatchProver<M>::forms(const PlaneTriangle& t) -> std::optional<PlaneForms> 
   if (surface_.surface().implicit) {
     const auto x = lift(t);
     if (!x) return std::nullopt;
-    const auto h = implicit_function<M, 5>(surface_.template implicit<5>(*x), m_);
+    const auto f = surface_.template implicit<5>(*x);
+    if (!is_defined(f)) return std::nullopt;  // (A)
+    const auto h = implicit_function<M, 5>(f, m_);
     const auto graph = graph_of<M>(h, sign_);
     r.forms = graph_forms<2, 5>(graph);
     fill_graph<3, 5>(graph, r.second);
@@ -73,6 +75,7 @@ auto PatchProver<M>::forms(const PlaneTriangle& t) -> std::optional<PlaneForms> 
   const M u = M::linear(t.corner[0][0], t.corner[1][0], t.corner[2][0], t.error);
   const M v = M::linear(t.corner[0][1], t.corner[1][1], t.corner[2][1], t.error);
   const auto x = surface_.template immersion<5>(u, v);
+  if (!are_defined(x)) return std::nullopt;  // (A)
   r.forms = surface_forms<2, 5, M>(x);
   fill_surface<3, 5>(x, r.second);
   const auto& i = r.forms.i;

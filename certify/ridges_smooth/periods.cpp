@@ -57,6 +57,10 @@ PiNumber cos(const PiNumber&) {
   return {};
 }
 
+bool is_defined(const PiNumber& x) {
+  return x.known;
+}
+
 PiNumber number_of(const kernel::Constant& c) {
   if (c.kind == kernel::Constant::Kind::e) return {};
   if (c.kind == kernel::Constant::Kind::pi) return PiNumber::of(0, 1);
@@ -121,6 +125,9 @@ Growth sin(const Growth& x) {
 }
 Growth cos(const Growth& x) {
   return sin(x);
+}
+bool is_defined(const Growth& x) {
+  return x.known;
 }
 
 }  // namespace

@@ -86,9 +86,9 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
       const Vec3 b = camera.project(focal.points[curve[i + 1]]);
       if (!canvas.visible(a, 1) || !canvas.visible(b, 1)) continue;
       const double value = focal.values[curve[i]];
-      const Colour colour = value > 0   ? Colour{0, 140, 40}
-                            : value < 0 ? Colour{200, 20, 20}
-                                        : Colour{128, 128, 128};
+      const Rgb colour = value > 0   ? Rgb{0, 140, 40}
+                         : value < 0 ? Rgb{200, 20, 20}
+                                     : Rgb{128, 128, 128};
       canvas.draw_stroke(a, b, width, colour);
     }
   }

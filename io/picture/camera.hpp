@@ -9,12 +9,9 @@
 
 namespace crest::io {
 
-inline double dot(const kernel::Vec3& a, const kernel::Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline kernel::Vec3 cross(const kernel::Vec3& a, const kernel::Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using kernel::cross;
+using kernel::dot;
+
 inline kernel::Vec3 combine(double s, const kernel::Vec3& a, double t, const kernel::Vec3& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }

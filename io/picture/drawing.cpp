@@ -41,7 +41,7 @@ constexpr double kAdvance = 6;  // dots
 
 }  // namespace
 
-Colour casing(Colour colour) {
+Rgb casing(Rgb colour) {
   const auto darker = [](std::uint8_t c) { return static_cast<std::uint8_t>(c * 2 / 5); };
   return {darker(colour.red), darker(colour.green), darker(colour.blue)};
 }

@@ -14,7 +14,7 @@ namespace crest::io {
 /// Strokes of one colour, in pixels; every stroke has at least two points.
 struct StrokeClass {
   const char* label;
-  Colour colour;
+  Rgb colour;
   std::vector<std::vector<kernel::Vec3>> strokes;
   bool in_graph = false;  ///< visible or not
   double width = 1;       ///< in stroke widths
@@ -24,14 +24,14 @@ enum class Mark : std::uint8_t { disk, triangle, diamond };
 
 struct Dot {
   kernel::Vec3 centre;
-  Colour colour;
+  Rgb colour;
   Mark mark = Mark::disk;
   double size = 1;  ///< in dot radii
 };
 
 struct LegendEntry {
   const char* label;
-  Colour colour;
+  Rgb colour;
   bool dot;
   Mark mark = Mark::disk;
   double size = 1;
@@ -46,7 +46,7 @@ struct Drawing {
 };
 
 /// A darker tone of the same colour, for rims.
-Colour casing(Colour colour);
+Rgb casing(Rgb colour);
 
 /// Whether the eye sees a point of the surface; the bias only covers rounding and what polylines
 /// cut off.

@@ -15,7 +15,7 @@
 namespace crest::io {
 namespace {
 
-constexpr Colour kRim = {0, 0, 0};
+constexpr Rgb kRim = {0, 0, 0};
 
 /// The corners of a mark that is no disk.
 std::vector<kernel::Vec3> corners_of(Mark mark, const kernel::Vec3& at, double radius) {
@@ -33,7 +33,7 @@ void paint_mark(Canvas& canvas, const Dot& dot, double unit) {
   const double radius = dot.size * unit;
   for (const bool rim : {true, false}) {
     const double r = rim ? radius : 0.7 * radius;
-    const Colour colour = rim ? kRim : dot.colour;
+    const Rgb colour = rim ? kRim : dot.colour;
     if (dot.mark == Mark::disk)
       canvas.fill_disk(dot.centre, r, colour);
     else
@@ -104,7 +104,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string hex(Colour c) {
+std::string hex(Rgb c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 

@@ -13,6 +13,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/formats/text_scan.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::io {
 namespace {
@@ -146,27 +147,22 @@ Index orient(std::vector<Triangle>& faces, const std::vector<std::array<Neighbou
 /// Corners of one vertex that share an interior edge belong to one fan; every vertex has one.
 void require_fans(const Soup& soup, const std::vector<Triangle>& faces,
                   const std::vector<Side>& sides) {
-  std::vector<Index> parent(3 * faces.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](Index c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
+  kernel::DisjointSets fans(static_cast<Index>(3 * faces.size()));
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (!paired(sides, i)) continue;
     const Side &s = sides[i], &t = sides[i + 1];
     const Index a[2] = {3 * s.face + s.corner, 3 * s.face + (s.corner + 1u) % 3};
     const Index b[2] = {3 * t.face + t.corner, 3 * t.face + (t.corner + 1u) % 3};
     const bool same = s.direct == t.direct;
-    parent[root(a[0])] = root(b[same ? 0 : 1]);
-    parent[root(a[1])] = root(b[same ? 1 : 0]);
+    fans.unite(a[0], b[same ? 0 : 1]);
+    fans.unite(a[1], b[same ? 1 : 0]);
   }
   std::vector<Index> fan(soup.points.size(), kNone);
   Index worst = kNone;
-  for (Index c = 0; c < parent.size(); ++c) {
+  for (Index c = 0; c < fans.size(); ++c) {
     const Index v = faces[c / 3][c % 3];
-    if (fan[v] == kNone) fan[v] = root(c);
-    if (fan[v] != root(c)) worst = std::min(worst, v);
+    if (fan[v] == kNone) fan[v] = fans.find(c);
+    if (fan[v] != fans.find(c)) worst = std::min(worst, v);
   }
   if (worst != kNone) {
     fail(fmt::format("vertex {}", soup.point_tag(worst)),

@@ -14,13 +14,9 @@ using kernel::Vec3;
 using ridges::RidgeType;
 using ridges::UmbilicKind;
 
-constexpr Colour kGrey = {128, 128, 128};
+constexpr Rgb kGrey = {128, 128, 128};
 
-std::size_t class_of(ridges::Colour colour, RidgeType type) {
-  return ridge_class(static_cast<std::size_t>(colour), static_cast<std::size_t>(type));
-}
-
-Colour dot_colour(UmbilicKind kind) {
+Rgb dot_colour(UmbilicKind kind) {
   if (kind == UmbilicKind::one_ridge) return {255, 255, 255};
   if (kind == UmbilicKind::three_ridge) return {0, 0, 0};
   return kGrey;
@@ -85,7 +81,7 @@ void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeG
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
       const RidgeType type = order == 3 ? line[i].third_order : line[i].fourth_order;
-      const std::size_t stroke_class = class_of(ridge.colour, type);
+      const std::size_t stroke_class = ridge_class(ridge.colour, type);
       drawing.classes[stroke_class].in_graph = true;
       if (hidden(line[i]) || hidden(next))
         maker.end();
@@ -161,9 +157,9 @@ std::vector<StrokeClass> ridge_classes() {
   };
 }
 
-std::size_t ridge_class(std::size_t colour, std::size_t type) {
-  constexpr std::array<std::size_t, 4> place = {0, 3, 1, 2};  // flat, elliptic, hyperbolic, turning
-  return place[type] + (colour == 0 ? 4 : 0);
+std::size_t ridge_class(kernel::Colour colour, RidgeType type) {
+  constexpr std::array<std::size_t, 4> place = {0, 3, 1, 2};  // none, elliptic, hyperbolic, turning
+  return place[static_cast<std::size_t>(type)] + (colour == kernel::Colour::blue ? 4 : 0);
 }
 
 Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,

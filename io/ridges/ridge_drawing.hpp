@@ -10,10 +10,9 @@
 namespace crest::io {
 
 /// Classes for ridges in the order of painting: red under blue, in each colour untyped (or flat),
-/// hyperbolic, turning, elliptic. `colour`: 0 blue, 1 red; `type`: 0 none or flat, 1 elliptic,
-/// 2 hyperbolic, 3 turning.
+/// hyperbolic, turning, elliptic.
 std::vector<StrokeClass> ridge_classes();
-std::size_t ridge_class(std::size_t colour, std::size_t type);
+std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
 
 /// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
 /// of the elliptic ridges, weighted by curvature (the most area without ridges).

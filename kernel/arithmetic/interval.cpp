@@ -6,10 +6,8 @@
 
 #include "kernel/arithmetic/mp_interval.hpp"
 
-namespace CGAL {
+namespace crest::kernel {
 namespace {
-
-using crest::kernel::Interval, crest::kernel::MpInterval;
 
 MpInterval wide(const Interval& x) {
   return MpInterval::between(x.inf(), x.sup(), 53);
@@ -20,8 +18,8 @@ Interval narrow(const MpInterval& x) {
 
 }  // namespace
 
-Interval strict_sqrt(const Interval& x) {
-  return x.inf() < 0 ? Interval::largest() : sqrt(x);
+Interval sqrt(const Interval& x) {
+  return x.inf() >= 0 && is_defined(x) ? Interval(CGAL::sqrt(x.x_)) : Interval::undefined();
 }
 Interval exp(const Interval& x) {
   return narrow(exp(wide(x)));
@@ -36,4 +34,4 @@ Interval cos(const Interval& x) {
   return narrow(cos(wide(x)));
 }
 
-}  // namespace CGAL
+}  // namespace crest::kernel

@@ -16,9 +16,14 @@
 //   l = log(f)    E l = (E f) / f
 //   sin, cos      E sin(h) = cos(h) E h, E cos(h) = -sin(h) E h, both at once.
 // Right sides hold coefficients of lower degree only: each costs about one product.
-// What T's own functions give outside their domains (the whole line, a radius that is not finite)
-// spreads to every coefficient that is not identically zero.
+//
+// Undefined. A jet is defined if its value f_0 is (T's is_defined). Law: a jet that is not defined
+// has only undefined coefficients, and a result of an undefined operand is not defined, whatever
+// the other operand is: the jet of log(g) where g < 0 has no derivatives, though g' / g is finite.
+// A coefficient beyond the value may be undefined alone (sqrt at 0): the function is defined there,
+// that derivative is not, or not known.
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/arithmetic/jet_tables.hpp"
@@ -26,7 +31,8 @@
 
 namespace crest::kernel {
 
-/// T: + - * / among themselves and * / with doubles. Coefficients in the order of Monomials.
+/// T: + - * / among themselves and * / with scalars, which are doubles, or T if it is built in.
+/// Coefficients in the order of Monomials.
 template <class T, int Variables, int Order>
 class Jet {
   static_assert(1 <= Variables && Variables <= 3 && 0 <= Order && Order <= 5);
@@ -34,12 +40,13 @@ class Jet {
  public:
   static constexpr JetTables<Variables, Order> kTables{};
   static constexpr int kCount = kTables.kCount;
+  using Scalar = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
   Jet() = default;  ///< identically zero
   static Jet constant(T value) {
     Jet r;
     r.c_.put(0, std::move(value));
-    return r;
+    return std::move(r).settled();
   }
   /// The variable i (from 0) at `value`.
   static Jet variable(int i, T value) {
@@ -48,7 +55,7 @@ class Jet {
     if constexpr (Order > 0)
       r.c_.put(static_cast<std::size_t>(Variables - i), number_like(1, &value));
     r.c_.put(0, std::move(value));
-    return r;
+    return std::move(r).settled();
   }
 
   const T& operator[](std::size_t i) const { return c_.has(i) ? c_[i] : zero(); }
@@ -86,21 +93,25 @@ class Jet {
       else
         spread(r.c_, i, a.c_[i], b.c_, b.mask());
     });
-    return r;
+    // One of the values may be identically zero.
+    if (!is_defined(a)) r.settle(a.c_[0]);
+    if (!is_defined(b)) r.settle(b.c_[0]);
+    return std::move(r).settled();
   }
+  friend bool is_defined(const Jet& f) { return !f.c_.has(0) || is_defined(f.c_[0]); }
   friend Jet operator/(const Jet& a, const Jet& b) { return a.over(b); }
-  friend Jet operator+(Jet a, double s) { return a.shift(s), a; }
-  friend Jet operator+(double s, Jet a) { return a.shift(s), a; }
-  friend Jet operator-(Jet a, double s) { return a.shift(-s), a; }
-  friend Jet operator-(double s, const Jet& a) { return -a + s; }
-  friend Jet operator*(double s, const Jet& a) { return a * s; }
-  friend Jet operator*(const Jet& a, double s) {
+  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), std::move(a).settled(); }
+  friend Jet operator+(Scalar s, Jet a) { return std::move(a) + s; }
+  friend Jet operator-(Jet a, Scalar s) { return std::move(a) + -s; }
+  friend Jet operator-(Scalar s, const Jet& a) { return -a + s; }
+  friend Jet operator*(Scalar s, const Jet& a) { return a * s; }
+  friend Jet operator*(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x * s); });
   }
-  friend Jet operator/(const Jet& a, double s) {
+  friend Jet operator/(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x / s); });
   }
-  friend Jet operator/(double s, const Jet& a) { return constant(number_like(s, &a[0])).over(a); }
+  friend Jet operator/(Scalar s, const Jet& a) { return constant(number(s, &a[0])).over(a); }
 
   friend Jet inverse(const Jet& f) { return 1.0 / f; }
   friend Jet sqrt(const Jet& f) { return f.square_root(); }
@@ -120,10 +131,23 @@ class Jet {
   Jet each(Function&& f) const {
     Jet r;
     for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
-    return r;
+    return std::move(r).settled();
   }
-  void shift(double s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number_like(s, &(*this)[0])); }
+  static T number(Scalar s, const T* like) {
+    if constexpr (std::is_same_v<Scalar, T>)
+      return s;
+    else
+      return number_like(s, like);
+  }
+  void shift(Scalar s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number(s, &(*this)[0])); }
   Jet plus(const Jet& b, bool negative) const;
+  /// Makes all coefficients `value`, an undefined one.
+  void settle(const T& value);
+  /// This jet, all of it undefined if its value is.
+  Jet settled() && {
+    if (!is_defined(*this)) settle(T(c_[0]));
+    return std::move(*this);
+  }
 
   /// sums_{i + j} += x f_j for the j of `which`.
   static void spread(Coefficients& sums, std::size_t i, const T& x, const Coefficients& f,

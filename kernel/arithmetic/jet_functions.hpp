@@ -8,6 +8,11 @@
 namespace crest::kernel {
 
 template <class T, int Variables, int Order>
+void Jet<T, Variables, Order>::settle(const T& value) {
+  for (std::size_t i = 0; i < kCount; ++i) c_.put(i, value);
+}
+
+template <class T, int Variables, int Order>
 Jet<T, Variables, Order> Jet<T, Variables, Order>::plus(const Jet& b, bool negative) const {
   Jet r;
   for_each_bit(mask() | b.mask(), [&](std::size_t i) {
@@ -18,7 +23,7 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::plus(const Jet& b, bool negat
     else
       r.c_.make(i, [&] { return negative ? T(c_[i] - b.c_[i]) : T(c_[i] + b.c_[i]); });
   });
-  return r;
+  return std::move(r).settled();
 }
 
 template <class T, int Variables, int Order>
@@ -59,6 +64,10 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::over(const Jet& f) const {
   const T factor = number_like(1, &f[0]) / f[0];
   const std::uint64_t rest = f.mask() & ~std::uint64_t{1};
   Jet q;
+  if (!is_defined(factor)) {
+    q.settle(factor);
+    return q;
+  }
   Coefficients sums;
   for (std::size_t i = 0; i < kCount; ++i) {
     if (!c_.has(i) && !sums.has(i)) continue;
@@ -68,13 +77,14 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::over(const Jet& f) const {
       q.c_.put(i, T((c_.has(i) ? T(c_[i] - sums[i]) : T(-sums[i])) * factor));
     spread(sums, i, q.c_[i], f.c_, rest);
   }
-  return q;
+  return std::move(q).settled();
 }
 
 template <class T, int Variables, int Order>
 Jet<T, Variables, Order> Jet<T, Variables, Order>::square_root() const {
   // The constant is set last: its products with the others are the left side.
-  const T root = strict_sqrt((*this)[0]), factor = number_like(1, &root) / (root * 2.0);
+  using std::sqrt;
+  const T root = sqrt((*this)[0]), factor = number_like(1, &root) / (root * 2.0);
   Jet s;
   Coefficients sums;
   for (std::size_t i = 1; i < kCount; ++i) {
@@ -86,7 +96,7 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::square_root() const {
     spread_square(sums, i, s.c_);
   }
   s.c_.put(0, root);
-  return s;
+  return std::move(s).settled();
 }
 
 template <class T, int Variables, int Order>
@@ -101,7 +111,7 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::exponential() const {
     e.c_.put(i, T(sums[i] / static_cast<double>(kTables.degree[i])));
     spread(sums, i, e.c_[i], h, h.mask());
   }
-  return e;
+  return std::move(e).settled();
 }
 
 template <class T, int Variables, int Order>
@@ -114,7 +124,7 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::logarithm() const {
   for_each_bit(l.mask(), [&](std::size_t i) {
     r.c_.put(i, T(l.c_[i] / static_cast<double>(kTables.degree[i])));
   });
-  return r;
+  return std::move(r).settled();
 }
 
 template <class T, int Variables, int Order>
@@ -134,7 +144,7 @@ auto Jet<T, Variables, Order>::circular() const -> std::pair<Jet, Jet> {
     spread(s_sums, i, c.c_[i], h, h.mask());
     spread(c_sums, i, s.c_[i], h, h.mask());
   }
-  return {std::move(s), std::move(c)};
+  return {std::move(s).settled(), std::move(c).settled()};
 }
 
 }  // namespace crest::kernel

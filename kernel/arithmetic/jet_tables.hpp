@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernel/arithmetic/defined.hpp"
 #include "kernel/arithmetic/monomials.hpp"
 
 namespace crest::kernel {
@@ -21,14 +22,6 @@ T number_like(double x, const T* /*like*/) {
 template <class T>
 void add_product(T& sum, const T& a, const T& b) {
   sum = sum + a * b;
-}
-
-/// The square root; the whole line where a negative number is enclosed: types overload it whose
-/// sqrt forgives those.
-template <class T>
-T strict_sqrt(const T& x) {
-  using std::sqrt;
-  return sqrt(x);
 }
 
 template <int Variables, int Order>

@@ -2,6 +2,7 @@
 #include "kernel/arithmetic/mp_interval.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace crest::kernel {
@@ -25,10 +26,7 @@ MpInterval::MpInterval(double x, mpfr_prec_t bits) {
   mpfr_init2(high_, bits);
   mpfr_set_d(low_, x, MPFR_RNDD);
   mpfr_set_d(high_, x, MPFR_RNDU);
-  if (!mpfr_number_p(low_) || !mpfr_number_p(high_)) {
-    mpfr_set_inf(low_, -1);
-    mpfr_set_inf(high_, 1);
-  }
+  settle();
 }
 
 MpInterval::MpInterval(const MpInterval& other) {
@@ -65,10 +63,11 @@ MpInterval MpInterval::from(const Rational& x, mpfr_prec_t bits) {
 }
 
 MpInterval MpInterval::between(double low, double high, mpfr_prec_t bits) {
-  if (!(low <= high)) return whole(bits);
+  if (!(low <= high)) return undefined(bits);
   MpInterval r(bits);
   mpfr_set_d(r.low_, low, MPFR_RNDD);
   mpfr_set_d(r.high_, high, MPFR_RNDU);
+  r.settle();
   return r;
 }
 
@@ -76,6 +75,7 @@ MpInterval MpInterval::hull(const MpInterval& a, const MpInterval& b) {
   MpInterval r(common(a, b));
   mpfr_min(r.low_, a.low_, b.low_, MPFR_RNDD);
   mpfr_max(r.high_, a.high_, b.high_, MPFR_RNDU);
+  r.settle();
   return r;
 }
 
@@ -86,7 +86,7 @@ MpInterval MpInterval::pi(mpfr_prec_t bits) {
   return r;
 }
 
-MpInterval MpInterval::whole(mpfr_prec_t bits) {
+MpInterval MpInterval::undefined(mpfr_prec_t bits) {
   MpInterval r(bits);
   mpfr_set_inf(r.low_, -1);
   mpfr_set_inf(r.high_, 1);
@@ -110,8 +110,8 @@ bool MpInterval::contains_zero() const {
   return mpfr_sgn(low_) <= 0 && mpfr_sgn(high_) >= 0;
 }
 
-void MpInterval::widen_if_undefined() {
-  if (!mpfr_nan_p(low_) && !mpfr_nan_p(high_)) return;
+void MpInterval::settle() {
+  if (is_defined(*this)) return;
   mpfr_set_inf(low_, -1);
   mpfr_set_inf(high_, 1);
 }
@@ -127,7 +127,7 @@ MpInterval operator+(const MpInterval& a, const MpInterval& b) {
   MpInterval r(common(a, b));
   mpfr_add(r.low_, a.low_, b.low_, MPFR_RNDD);
   mpfr_add(r.high_, a.high_, b.high_, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
@@ -135,7 +135,7 @@ MpInterval operator-(const MpInterval& a, const MpInterval& b) {
   MpInterval r(common(a, b));
   mpfr_sub(r.low_, a.low_, b.high_, MPFR_RNDD);
   mpfr_sub(r.high_, a.high_, b.low_, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
@@ -159,12 +159,13 @@ MpInterval operator*(const MpInterval& a, const MpInterval& b) {
     mpfr_mul(other.high_, a.high_, b.high_, MPFR_RNDU);
     mpfr_max(r.high_, r.high_, other.high_, MPFR_RNDU);
   }
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
 MpInterval operator/(const MpInterval& a, const MpInterval& b) {
-  if (b.contains_zero()) return MpInterval::whole(common(a, b));
+  if (b.contains_zero() || !is_defined(a) || !is_defined(b))
+    return MpInterval::undefined(common(a, b));
   MpInterval inverse(common(a, b));
   mpfr_ui_div(inverse.low_, 1, b.high_, MPFR_RNDD);
   mpfr_ui_div(inverse.high_, 1, b.low_, MPFR_RNDU);
@@ -175,7 +176,7 @@ MpInterval operator+(const MpInterval& a, double b) {
   MpInterval r(a.precision());
   mpfr_add_d(r.low_, a.low_, b, MPFR_RNDD);
   mpfr_add_d(r.high_, a.high_, b, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
@@ -187,46 +188,43 @@ MpInterval operator*(const MpInterval& a, double b) {
   MpInterval r(a.precision());
   mpfr_mul_d(r.low_, b < 0 ? a.high_ : a.low_, b, MPFR_RNDD);
   mpfr_mul_d(r.high_, b < 0 ? a.low_ : a.high_, b, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
 MpInterval operator/(const MpInterval& a, double b) {
-  if (b == 0) return MpInterval::whole(a.precision());
+  if (b == 0 || !std::isfinite(b)) return MpInterval::undefined(a.precision());
   MpInterval r(a.precision());
   mpfr_div_d(r.low_, b < 0 ? a.high_ : a.low_, b, MPFR_RNDD);
   mpfr_div_d(r.high_, b < 0 ? a.low_ : a.high_, b, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
 MpInterval sqrt(const MpInterval& a) {
+  if (mpfr_sgn(a.low_) < 0) return MpInterval::undefined(a.precision());
   MpInterval r(a.precision());
-  if (mpfr_sgn(a.low_) > 0) mpfr_sqrt(r.low_, a.low_, MPFR_RNDD);
-  if (mpfr_sgn(a.high_) > 0) mpfr_sqrt(r.high_, a.high_, MPFR_RNDU);
-  r.widen_if_undefined();
+  mpfr_sqrt(r.low_, a.low_, MPFR_RNDD);
+  mpfr_sqrt(r.high_, a.high_, MPFR_RNDU);
+  r.settle();
   return r;
 }
 
-MpInterval strict_sqrt(const MpInterval& a) {
-  return a.lower() < 0 ? MpInterval::whole(a.precision()) : sqrt(a);
-}
-
 MpInterval exp(const MpInterval& a) {
+  if (!is_defined(a)) return a;
   MpInterval r(a.precision());
   mpfr_exp(r.low_, a.low_, MPFR_RNDD);
   mpfr_exp(r.high_, a.high_, MPFR_RNDU);
-  r.widen_if_undefined();
+  r.settle();
   return r;
 }
 
 MpInterval log(const MpInterval& a) {
-  if (mpfr_sgn(a.low_) < 0) return MpInterval::whole(a.precision());
-  MpInterval up(a), r(a.precision());
-  mpfr_abs(up.low_, up.low_, MPFR_RNDD);  // the logarithm of -0 is undefined in some versions
-  mpfr_log(r.low_, up.low_, MPFR_RNDD);
-  mpfr_log(r.high_, up.high_, MPFR_RNDU);
-  r.widen_if_undefined();
+  if (mpfr_sgn(a.low_) <= 0) return MpInterval::undefined(a.precision());
+  MpInterval r(a.precision());
+  mpfr_log(r.low_, a.low_, MPFR_RNDD);
+  mpfr_log(r.high_, a.high_, MPFR_RNDU);
+  r.settle();
   return r;
 }
 
@@ -234,9 +232,10 @@ MpInterval log(const MpInterval& a) {
 // and 1 is its maximum; an odd one, and -1 is its minimum.
 MpInterval MpInterval::wave(const MpInterval& a, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
                             double shift) {
+  if (!is_defined(a)) return a;
   const mpfr_prec_t bits = a.precision();
   const MpInterval one = between(-1, 1, bits), turns = a / pi(bits + 32) - shift;
-  if (!mpfr_number_p(turns.low_) || !mpfr_number_p(turns.high_)) return one;
+  if (!is_defined(turns)) return one;
   MpInterval whole_turns(turns), r(bits), other(bits);
   mpfr_rint_ceil(whole_turns.low_, turns.low_, MPFR_RNDD);
   mpfr_rint_floor(whole_turns.high_, turns.high_, MPFR_RNDU);
@@ -268,6 +267,7 @@ MpInterval cos(const MpInterval& a) {
 // above the x-axis, with y to the right of the y-axis, and falls with y to the left.
 MpInterval atan2(const MpInterval& y, const MpInterval& x) {
   const mpfr_prec_t bits = common(y, x);
+  if (!is_defined(y) || !is_defined(x)) return MpInterval::undefined(bits);
   if (mpfr_sgn(y.low_) >= 0) {
     if (mpfr_sgn(y.low_) == 0 && x.contains_zero()) {
       const MpInterval pi = MpInterval::pi(bits);

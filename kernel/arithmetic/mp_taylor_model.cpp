@@ -75,8 +75,14 @@ MpTaylorModel<Order> MpTaylorModel<Order>::around(double constant, double error)
 }
 
 template <int Order>
-MpTaylorModel<Order> MpTaylorModel<Order>::unknown() {
-  return MpTaylorModel(MpInterval::whole(kBits));
+MpTaylorModel<Order> MpTaylorModel<Order>::undefined() {
+  return MpTaylorModel(MpInterval::undefined(kBits));
+}
+
+template <int Order>
+bool MpTaylorModel<Order>::all_defined() const {
+  return is_defined(remainder) &&
+         std::all_of(c.begin(), c.end(), [](const MpInterval& x) { return is_defined(x); });
 }
 
 template <int Order>
@@ -113,6 +119,7 @@ MpInterval MpTaylorModel<Order>::polynomial_range(unsigned without) const {
 template <int Order>
 Range MpTaylorModel<Order>::range_without(unsigned corners) const {
   const MpInterval values = polynomial_range(corners) + remainder;
+  if (!all_defined()) return {-HUGE_VAL, HUGE_VAL};
   return {values.lower(), values.upper()};
 }
 
@@ -170,6 +177,8 @@ MpTaylorModel<Order> MpTaylorModel<Order>::divided(double s) const {
 
 template <int Order>
 MpTaylorModel<Order> MpTaylorModel<Order>::times(const MpTaylorModel& b) const {
+  // Zeros are skipped below.
+  if (!all_defined() || !b.all_defined()) return undefined();
   MpTaylorModel r;
   for (std::size_t i = 0; i < kCount; ++i) {
     if (is_zero(c[i])) continue;
@@ -230,13 +239,14 @@ auto MpTaylorModel<Order>::series(Function f, const MpInterval& x) -> Coefficien
 // Taylor's formula with h = f - c: sum t_k(c) h^k + t_(n + 1)(between) h^(n + 1).
 template <int Order>
 MpTaylorModel<Order> MpTaylorModel<Order>::compose(Function f) const {
+  if (!all_defined()) return undefined();
   MpTaylorModel h = *this;
   h.c[0] = MpInterval(0.0, kBits);
   const MpInterval size = h.polynomial_range() + h.remainder;
   const MpInterval between = c[0] + MpInterval::hull(size, h.c[0]);
   const bool positive = certain_sign(between) == Sign::positive;
-  if ((f == Function::sqrt || f == Function::log) && !positive) return unknown();
-  if (f == Function::inverse && between.contains_zero()) return unknown();
+  if ((f == Function::sqrt || f == Function::log) && !positive) return undefined();
+  if (f == Function::inverse && between.contains_zero()) return undefined();
   const Coefficients t = series(f, c[0]);
   MpTaylorModel r(t[Order]);
   for (std::size_t k = Order; k-- > 0;) r = r * h + MpTaylorModel(t[k]);

@@ -10,6 +10,10 @@
 // interval arithmetic for the coefficients; terms of a product beyond the order are bounded by
 // |u^i v^j| <= 2^-min(i, j) (taylor_model.hpp, (a)), products with remainders by Bernstein ranges;
 // f(c + h) is Taylor's formula at c with the next derivative over the hull of c and c + h.
+//
+// Undefined (mp_interval.hpp): a model with a coefficient or a remainder that is. Law: a result of
+// an undefined operand is undefined, also where a coefficient is zero and its products are skipped;
+// so is a function that is not analytic at all points that its operand encloses.
 #include <array>
 #include <cstdint>
 
@@ -46,6 +50,7 @@ class MpTaylorModel {
   Range at_corner(int i) const;
   /// The polynomial is a constant.
   bool is_flat() const;
+  friend bool is_defined(const MpTaylorModel& a) { return a.all_defined(); }
 
   MpTaylorModel operator-() const;
   friend MpTaylorModel operator+(const MpTaylorModel& a, const MpTaylorModel& b) {
@@ -85,7 +90,8 @@ class MpTaylorModel {
   MpTaylorModel compose(Function f) const;
   /// The Taylor coefficients of f at every point of x, to the power Order + 1.
   static Coefficients series(Function f, const MpInterval& x);
-  static MpTaylorModel unknown();
+  static MpTaylorModel undefined();
+  bool all_defined() const;
 };
 
 extern template class MpTaylorModel<3>;

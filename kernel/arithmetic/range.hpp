@@ -2,6 +2,7 @@
 #pragma once
 
 // Lower and upper bounds of a function: what Taylor models give, under any rounding mode.
+#include <cmath>
 #include <optional>
 
 #include "kernel/arithmetic/sign.hpp"
@@ -15,8 +16,8 @@ struct Range {
 };
 /// The sign of every number in the range, or nothing.
 inline MaybeSign certain_sign(const Range& r) {
-  if (r.low > 0 && r.high >= r.low) return Sign::positive;
-  if (r.high < 0 && r.low <= r.high) return Sign::negative;
+  if (r.low > 0 && r.high >= r.low && r.high < HUGE_VAL) return Sign::positive;
+  if (r.high < 0 && r.low <= r.high && r.low > -HUGE_VAL) return Sign::negative;
   if (r.low == 0 && r.high == 0) return Sign::zero;
   return std::nullopt;
 }

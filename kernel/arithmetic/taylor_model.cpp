@@ -54,7 +54,7 @@ TaylorModel<Order> TaylorModel<Order>::compose(taylor::Series (*make_series)(dou
   for (int k = 0; k <= Order; ++k) power *= rho;
   TaylorModel r = around(s.t[Order], s.error[Order]);
   for (std::size_t k = Order; k-- > 0;) r = r * h + around(s.t[k], s.error[k]);
-  r.radius = grow(r.radius + s.rest * power);
+  r.radius = grow(r.radius + s.rest * (power + 0x1p-1000));  // power may underflow
   return r;
 }
 

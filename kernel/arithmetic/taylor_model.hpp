@@ -23,7 +23,12 @@
 //     products that underflow (each loses at most 2^-1075).
 // (d) The Bernstein coefficients of u^i v^j on the triangle are averages of products of corner
 //     coordinates, hence at most 1 in absolute value.
-// If anything overflows the radius is infinite or NaN, and nothing is certain any more.
+//
+// Undefined. A model is defined if its coefficients and its radius are finite. Overflow, division
+// by a model that encloses zero, and functions that are not analytic at all points that their
+// operand encloses, are undefined. Law: a result of an undefined operand is undefined: what is not
+// finite makes the radius of every sum and product infinite or NaN (zero times infinity is NaN),
+// and no series accepts a centre or a radius that is not finite.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -68,6 +73,8 @@ class TaylorModel {
     return bits << 1 == 0;
   }
 
+  friend bool is_defined(const TaylorModel& a) { return Kernels::size(a.c) + a.radius < HUGE_VAL; }
+
   TaylorModel operator-() const {
     TaylorModel r = *this;
     for (double& x : r.c) x = -x;
@@ -95,7 +102,7 @@ class TaylorModel {
   friend TaylorModel operator/(const TaylorModel& a, double s) {
     TaylorModel r;
     for (std::size_t m = 0; m < kCount; ++m) r.c[m] = a.c[m] / s;
-    r.round(a.radius / std::fabs(s));
+    r.round(a.radius / std::fabs(s) + 0 * s);  // not 0 for an s that is not finite
     return r;
   }
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {

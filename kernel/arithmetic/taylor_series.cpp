@@ -15,6 +15,11 @@ double shrink(double x) {
   return x * (1 - 0x1p-43) - 0x1p-1000;
 }
 
+/// x / y; infinite where y, a product, may have lost digits to underflow.
+double over(double x, double y) {
+  return y > 0x1p-960 ? x / y : HUGE_VAL;
+}
+
 double factorial(int n) {
   double f = 1;
   for (int k = 2; k <= n; ++k) f *= k;
@@ -69,7 +74,7 @@ Series inverse_series(double c, double rho, int order) {
   for (std::size_t k = 1; k <= static_cast<std::size_t>(order); ++k) s.t[k] = -s.t[k - 1] * t;
   bound_errors(s, order, 2, 2);
   // 1 / (c + h) less its first terms is (-h / c)^(n + 1) / (c + h).
-  s.rest = grow(1 / (power(size, order + 1) * nearest));
+  s.rest = grow(over(1, power(size, order + 1) * nearest));
   return s;
 }
 
@@ -86,7 +91,7 @@ Series sqrt_series(double c, double rho, int order) {
   }
   bound_errors(s, order, 2, 4);
   // The sum of |binomial| sqrt(c) (h / c)^k over k > n, the binomials decreasing: a geometric one.
-  s.rest = grow(binomial * std::sqrt(c) / (power(c, order) * nearest));
+  s.rest = grow(over(binomial * std::sqrt(c), power(c, order) * nearest));
   return s;
 }
 
@@ -109,7 +114,7 @@ Series log_series(double c, double rho, int order) {
     s.t[static_cast<std::size_t>(k)] = (k % 2 ? 1 : -1) / (k * power(c, k));
   bound_errors(s, order, 2, 3);
   // The sum of (h / c)^k / k over k > n, 1 / k decreasing.
-  s.rest = grow(1 / ((order + 1) * power(c, order) * nearest));
+  s.rest = grow(over(1, (order + 1) * power(c, order) * nearest));
   return s;
 }
 

@@ -58,29 +58,6 @@ inline Rational as_enclosure(const Constant& c, const Rational*) {
   return as_rational(c);
 }
 
-/// With square roots of negative numbers unknown (see strict_sqrt).
-template <class T>
-struct StrictFunctions {
-  static T apply(Operation::Code code, const T& x) {
-    switch (code) {
-      case Operation::Code::sqrt:
-        return strict_sqrt(x);
-      case Operation::Code::exp:
-        return exp(x);
-      case Operation::Code::log:
-        return log(x);
-      case Operation::Code::sin:
-        return sin(x);
-      default:
-        return cos(x);
-    }
-  }
-};
-template <>
-struct ElementaryFunctions<Interval> : StrictFunctions<Interval> {};
-template <>
-struct ElementaryFunctions<MpInterval> : StrictFunctions<MpInterval> {};
-
 template <int Variables, int Order>
 struct ElementaryFunctions<Jet<Rational, Variables, Order>> {
   using Number = Jet<Rational, Variables, Order>;

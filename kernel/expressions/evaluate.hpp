@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/arithmetic/defined.hpp"
 #include "kernel/expressions/number_operations.hpp"
 #include "kernel/expressions/schedule.hpp"
 
@@ -111,6 +112,8 @@ class Evaluator {
         return step.to->make([&] { return T(a / b); });
       case Code::negate:
         return step.to->make([&] { return T(-a); });
+      case Code::power:  // 0: what is undefined stays so
+        return step.to->make([&] { return is_defined(a) ? constants_.back() : a; });
       default:
         return step.to->make([&] { return ElementaryFunctions<T>::apply(step.code, a); });
     }

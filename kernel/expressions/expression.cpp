@@ -52,8 +52,13 @@ std::int64_t capped_power(std::int64_t base, std::int64_t exponent) {
 class Parser {
  public:
   Parser(std::string_view text, const std::vector<std::string>& variables,
-         std::vector<Operation>& program, std::vector<Constant>& constants)
-      : text_(text), variables_(variables), program_(program), constants_(constants) {}
+         std::vector<Operation>& program, std::vector<Constant>& constants,
+         std::vector<Expression::Place>& places)
+      : text_(text),
+        variables_(variables),
+        program_(program),
+        constants_(constants),
+        places_(places) {}
 
   void run() {
     sum();
@@ -99,19 +104,27 @@ class Parser {
     return true;
   }
 
-  void emit(Code code, std::size_t argument = 0) {
+  /// The step that ends the part of the text from `begin` to here.
+  void emit(Code code, std::size_t begin, std::int64_t argument = 0) {
     program_.push_back({code, static_cast<std::int32_t>(argument)});
+    places_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)});
+  }
+  /// Of what comes next.
+  std::size_t begin() {
+    peek();
+    return at_;
   }
 
   void sum() {
+    const std::size_t first = begin();
     product();
     for (;;) {
       if (accept('+')) {
         product();
-        emit(Code::add);
+        emit(Code::add, first);
       } else if (accept('-')) {
         product();
-        emit(Code::subtract);
+        emit(Code::subtract, first);
       } else {
         return;
       }
@@ -119,14 +132,15 @@ class Parser {
   }
 
   void product() {
+    const std::size_t first = begin();
     sign();
     for (;;) {
       if (accept('*')) {
         sign();
-        emit(Code::multiply);
+        emit(Code::multiply, first);
       } else if (accept('/')) {
         sign();
-        emit(Code::divide);
+        emit(Code::divide, first);
       } else {
         return;
       }
@@ -135,17 +149,18 @@ class Parser {
 
   void sign() {
     const Level level(*this);
+    const std::size_t first = begin();
     if (accept('+')) return sign();
     if (accept('-')) {
       sign();
-      return emit(Code::negate);
+      return emit(Code::negate, first);
     }
     atom();
     if (accept('^')) {
       const std::size_t begin = at_;
       const std::int64_t n = exponent();
       if (n > kLargestPower || n < -kLargestPower) fail(begin, "the exponent is beyond 1000");
-      program_.push_back({Code::power, static_cast<std::int32_t>(n)});
+      emit(Code::power, first, n);
     }
   }
 
@@ -216,7 +231,7 @@ class Parser {
     c.nearest = c.exact.convert_to<double>();
     // The conversion above may truncate.
     std::from_chars(text_.data() + begin, text_.data() + at_, c.nearest);
-    push(std::move(c));
+    push(std::move(c), begin);
   }
 
   /// The power of ten after 'e'; beyond the limit once it is not certain to fit.
@@ -231,9 +246,9 @@ class Parser {
     return negative ? -value : value;
   }
 
-  void push(Constant c) {
+  void push(Constant c, std::size_t begin) {
     constants_.push_back(std::move(c));
-    emit(Code::constant, constants_.size() - 1);
+    emit(Code::constant, begin, static_cast<std::int64_t>(constants_.size() - 1));
   }
 
   void name() {
@@ -242,15 +257,15 @@ class Parser {
     const std::string_view word = text_.substr(begin, at_ - begin);
     const auto variable = std::find(variables_.begin(), variables_.end(), word);
     if (variable != variables_.end())
-      return emit(Code::variable, static_cast<std::size_t>(variable - variables_.begin()));
-    if (word == "pi") return push({Constant::Kind::pi, 0, std::numbers::pi});
-    if (word == "e") return push({Constant::Kind::e, 0, std::numbers::e});
+      return emit(Code::variable, begin, variable - variables_.begin());
+    if (word == "pi") return push({Constant::Kind::pi, 0, std::numbers::pi}, begin);
+    if (word == "e") return push({Constant::Kind::e, 0, std::numbers::e}, begin);
     for (const auto& [function, code] : kFunctions) {
       if (word != function) continue;
       if (!accept('(')) expected(std::string("'(' after ").append(word));
       sum();
       if (!accept(')')) expected("an operator or ')'");
-      return emit(code);
+      return emit(code, begin);
     }
     std::string known;
     for (const std::string& v : variables_) known.append(v).append(", ");
@@ -264,6 +279,7 @@ class Parser {
   const std::vector<std::string>& variables_;
   std::vector<Operation>& program_;
   std::vector<Constant>& constants_;
+  std::vector<Expression::Place>& places_;
   std::size_t at_ = 0;
   int level_ = 0;
 };
@@ -277,7 +293,7 @@ Expression Expression::parse(std::string_view text, const std::vector<std::strin
   Expression result;
   result.text_ = text;
   result.variable_count_ = variables.size();
-  Parser(text, variables, result.program_, result.constants_).run();
+  Parser(text, variables, result.program_, result.constants_, result.places_).run();
   return result;
 }
 

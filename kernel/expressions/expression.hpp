@@ -72,6 +72,11 @@ class Expression {
   const std::string& text() const { return text_; }
   const std::vector<Operation>& program() const { return program_; }
   const std::vector<Constant>& constants() const { return constants_; }
+  /// Where the part of the text stands that ends with step i: its bytes [begin, end).
+  struct Place {
+    std::uint32_t begin, end;
+  };
+  const std::vector<Place>& places() const { return places_; }
   std::size_t variable_count() const { return variable_count_; }
   /// No constants pi and e, no functions: rationals give rationals.
   bool rational() const;
@@ -83,6 +88,7 @@ class Expression {
   std::string text_;
   std::vector<Operation> program_;
   std::vector<Constant> constants_;
+  std::vector<Place> places_;
   std::size_t variable_count_ = 0;
 };
 

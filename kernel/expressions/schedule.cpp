@@ -58,7 +58,6 @@ class Scheduler {
       unused.pop_back();
       release(s.first, i);
       if (s.last != s.first) release(s.last, i);
-      if (last_use[i] == 0) unused.push_back(s.place);  // x of x^0
     }
     return std::move(result_);
   }
@@ -88,9 +87,8 @@ class Scheduler {
     return step(Code::multiply, half, half);
   }
   Operand integer_power(const Operand& x, std::int32_t n) {
-    const Operand one{Kind::one, 0};
-    if (n == 0) return one;
-    return n > 0 ? power(x, n) : step(Code::divide, one, power(x, -n));
+    if (n == 0) return step(Code::power, x, x);
+    return n > 0 ? power(x, n) : step(Code::divide, Operand{Kind::one, 0}, power(x, -n));
   }
 
   Schedule result_;

@@ -17,7 +17,8 @@ struct Schedule {
     std::size_t index;
     friend auto operator<=>(const Operand&, const Operand&) = default;
   };
-  /// Powers are products: x^2n = x^n x^n, x^(2n+1) = x^2n x, x^0 = 1, x^-n = 1 / x^n.
+  /// Powers are products: x^2n = x^n x^n, x^(2n+1) = x^2n x, x^-n = 1 / x^n. The only power among
+  /// the steps is x^0: 1 where x is defined.
   struct Step {
     Operation::Code code;
     Operand first, last;  ///< the same for a function of one

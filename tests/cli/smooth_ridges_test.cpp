@@ -2,6 +2,7 @@
 // crest ridges --surface and --param, end to end.
 #include <catch2/catch.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "tests/cli/run_crest.hpp"
 
@@ -191,6 +192,38 @@ TEST_CASE("wrong expressions, boxes and domains: exit code 3, one line, the colu
       {"crest ridges --surface 'x^2' --box '-1,1' -o no/such.vtp", "no/such.vtp"},
   };
   for (const auto& [line, word] : lines) check_refused(line, folder.path(), 3, word);
+}
+
+TEST_CASE("a surface that exists nowhere is refused, with the column of what is not defined") {
+  const TemporaryFolder folder;
+  const std::string z = "0.5*(1.2*u^2+v^2)+0.1*u^3-0.07*u*v^2+0.05*v^3+0.03*u^4+0.04*v^4";
+  // The text of z begins a column of its own.
+  const auto at = [&](std::size_t offset) {
+    return "column " + std::to_string(z.size() + offset) + ": ";
+  };
+  const std::tuple<const char*, std::size_t, const char*> parts[] = {
+      {"+log(u-1)", 2, "log(u-1)"},   {"+log(-1-u^2)", 2, "log(-1-u^2)"},
+      {"+sqrt(-1)", 2, "sqrt(-1)"},   {"+0*sin(1/0)", 8, "1/0"},
+      {"+0*log(0-1)", 4, "log(0-1)"}, {"+exp(1/0)", 6, "1/0"}};
+  for (const auto& [part, offset, named] : parts) {
+    const std::string line = "crest ridges --param 'u;v;" + z + part +
+                             "' --domain 0.11,0.3,0.1,0.3 -o l.vtp --certificate l.crest";
+    check_refused(line, folder.path(), 3, at(offset) + named + " is defined nowhere in the domain");
+  }
+  // Undefined in a part of the domain: not ill-posed, but nothing is certified.
+  const auto half = run_for("crest ridges --param 'u;v;" + z +
+                                "+log(u-0.2)' --domain 0.11,0.3,0.1,0.3 -o l.vtp --report l.json "
+                                "--certificate l.crest",
+                            folder.path(), 1);
+  CHECK(half.out.find("NOT CERTIFIED: " + at(2) + "log(u-0.2) is not defined at (u, v) = (") !=
+        std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "l.crest"));
+  CHECK(read_json(folder / "l.json")["certificate"]["certified"] == false);
+  check_refused("crest ridges --param 'u;v;u*v' --domain '0,1+0*log(-1),0,1'", folder.path(), 3,
+                "column 5: log(-1) is not defined (in u1 = 1+0*log(-1))");
+  check_refused(std::string("crest ridges --surface 'x^2+y^2/2.25+z^2/4-1+0*log(-x^2-1)' ") +
+                    "--box '-3,3' --certificate l.crest",
+                folder.path(), 3, "column 24: log(-x^2-1) is defined nowhere in the box");
 }
 
 TEST_CASE("one surface, and options of its kind: else exit code 2") {

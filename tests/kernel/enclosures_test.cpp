@@ -89,16 +89,15 @@ TEST_CASE("Elementary functions of intervals: extremes, poles, what is undefined
   CHECK(same(sin(Interval(-1e300, 1e300)), Interval(-1, 1)));
   CHECK(same(exp(Interval(0)), Interval(1)));
   CHECK(same(log(Interval(1)), Interval(0)));
-  CHECK(std::isinf(exp(Interval(0, 1000)).sup()));
+  CHECK(whole(exp(Interval(0, 1000))));
   CHECK(exp(Interval(-1000, 0)).inf() == 0);
-  CHECK(std::isinf(log(Interval(0, 1)).inf()));
-  CHECK(log(Interval(0, 1)).sup() == 0);
+  CHECK(whole(log(Interval(0, 1))));
   CHECK(whole(log(Interval(-1, 1))));
   CHECK(whole(log(Interval(-2, -1))));
   RoundUpward guard;
-  CHECK(whole(strict_sqrt(Interval(-1, 4))));
-  CHECK(whole(strict_sqrt(Interval(-4, -1))));
-  CHECK(same(strict_sqrt(Interval(4, 9)), Interval(2, 3)));
+  CHECK(whole(sqrt(Interval(-1, 4))));
+  CHECK(whole(sqrt(Interval(-4, -1))));
+  CHECK(same(sqrt(Interval(4, 9)), Interval(2, 3)));
 }
 
 TEST_CASE("MPFR intervals with doubles") {

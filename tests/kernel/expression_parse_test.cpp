@@ -126,3 +126,32 @@ TEST_CASE("expressions: which are affine as they are written") {
     CHECK_FALSE(affine(text));
   }
 }
+
+TEST_CASE("Every step of a program knows its part of the text") {
+  const std::string text = " -x ^2+ log( y - 1)/ (2*3) - x*y/pi";
+  const auto e = Expression::parse(text, {"x", "y"});
+  std::vector<std::string> parts;
+  REQUIRE(e.places().size() == e.program().size());
+  for (const auto& [begin, end] : e.places()) parts.push_back(text.substr(begin, end - begin));
+  const std::vector<std::string> expected = {"x",
+                                             "x ^2",
+                                             "-x ^2",
+                                             "y",
+                                             "1",
+                                             "y - 1",
+                                             "log( y - 1)",
+                                             "2",
+                                             "3",
+                                             "2*3",
+                                             "log( y - 1)/ (2*3)",
+                                             " -x ^2+ log( y - 1)/ (2*3)",
+                                             "x",
+                                             "y",
+                                             "x*y",
+                                             "pi",
+                                             "x*y/pi",
+                                             text};
+  std::vector<std::string> trimmed;
+  for (const auto& p : expected) trimmed.push_back(p.substr(p.find_first_not_of(' ')));
+  CHECK(parts == trimmed);
+}

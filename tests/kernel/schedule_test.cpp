@@ -29,6 +29,7 @@ TEST_CASE("what expressions have in common is one step") {
   CHECK(schedule_of({"cos(x)*sin(y)", "cos(x)*cos(y)", "cos(x)"}).steps.size() == 5);
   CHECK(schedule_of({"0.5*x + 0.50*y"}).constants.size() == 1);
   CHECK(schedule_of({"x", "3", "x^1"}).steps.empty());
+  CHECK(schedule_of({"x^0 + x^(0)"}).steps.size() == 2);
 }
 
 TEST_CASE("places are used again, but not those of results") {
