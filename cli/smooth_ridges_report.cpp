@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "algorithms/smooth_ridges/surface.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 
 namespace crest::cli {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "algorithms/smooth_ridges/surface.hpp"
 #include "certify/ridges_smooth/encode.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_report.hpp"

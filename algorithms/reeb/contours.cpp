@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithms/reeb/conic_arc.hpp"
+#include "algorithms/reeb/exact_node_value.hpp"
 
 namespace crest::reeb {
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "algorithms/reeb/tile_complex.hpp"
-#include "kernel/arithmetic/rational.hpp"
 
 namespace crest::reeb {
 
@@ -14,10 +13,6 @@ struct Contour {
   bool closed;                       ///< the last point joins the first
   std::vector<kernel::Vec3> points;  ///< on the faces, in order
 };
-
-/// The exact value of a node (certify/reeb/SPEC.md, "Definitions").
-kernel::Rational exact_node_value(const kernel::QuadraticMesh& mesh, const TileComplex& tiles,
-                                  Index node);
 
 /// How many nodes have a value less than `level`, decided exactly: the others are above.
 /// Cost: O(log n) rationals.

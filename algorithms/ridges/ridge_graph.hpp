@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The ridge graph of a mesh: what extraction returns, what io writes, what a certificate claims.
+// The fit and the ridge graph of a mesh: what extraction returns, what io writes, what a
+// certificate claims.
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,20 @@ using kernel::RidgeType;
 using kernel::StageCounts;
 using kernel::UmbilicKind;
 using kernel::Vec3;
+
+/// How well a vertex's fit is determined.
+struct FitQuality {
+  double condition;      ///< of the scaled least-squares system, estimated from R
+  std::uint16_t points;  ///< neighbours used
+  std::uint8_t degree;   ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
+  double b_error;        ///< estimated standard error of b0, b3 (residual of the fit, propagated)
+};
+
+struct FitResult {
+  std::vector<kernel::MongeForm> forms;  ///< V
+  std::vector<FitQuality> quality;       ///< V
+  double scale = 0;                      ///< support radius used with scale or auto_scale, else 0
+};
 
 /// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).
 struct Crossing {

@@ -25,20 +25,6 @@ struct FitOptions {
   int degree = 4;           ///< of the fitted polynomial, 3 or 4
 };
 
-/// How well a vertex's fit is determined.
-struct FitQuality {
-  double condition;      ///< of the scaled least-squares system, estimated from R
-  std::uint16_t points;  ///< neighbours used
-  std::uint8_t degree;   ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
-  double b_error;        ///< estimated standard error of b0, b3 (residual of the fit, propagated)
-};
-
-struct FitResult {
-  std::vector<kernel::MongeForm> forms;  ///< V
-  std::vector<FitQuality> quality;       ///< V
-  double scale = 0;                      ///< support radius used with scale or auto_scale, else 0
-};
-
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.
 FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options);
 

@@ -3,7 +3,7 @@
 
 // The certificate of claim ridges-smooth (certify/ridges_smooth/SPEC.md).
 #include "algorithms/smooth_ridges/completeness.hpp"
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/refinement.hpp"
 
 namespace crest::smooth_ridges {
 

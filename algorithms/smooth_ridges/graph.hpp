@@ -3,7 +3,7 @@
 
 // The ridge graph of a refined surface (certify/ridges_smooth/SPEC.md, The graph; paper 002,
 // section 6.3).
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/refinement.hpp"
 
 namespace crest::smooth_ridges {
 

@@ -3,20 +3,13 @@
 
 // Refines a triangulation until every condition of certify/ridges_smooth/SPEC.md that speaks of
 // faces, edges and patches is proven, or the budget is spent.
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "algorithms/smooth_ridges/face_test.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "algorithms/smooth_ridges/umbilics.hpp"
 
 namespace crest::smooth_ridges {
-
-struct RefinementOptions {
-  int max_depth = 60;               ///< rounds of refinement
-  std::size_t max_faces = 2000000;  ///< budget
-  std::function<void(int round, std::size_t faces, std::size_t left)> progress;
-};
 
 /// An umbilic and the disk of faces around it.
 struct UmbilicPatch {

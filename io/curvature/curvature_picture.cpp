@@ -2,17 +2,11 @@
 #include "io/curvature/curvature_picture.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/picture/camera.hpp"
-#include "io/picture/drawing.hpp"
-#include "io/picture/rasteriser.hpp"
-#include "io/write/atomic_file.hpp"
-#include "io/write/formats.hpp"
-#include "kernel/geometry/input_error.hpp"
+#include "io/picture/picture_file.hpp"
 
 namespace crest::io {
 namespace {
@@ -57,48 +51,17 @@ void draw_bar(Canvas& canvas, const Camera& camera, double largest, const std::s
   draw_text(canvas, left + 0.5 * (width - dot * text_width(label)), y + 18, dot, label);
 }
 
-std::string svg_of(const std::string& png, int width, int height) {
-  std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');
-  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                                     reinterpret_cast<const unsigned char*>(png.data()),
-                                     static_cast<int>(png.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-      "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
-      "<image width=\"{0}\" height=\"{1}\" xlink:href=\"data:image/png;base64,{2}\"/>\n</svg>\n",
-      width, height, text);
-}
-
-}  // namespace
-
-namespace {
-
-void require_picture(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".png" || extension == ".svg") return;
-  throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
-}
-
-void write_canvas(const std::string& path, const Canvas& canvas, int width, int height) {
-  const std::string png = canvas.png();
-  write_atomically(path, lower_extension(path) == ".png" ? png : svg_of(png, width, height));
-}
-
-Camera camera_of(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                 const ColourPicture& options) {
-  return fit_camera(mesh, options.view ? *options.view : automatic_view(mesh, normals, {}),
-                    options.width);
+Camera camera_of(const kernel::TriangleMesh& mesh, const ColourPicture& options) {
+  return fit_camera(mesh, options.view ? *options.view : tilted_view(mesh), options.width);
 }
 
 }  // namespace
 
 void write_colour_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                           const std::vector<double>& values, const ColourPicture& options) {
-  require_picture(path);
+  check_picture_path(path);
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  const Camera camera = camera_of(mesh, normals, options);
+  const Camera camera = camera_of(mesh, options);
   const double largest = largest_shown(values);
   std::vector<Vec3> tints;
   for (const double x : values) tints.push_back(tint(x / largest));
@@ -110,9 +73,9 @@ void write_colour_picture(const std::string& path, const kernel::TriangleMesh& m
 
 void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                          const curvature::FocalSurface& focal, const ColourPicture& options) {
-  require_picture(path);
+  check_picture_path(path);
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  Camera camera = camera_of(mesh, normals, options);
+  Camera camera = camera_of(mesh, options);
   camera.scale *= kRoom;
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
@@ -123,9 +86,9 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
       const Vec3 b = camera.project(focal.points[curve[i + 1]]);
       if (!canvas.visible(a, 1) || !canvas.visible(b, 1)) continue;
       const double value = focal.values[curve[i]];
-      const Colour colour = value > 0   ? Colour{0, 140, 40}
-                            : value < 0 ? Colour{200, 20, 20}
-                                        : Colour{128, 128, 128};
+      const Rgb colour = value > 0   ? Rgb{0, 140, 40}
+                         : value < 0 ? Rgb{200, 20, 20}
+                                     : Rgb{128, 128, 128};
       canvas.draw_stroke(a, b, width, colour);
     }
   }

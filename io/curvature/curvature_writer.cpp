@@ -6,8 +6,6 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -15,10 +13,13 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <iterator>
 
+#include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -131,47 +132,35 @@ std::string ply_of(const kernel::TriangleMesh& mesh, const curvature::Result& re
   return fmt::to_string(text);
 }
 
-struct FocalArrays {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> values, scales;
-  vtkNew<vtkUnsignedCharArray> colours;
-  vtkNew<vtkCellArray> lines, triangles;
-  // VTK numbers lines before triangles.
-  vtkNew<vtkIntArray> quantity[2], face[2], curve[2];
-};
+std::array<unsigned char, 3> focal_colour(double q) {
+  if (q == 0) return {128, 128, 128};
+  return q < 0 ? std::array<unsigned char, 3>{200, 0, 0} : std::array<unsigned char, 3>{0, 160, 0};
+}
 
-void add_focal(const curvature::FocalSurface& s, FocalArrays& out) {
-  const vtkIdType base = out.points->GetNumberOfPoints();
-  const int code = static_cast<int>(s.quantity);
-  for (std::size_t i = 0; i < s.points.size(); ++i) {
-    out.points->InsertNextPoint(s.points[i].data());
-    out.values->InsertNextValue(s.values[i]);
-    const double q = s.values[i];
-    const unsigned char rgb[3] = {static_cast<unsigned char>(q < 0   ? 200
-                                                             : q > 0 ? 0
-                                                                     : 128),
-                                  static_cast<unsigned char>(q < 0   ? 0
-                                                             : q > 0 ? 160
-                                                                     : 128),
-                                  static_cast<unsigned char>(q == 0 ? 128 : 0)};
-    out.colours->InsertNextTypedTuple(rgb);
+void add_row(Columns& row, const curvature::FocalSurface& s, Index face, bool curve) {
+  row.add("quantity", static_cast<int>(s.quantity));
+  row.add("face", static_cast<int>(face));
+  row.add("curve", curve ? 1 : 0);
+}
+
+void add_focal(const curvature::FocalSurface& s, PolyData& data, vtkUnsignedCharArray& colours) {
+  const PolyData::Id base = data.point_count();
+  data.add_points(s.points);
+  for (const double q : s.values) {
+    data.point_rows().add("value", q);
+    colours.InsertNextTypedTuple(focal_colour(q).data());
   }
   const std::size_t per_face = s.curves.empty() ? 1 : s.triangles.size() / s.curves.size();
   for (std::size_t i = 0; i < s.curves.size(); ++i) {
-    out.lines->InsertNextCell(static_cast<int>(s.curves[i].size()));
-    for (const Index p : s.curves[i]) out.lines->InsertCellPoint(base + p);
-    out.quantity[0]->InsertNextValue(code);
-    out.face[0]->InsertNextValue(static_cast<int>(s.faces[i * per_face]));
-    out.curve[0]->InsertNextValue(1);
+    std::vector<PolyData::Id> line;
+    for (const Index p : s.curves[i]) line.push_back(base + p);
+    add_row(data.add_line(line), s, s.faces[i * per_face], true);
   }
   for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    const auto& t = s.triangles[i];
-    out.triangles->InsertNextCell({base + t[0], base + t[1], base + t[2]});
-    out.quantity[1]->InsertNextValue(code);
-    out.face[1]->InsertNextValue(static_cast<int>(s.faces[i]));
-    out.curve[1]->InsertNextValue(0);
+    const auto& [a, b, c] = s.triangles[i];
+    add_row(data.add_triangle(base + a, base + b, base + c), s, s.faces[i], false);
   }
-  out.scales->InsertNextValue(s.scale);
+  data.fields().add("scale", s.scale);
 }
 
 }  // namespace
@@ -206,30 +195,13 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
 void write_focal(const std::string& path, const std::vector<curvature::FocalSurface>& surfaces) {
   if (lower_extension(path) != ".vtp")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
-  FocalArrays arrays;
-  arrays.points->SetDataTypeToDouble();
-  arrays.values->SetName("value");
-  arrays.scales->SetName("scale");
-  arrays.colours->SetName("colour");
-  arrays.colours->SetNumberOfComponents(3);
-  for (const curvature::FocalSurface& s : surfaces) add_focal(s, arrays);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(arrays.points);
-  data->SetLines(arrays.lines);
-  data->SetPolys(arrays.triangles);
-  data->GetPointData()->AddArray(arrays.values);
-  data->GetPointData()->AddArray(arrays.colours);
-  const auto add_cells = [&](const char* name, vtkNew<vtkIntArray>(&parts)[2]) {
-    for (vtkIdType i = 0; i < parts[1]->GetNumberOfTuples(); ++i)
-      parts[0]->InsertNextValue(parts[1]->GetValue(i));
-    parts[0]->SetName(name);
-    data->GetCellData()->AddArray(parts[0]);
-  };
-  add_cells("quantity", arrays.quantity);
-  add_cells("face", arrays.face);
-  add_cells("curve", arrays.curve);
-  data->GetFieldData()->AddArray(arrays.scales);
-  write_atomically(path, vtp_bytes(*data));
+  PolyData data;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("colour");
+  colours->SetNumberOfComponents(3);
+  data.add_point_array(colours);
+  for (const curvature::FocalSurface& surface : surfaces) add_focal(surface, data, *colours);
+  write_atomically(path, data.bytes());
 }
 
 }  // namespace crest::io

@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/ridges/ridge_graph.hpp"
 #include "io/features/feature_writer.hpp"
-#include "io/picture/drawing.hpp"
-#include "io/write/formats.hpp"
-#include "kernel/geometry/input_error.hpp"
+#include "io/picture/picture_file.hpp"
 
 namespace crest::io {
 namespace {
@@ -89,11 +86,9 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                            const FeatureGraph& graph) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+  check_picture_path(path);
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  const Camera camera = fit_camera(mesh, automatic_view(mesh, normals, ridges::RidgeGraph{}), 1200);
+  const Camera camera = fit_camera(mesh, tilted_view(mesh), 1200);
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
   Drawing drawing{};

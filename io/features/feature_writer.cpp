@@ -2,22 +2,14 @@
 #include "io/features/feature_writer.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
-#include "io/write/formats.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -43,89 +35,57 @@ int id(Index n) {
   return n == kNone ? -1 : static_cast<int>(n);
 }
 
-void add_points(vtkPolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
+void add_points(PolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
                 const std::vector<double>& field) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  const auto label = named_ints("label"), patch = named_ints("patch");
-  const auto value = named_doubles("field");
+  data.add_points(mesh.points());
+  Columns& rows = data.point_rows();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    points->InsertNextPoint(mesh.points()[v].data());
-    label->InsertNextValue(code(graph.labels[v]));
-    patch->InsertNextValue(id(graph.patch_of[v]));
-    value->InsertNextValue(field[v]);
+    rows.add("label", code(graph.labels[v]));
+    rows.add("patch", id(graph.patch_of[v]));
+    rows.add("field", field[v]);
   }
-  data.SetPoints(points);
-  data.GetPointData()->AddArray(label);
-  data.GetPointData()->AddArray(patch);
-  data.GetPointData()->AddArray(value);
 }
 
-/// The columns of the cell data.
-struct CellColumns {
-  vtkSmartPointer<vtkIntArray> kind = named_ints("kind"), end_0 = named_ints("end_0"),
-                               end_1 = named_ints("end_1"), node_0 = named_ints("node_0"),
-                               node_1 = named_ints("node_1"), patch = named_ints("patch");
-  vtkSmartPointer<vtkDoubleArray> length = named_doubles("length");
+void add_row(Columns& rows, int kind, std::array<int, 2> ends, std::array<int, 2> nodes, int patch,
+             double length) {
+  rows.add("kind", kind);
+  rows.add("end_0", ends[0]);
+  rows.add("end_1", ends[1]);
+  rows.add("node_0", nodes[0]);
+  rows.add("node_1", nodes[1]);
+  rows.add("patch", patch);
+  rows.add("length", length);
+}
 
-  void add(int k, std::array<int, 2> ends, std::array<int, 2> nodes, int p, double l) {
-    kind->InsertNextValue(k);
-    end_0->InsertNextValue(ends[0]);
-    end_1->InsertNextValue(ends[1]);
-    node_0->InsertNextValue(nodes[0]);
-    node_1->InsertNextValue(nodes[1]);
-    patch->InsertNextValue(p);
-    length->InsertNextValue(l);
-  }
-  void move_to(vtkPolyData& data) const {
-    for (const auto& array : {kind, end_0, end_1, node_0, node_1, patch})
-      data.GetCellData()->AddArray(array);
-    data.GetCellData()->AddArray(length);
-  }
-};
-
-void add_lines(vtkPolyData& data, const FeatureGraph& graph, CellColumns& columns) {
-  vtkNew<vtkCellArray> lines;
+void add_lines(PolyData& data, const FeatureGraph& graph) {
   for (const FeatureLine& line : graph.lines) {
-    const bool loop = line.kind == LineKind::loop;
-    lines->InsertNextCell(static_cast<int>(line.vertices.size() + (loop ? 1 : 0)));
-    for (const Index v : line.vertices) lines->InsertCellPoint(v);
-    if (loop) lines->InsertCellPoint(line.vertices.front());
-    columns.add(code(line.kind), {static_cast<int>(line.ends[0]), static_cast<int>(line.ends[1])},
-                {id(line.nodes[0]), id(line.nodes[1])}, -1, line.length);
+    std::vector<PolyData::Id> points(line.vertices.begin(), line.vertices.end());
+    if (line.kind == LineKind::loop) points.push_back(points.front());
+    add_row(data.add_line(points), code(line.kind),
+            {static_cast<int>(line.ends[0]), static_cast<int>(line.ends[1])},
+            {id(line.nodes[0]), id(line.nodes[1])}, -1, line.length);
   }
-  for (const auto& [v, w] : graph.node_edges) {
-    lines->InsertNextCell({v, w});
-    columns.add(code(Label::node), {-1, -1}, {-1, -1}, -1, 0);
-  }
-  data.SetLines(lines);
+  for (const auto& [v, w] : graph.node_edges)
+    add_row(data.add_line(std::array<PolyData::Id, 2>{v, w}), code(Label::node), {-1, -1}, {-1, -1},
+            -1, 0);
 }
 
-void add_faces(vtkPolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
-               CellColumns& columns) {
-  vtkNew<vtkCellArray> faces;
+void add_faces(PolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph) {
   for (const kernel::Triangle& f : mesh.faces()) {
-    faces->InsertNextCell({f[0], f[1], f[2]});
     int patch = -1;
-    for (std::size_t k = 3; k-- > 0;) patch = std::max(patch, id(graph.patch_of[f[k]]));
-    columns.add(0, {-1, -1}, {-1, -1}, patch, 0);
+    for (const Index v : f) patch = std::max(patch, id(graph.patch_of[v]));
+    add_row(data.add_triangle(f[0], f[1], f[2]), 0, {-1, -1}, {-1, -1}, patch, 0);
   }
-  data.SetPolys(faces);
 }
 
 std::string vtp_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
                    const std::vector<double>& field, const std::string& digest) {
-  vtkNew<vtkPolyData> data;
-  add_points(*data, mesh, graph, field);
-  CellColumns columns;
-  add_lines(*data, graph, columns);
-  add_faces(*data, mesh, graph, columns);
-  columns.move_to(*data);
-  vtkNew<vtkStringArray> text;
-  text->SetName("data_digest");
-  text->InsertNextValue(digest);
-  data->GetFieldData()->AddArray(text);
-  return vtp_bytes(*data);
+  PolyData data;
+  add_points(data, mesh, graph, field);
+  add_lines(data, graph);
+  add_faces(data, mesh, graph);
+  data.fields().add("data_digest", digest);
+  return data.bytes();
 }
 
 std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,

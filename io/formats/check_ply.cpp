@@ -8,7 +8,8 @@
 #include <cstring>
 #include <map>
 
-#include "io/formats/polygon_soup.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {

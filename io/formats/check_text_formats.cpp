@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/formats/polygon_soup.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
@@ -57,14 +58,13 @@ OffCounts off_header(std::string_view text, LineScanner& scanner) {
 }
 
 template <class Name>
-Corners off_face(const std::vector<std::string_view>& words, std::size_t vertices,
-                 const Name& element) {
+std::array<Cells::Node, 3> off_face(const std::vector<std::string_view>& words,
+                                    std::size_t vertices, const Name& element) {
   const auto corners = integer_of(words[0]);
   if (!corners) fail(element(), "does not start with a number of vertices", "correct it");
   if (*corners != 3) check_corner_count(*corners, element());
   if (words.size() < 4) fail(element(), "has fewer indices than it announces", "correct it");
-  Corners face;
-  face.resize(3);
+  std::array<Cells::Node, 3> face{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto index = integer_of(words[k + 1]);
     if (!index) {
@@ -87,23 +87,23 @@ Corners off_face(const std::vector<std::string_view>& words, std::size_t vertice
 
 }  // namespace
 
-PolygonSoup parse_off(std::string_view text) {
+Soup parse_off(std::string_view text) {
   check_text(text);
   LineScanner scanner(text);
   const OffCounts counts = off_header(text, scanner);
-  PolygonSoup soup;
+  Soup soup;
   soup.points.reserve(counts.vertices);
-  soup.faces.reserve(counts.faces);
+  soup.cells.reserve(counts.faces, 3 * counts.faces);
   for (std::size_t v = 0; v < counts.vertices; ++v) {
     if (!scanner.next('#')) fail_truncated("vertex", v);
-    const auto [x, y, z] =
-        coordinates(scanner.words(), 0, [&] { return numbered("vertex", v, scanner.number()); });
-    soup.points.emplace_back(x, y, z);
+    soup.points.push_back(
+        coordinates(scanner.words(), 0, [&] { return numbered("vertex", v, scanner.number()); }));
   }
   for (std::size_t f = 0; f < counts.faces; ++f) {
     if (!scanner.next('#')) fail_truncated("face", f);
-    soup.faces.push_back(off_face(scanner.words(), counts.vertices,
-                                  [&] { return numbered("face", f, scanner.number()); }));
+    soup.cells.add(CellType::triangle, off_face(scanner.words(), counts.vertices, [&] {
+                     return numbered("face", f, scanner.number());
+                   }));
   }
   return soup;
 }

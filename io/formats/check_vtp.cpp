@@ -6,7 +6,8 @@
 #include <charconv>
 #include <optional>
 
-#include "io/formats/polygon_soup.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
 
 namespace crest::io {
 namespace {

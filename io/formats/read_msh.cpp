@@ -6,21 +6,21 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "io/formats/field_soup.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
 namespace {
-
-using kernel::Index;
-using kernel::kNone;
 
 constexpr const char* kRepair = "export the mesh again";
 constexpr std::int64_t kTriangle = 2, kQuadraticTriangle = 9;
 
 /// One time step of a field.
 struct NodeData {
-  FieldInfo info;
+  std::string name;
+  int components = 0;
+  bool needed = false;
   std::vector<std::pair<std::int64_t, double>> values;  ///< node's tag, value
 };
 
@@ -29,7 +29,7 @@ class MshReader {
   MshReader(const std::string& text, const FieldRequest& request)
       : scan_(text), request_(request) {}
 
-  FieldSoup read() {
+  Soup read() {
     while (scan_.next()) {
       const std::string section(scan_.words()[0]);
       if (section == "$MeshFormat")
@@ -44,7 +44,7 @@ class MshReader {
     }
     if (version_ == 0) fail("file", "has no $MeshFormat", kRepair);
     finish();
-    return std::move(result_);
+    return std::move(soup_);
   }
 
  private:
@@ -87,12 +87,10 @@ class MshReader {
 
   void add_node(std::int64_t tag, std::size_t first) {
     const auto name = [&] { return fmt::format("node {} ({})", tag, line()); };
-    const auto [x, y, z] = coordinates(scan_.words(), first, name);
-    auto& points = result_.soup.points;
-    if (!node_.emplace(tag, static_cast<Index>(points.size())).second)
-      fail(name(), "is there twice", kRepair);
-    points.emplace_back(x, y, z);
-    result_.soup.point_tags.push_back(tag);
+    const kernel::Vec3 point = coordinates(scan_.words(), first, name);
+    if (!node_.emplace(tag, soup_.points.size()).second) fail(name(), "is there twice", kRepair);
+    soup_.points.push_back(point);
+    soup_.point_tags.push_back(tag);
   }
 
   void read_nodes_2() {
@@ -123,7 +121,7 @@ class MshReader {
     }
   }
 
-  Index node(std::int64_t tag, const std::string& element) const {
+  std::size_t node(std::int64_t tag, const std::string& element) const {
     const auto found = node_.find(tag);
     if (found == node_.end()) fail(element, fmt::format("node {} does not exist", tag), kRepair);
     return found->second;
@@ -147,17 +145,12 @@ class MshReader {
       fail(element, fmt::format("has {} nodes instead of {}", given, wanted),
            wanted == 6 && given < 6 ? "its mid-side nodes are missing, add them" : kRepair);
     }
-    Corners corners;
-    corners.resize(3);
-    std::array<Index, 3> middle = {kNone, kNone, kNone};
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = node(integer(first + k), element);
-      if (wanted == 6) middle[k] = node(integer(first + 3 + k), element);
-    }
-    result_.soup.faces.push_back(corners);
-    result_.soup.face_tags.push_back(tag);
-    result_.midside.push_back(middle);
-    quadratic_ = quadratic_ || wanted == 6;
+    std::array<Cells::Node, 6> nodes{};
+    for (std::size_t k = 0; k < wanted; ++k)
+      nodes[k] = static_cast<Cells::Node>(node(integer(first + k), element));
+    soup_.cells.add(wanted == 3 ? CellType::triangle : CellType::quadratic_triangle,
+                    {nodes.data(), wanted});
+    soup_.cell_tags.push_back(tag);
   }
 
   void read_elements_2() {
@@ -200,8 +193,8 @@ class MshReader {
       if (i > 0) continue;
       const std::string_view text = scan_.line();
       const std::size_t begin = text.find('"'), end = text.rfind('"');
-      data.info.name = begin < end && end != text.npos ? text.substr(begin + 1, end - begin - 1)
-                                                       : scan_.words()[0];
+      data.name = begin < end && end != text.npos ? text.substr(begin + 1, end - begin - 1)
+                                                  : scan_.words()[0];
     }
     for (std::int64_t i = begin_list("reals"); i > 0; --i) require_line("$NodeData");
     const std::int64_t integers = begin_list("integers");
@@ -210,10 +203,10 @@ class MshReader {
       require_line("$NodeData");
       if (i < 3) numbers[i] = integer(0);
     }
-    data.info.components = static_cast<int>(std::clamp<std::int64_t>(numbers[1], 0, 1000));
-    const bool needed = request_.wanted && data.info.components == 1 &&
-                        (request_.name.empty() || request_.name == data.info.name);
-    for (std::int64_t i = 0; needed && i < numbers[2]; ++i) {
+    data.components = static_cast<int>(std::clamp<std::int64_t>(numbers[1], 0, 1000));
+    data.needed = request_.wanted && data.components == 1 &&
+                  (request_.name.empty() || request_.name == data.name);
+    for (std::int64_t i = 0; data.needed && i < numbers[2]; ++i) {
       require_line("$NodeData");
       data.values.emplace_back(integer(0), number(1));
     }
@@ -221,33 +214,33 @@ class MshReader {
   }
 
   void finish() {
-    if (!quadratic_) result_.midside.clear();
-    if (!request_.wanted) return;
-    std::vector<FieldInfo> infos;
-    for (const NodeData& data : fields_) infos.push_back(data.info);
-    const NodeData& data = fields_[choose_field(infos, request_)];
-    result_.field = data.info.name;
-    result_.values.assign(result_.soup.points.size(), 0);
-    result_.missing.assign(result_.soup.points.size(), true);
-    for (const auto& [tag, value] : data.values) {
-      const Index v = node(tag, fmt::format("field '{}'", result_.field));
-      result_.values[v] = value;
-      result_.missing[v] = false;
+    for (const NodeData& data : fields_) {
+      Field& field =
+          soup_.point_fields.emplace_back(Field{.name = data.name, .components = data.components});
+      if (!data.needed) continue;
+      std::vector<double> values(soup_.points.size(), 0);
+      field.missing.assign(soup_.points.size(), true);
+      for (const auto& [tag, value] : data.values) {
+        const std::size_t v = node(tag, fmt::format("field '{}'", data.name));
+        values[v] = value;
+        field.missing[v] = false;
+      }
+      field.numbers = std::move(values);
     }
   }
 
   LineScanner scan_;
   const FieldRequest& request_;
   double version_ = 0;
-  bool quadratic_ = false;
-  std::unordered_map<std::int64_t, Index> node_;
+  std::unordered_map<std::int64_t, std::size_t> node_;
   std::vector<NodeData> fields_;
-  FieldSoup result_;
+  Soup soup_;
 };
 
 }  // namespace
 
-FieldSoup read_msh(const std::string& bytes, const FieldRequest& request) {
+Soup read_msh(std::string bytes, const FieldRequest& request) {
+  check_text(bytes);
   if (bytes.find("$MeshFormat") == std::string::npos)
     fail("file", "has no $MeshFormat", "save it from Gmsh as .msh");
   return MshReader(bytes, request).read();

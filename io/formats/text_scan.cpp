@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "io/formats/polygon_soup.hpp"
+#include "io/formats/files.hpp"
 
 namespace crest::io {
 namespace {

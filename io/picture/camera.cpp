@@ -123,23 +123,6 @@ PrincipalAxes principal_axes(const SurfaceView& mesh) {
   return {axes, flat};
 }
 
-/// Length of the elliptic ridges that face the eye, weighted by their curvature: features count,
-/// ripples hardly.
-double facing_strength(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                       const ridges::RidgeGraph& graph, const Vec3& view) {
-  double sum = 0;
-  for (const ridges::Ridge& ridge : graph.ridges) {
-    for (std::size_t i = 0; i + 1 < ridge.crossings.size(); ++i) {
-      const ridges::Crossing& c = ridge.crossings[i];
-      const kernel::Edge& e = mesh.edges()[c.edge];
-      if (c.type != ridges::RidgeType::elliptic || dot(normals[e.v0], view) >= 0) continue;
-      const Vec3 d = combine(1, ridge.crossings[i + 1].point, -1, c.point);
-      sum += std::abs(ridge.colour == ridges::Colour::blue ? c.k1 : c.k2) * std::sqrt(dot(d, d));
-    }
-  }
-  return sum;
-}
-
 double facing_area(const SurfaceView& mesh, const Vec3& view) {
   double sum = 0;
   for (const auto& f : mesh.faces()) {
@@ -150,9 +133,8 @@ double facing_area(const SurfaceView& mesh, const Vec3& view) {
   return sum;
 }
 
-/// The tilted view of the largest score; equal scores keep the first.
-template <class Score>
-Vec3 best_view(const Matrix& axes, Score&& score_of) {
+/// Equal scores keep the first.
+Vec3 best_view(const Matrix& axes, const std::function<double(const Vec3&)>& score_of) {
   Vec3 best = axes[0];
   double most = -1;
   for (int sign : {-1, 1}) {
@@ -194,12 +176,12 @@ std::vector<Vec3> vertex_normals(const SurfaceView& mesh) {
   return normals;
 }
 
-Vec3 automatic_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                    const ridges::RidgeGraph& graph) {
-  return best_view(principal_axes(mesh).axes, [&](const Vec3& view) {
-    return graph.ridges.empty() ? facing_area(mesh, view)
-                                : facing_strength(mesh, normals, graph, view);
-  });
+Vec3 tilted_view(const SurfaceView& mesh, const std::function<double(const Vec3& view)>& score_of) {
+  return best_view(principal_axes(mesh).axes, score_of);
+}
+
+Vec3 tilted_view(const SurfaceView& mesh) {
+  return tilted_view(mesh, [&](const Vec3& view) { return facing_area(mesh, view); });
 }
 
 Vec3 automatic_view(const SurfaceView& mesh) {

@@ -2,19 +2,16 @@
 #pragma once
 
 // An orthographic camera that fits the mesh.
+#include <functional>
 #include <optional>
 
-#include "algorithms/ridges/ridge_graph.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::io {
 
-inline double dot(const kernel::Vec3& a, const kernel::Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline kernel::Vec3 cross(const kernel::Vec3& a, const kernel::Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using kernel::cross;
+using kernel::dot;
+
 inline kernel::Vec3 combine(double s, const kernel::Vec3& a, double t, const kernel::Vec3& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
@@ -51,13 +48,13 @@ class SurfaceView {
   const std::vector<kernel::Triangle>& faces_;
 };
 
-/// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
-/// of the elliptic ridges, weighted by curvature (the most area without ridges).
-kernel::Vec3 automatic_view(const kernel::TriangleMesh& mesh,
-                            const std::vector<kernel::Vec3>& normals,
-                            const ridges::RidgeGraph& graph);
+/// Along the thinnest axis of the mesh, tilted: of the candidates the first with the largest score.
+kernel::Vec3 tilted_view(const SurfaceView& mesh,
+                         const std::function<double(const kernel::Vec3& view)>& score_of);
+/// The score is the area that faces the eye.
+kernel::Vec3 tilted_view(const SurfaceView& mesh);
 
-/// Along the thinnest axis, straight on a flat surface, else tilted towards the most area.
+/// The same, but straight on a flat surface.
 kernel::Vec3 automatic_view(const SurfaceView& mesh);
 
 /// Fits the mesh into `width` with a margin; the height follows, at most 1.4 widths. `vertical`:

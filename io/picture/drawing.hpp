@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a picture shows over the surface: visible strokes, umbilics, a legend; on either medium.
+// What a picture shows over the surface: visible strokes, marks, a legend; on either medium.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace crest::io {
 /// Strokes of one colour, in pixels; every stroke has at least two points.
 struct StrokeClass {
   const char* label;
-  Colour colour;
+  Rgb colour;
   std::vector<std::vector<kernel::Vec3>> strokes;
   bool in_graph = false;  ///< visible or not
   double width = 1;       ///< in stroke widths
@@ -24,14 +24,14 @@ enum class Mark : std::uint8_t { disk, triangle, diamond };
 
 struct Dot {
   kernel::Vec3 centre;
-  Colour colour;
+  Rgb colour;
   Mark mark = Mark::disk;
   double size = 1;  ///< in dot radii
 };
 
 struct LegendEntry {
   const char* label;
-  Colour colour;
+  Rgb colour;
   bool dot;
   Mark mark = Mark::disk;
   double size = 1;
@@ -46,13 +46,7 @@ struct Drawing {
 };
 
 /// A darker tone of the same colour, for rims.
-Colour casing(Colour colour);
-
-/// Classes for ridges in the order of painting: red under blue, in each colour untyped (or flat),
-/// hyperbolic, turning, elliptic. `colour`: 0 blue, 1 red; `type`: 0 none or flat, 1 elliptic,
-/// 2 hyperbolic, 3 turning.
-std::vector<StrokeClass> ridge_classes();
-std::size_t ridge_class(std::size_t colour, std::size_t type);
+Rgb casing(Rgb colour);
 
 /// Whether the eye sees a point of the surface; the bias only covers rounding and what polylines
 /// cut off.
@@ -78,19 +72,8 @@ class StrokeMaker {
 /// Widths and radii: they grow with the picture and shrink when ink would cover more than its share
 /// of it.
 void set_sizes(const Camera& camera, Drawing& drawing);
-/// From the top: blue before red, elliptic first.
+/// The classes that are in the drawing, the last one painted first.
 void add_class_legend(Drawing& drawing);
-
-/// Cuts the ridges where the canvas's surface hides them. order: 3 or 4, which types to use.
-/// Strokes and dots become thinner where there are too many for the picture.
-Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
-                     const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
-                     int order);
-
-/// Writes the shaded surface on `canvas` with the drawing over it, .svg or .png by the extension.
-/// Throws: kernel::InputError (write_picture).
-void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
-                   const Drawing& drawing, bool show_legend);
 
 /// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.
 void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text);

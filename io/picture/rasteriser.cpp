@@ -20,7 +20,7 @@ using kernel::Vec3;
 
 /// Light grey under a key light at the upper left, a fill light at the right, and a soft gloss.
 /// The normal is in the camera's axes (right, up, towards the eye).
-Colour shade(Vec3 n) {
+Rgb shade(Vec3 n) {
   if (n[2] < 0) n = combine(-1, n, 0, n);
   const Vec3 key = {-0.453, 0.566, 0.689}, fill = {0.745, 0.115, 0.657};
   const Vec3 half = {-0.246, 0.308, 0.919};  // between the key light and the eye
@@ -44,7 +44,7 @@ Canvas::Canvas(int width, int height)
     : width_(width * kSamples),
       height_(height * kSamples),
       colour_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
-              Colour{255, 255, 255}),
+              Rgb{255, 255, 255}),
       depth_(colour_.size(), std::numeric_limits<float>::infinity()) {}
 
 void Canvas::draw_surface(const Camera& camera, const SurfaceView& mesh,
@@ -123,7 +123,7 @@ bool Canvas::visible(const Vec3& pixel, double bias) const {
 }
 
 template <class Inside>
-void Canvas::paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside) {
+void Canvas::paint(double x0, double y0, double x1, double y1, Rgb colour, Inside&& inside) {
   const int rows[2] = {clamp_to(std::floor(y0 * kSamples), height_),
                        clamp_to(std::ceil(y1 * kSamples), height_)};
   const int columns[2] = {clamp_to(std::floor(x0 * kSamples), width_),
@@ -137,7 +137,7 @@ void Canvas::paint(double x0, double y0, double x1, double y1, Colour colour, In
   }
 }
 
-void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Colour colour) {
+void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Rgb colour) {
   const double r = 0.5 * width, dx = to[0] - from[0], dy = to[1] - from[1];
   const double squared = dx * dx + dy * dy;
   paint(std::min(from[0], to[0]) - r, std::min(from[1], to[1]) - r, std::max(from[0], to[0]) + r,
@@ -149,11 +149,11 @@ void Canvas::draw_stroke(const Vec3& from, const Vec3& to, double width, Colour 
         });
 }
 
-void Canvas::fill_disk(const Vec3& centre, double radius, Colour colour) {
+void Canvas::fill_disk(const Vec3& centre, double radius, Rgb colour) {
   draw_stroke(centre, centre, 2 * radius, colour);
 }
 
-void Canvas::fill_polygon(const std::vector<Vec3>& corners, Colour colour) {
+void Canvas::fill_polygon(const std::vector<Vec3>& corners, Rgb colour) {
   double low[2] = {corners[0][0], corners[0][1]}, high[2] = {low[0], low[1]};
   for (const Vec3& c : corners) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -173,7 +173,7 @@ void Canvas::fill_polygon(const std::vector<Vec3>& corners, Colour colour) {
   });
 }
 
-void Canvas::fill_box(double x0, double y0, double x1, double y1, Colour colour) {
+void Canvas::fill_box(double x0, double y0, double x1, double y1, Rgb colour) {
   paint(x0, y0, x1, y1, colour,
         [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });
 }
@@ -181,7 +181,7 @@ void Canvas::fill_box(double x0, double y0, double x1, double y1, Colour colour)
 void Canvas::extend(int rows) {
   height_ += rows * kSamples;
   const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  colour_.resize(size, Colour{255, 255, 255});
+  colour_.resize(size, Rgb{255, 255, 255});
   depth_.resize(size, std::numeric_limits<float>::infinity());
 }
 
@@ -197,9 +197,8 @@ std::string Canvas::png() const {
       unsigned sum[3] = {0, 0, 0};
       for (int s = 0; s < kSamples * kSamples; ++s) {
         const int r = row * kSamples + s / kSamples, c = column * kSamples + s % kSamples;
-        const Colour& colour =
-            colour_[static_cast<std::size_t>(r) * static_cast<std::size_t>(width_) +
-                    static_cast<std::size_t>(c)];
+        const Rgb& colour = colour_[static_cast<std::size_t>(r) * static_cast<std::size_t>(width_) +
+                                    static_cast<std::size_t>(c)];
         sum[0] += colour.red;
         sum[1] += colour.green;
         sum[2] += colour.blue;

@@ -10,7 +10,7 @@
 
 namespace crest::io {
 
-struct Colour {
+struct Rgb {
   std::uint8_t red, green, blue;
 };
 
@@ -33,12 +33,12 @@ class Canvas {
   bool visible(const kernel::Vec3& pixel, double bias) const;
 
   /// A stroke with round ends, in front of everything.
-  void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Colour colour);
-  void fill_disk(const kernel::Vec3& centre, double radius, Colour colour);
+  void draw_stroke(const kernel::Vec3& from, const kernel::Vec3& to, double width, Rgb colour);
+  void fill_disk(const kernel::Vec3& centre, double radius, Rgb colour);
   /// Convex; corners in either order.
-  void fill_polygon(const std::vector<kernel::Vec3>& corners, Colour colour);
+  void fill_polygon(const std::vector<kernel::Vec3>& corners, Rgb colour);
   /// Axis-parallel, in pixels; clipped.
-  void fill_box(double x0, double y0, double x1, double y1, Colour colour);
+  void fill_box(double x0, double y0, double x1, double y1, Rgb colour);
 
   /// Adds white rows of pixels below.
   void extend(int rows);
@@ -51,10 +51,10 @@ class Canvas {
                      const kernel::Vec3 (*tint)[3]);
   /// Sets every sample whose centre satisfies the predicate, within a box of samples.
   template <class Inside>
-  void paint(double x0, double y0, double x1, double y1, Colour colour, Inside&& inside);
+  void paint(double x0, double y0, double x1, double y1, Rgb colour, Inside&& inside);
 
   int width_, height_;  ///< in samples
-  std::vector<Colour> colour_;
+  std::vector<Rgb> colour_;
   std::vector<float> depth_;
 };
 

@@ -1,90 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read/mesh_reader.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <new>
-
-#include "io/formats/polygon_soup.hpp"
-#include "io/write/formats.hpp"
-#include "kernel/geometry/input_error.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
+#include "io/read/soup_to_mesh.hpp"
 
 namespace crest::io {
-namespace {
-
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
-
-/// File names and words quoted from files may hold anything; the message stays one line.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return text;
-}
-
-}  // namespace
-
-std::string load(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) fail("file", "does not exist", "check the path");
-  if (!std::filesystem::is_regular_file(path, error))
-    fail("file", "is not a regular file", "give the path of a mesh file");
-  const auto size = std::filesystem::file_size(path, error);
-  if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    fail("file", "cannot be read", "check its permissions");
-  return bytes;
-}
-
-void fail(const std::string& element, const std::string& problem, const std::string& remedy) {
-  // Before the exception's C string ends at a zero quoted from the file.
-  throw kernel::InputError(one_line(element + ": " + problem + "; " + remedy));
-}
-
-SoupReader soup_reader(const std::string& extension, const std::string& others) {
-  static const std::map<std::string, SoupReader> readers = {{".off", read_off},
-                                                            {".obj", read_obj},
-                                                            {".ply", read_ply},
-                                                            {".stl", read_stl},
-                                                            {".vtp", read_vtp}};
-  const auto reader = readers.find(extension);
-  if (reader == readers.end()) {
-    fail("file",
-         extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-         "use " + others + ".off, .obj, .ply, .stl or .vtp");
-  }
-  return reader->second;
-}
-
-void read_named(const std::string& name, const std::function<void()>& read) {
-  try {
-    try {
-      read();
-    } catch (const kernel::InputError&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      fail("file", "needs more memory than there is", "split the mesh");
-    } catch (const std::exception&) {
-      const std::string extension = lower_extension(name);
-      fail("file",
-           "cannot be read as " + extension.substr(std::min<std::size_t>(1, extension.size())),
-           "export the mesh again");
-    }
-  } catch (const kernel::InputError& error) {
-    throw kernel::InputError(one_line(error.with_file(name).what()));
-  }
-}
 
 MeshFile read_mesh(const std::string& path) {
   MeshFile file;
   read_named(path, [&] {
     // Before a large file of another format is loaded.
     const SoupReader reader = soup_reader(lower_extension(path));
-    file = mesh_of_soup(reader(load(path)));
+    file = mesh_of_soup(reader(load(path), {}));
   });
   return file;
 }
@@ -94,7 +22,7 @@ MeshFile read_mesh_bytes(const std::string& name, std::string bytes) {
   read_named(name, [&] {
     const SoupReader reader = soup_reader(lower_extension(name));
     if (bytes.empty()) fail("file", "is empty", "export the mesh again");
-    file = mesh_of_soup(reader(std::move(bytes)));
+    file = mesh_of_soup(reader(std::move(bytes), {}));
   });
   return file;
 }

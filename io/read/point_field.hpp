@@ -7,10 +7,10 @@
 
 namespace crest::io {
 
-/// The point array `name` of a .vtp file, one number a point of the file in its order, as doubles.
-/// Requires: a file that read_mesh accepts.
-/// Throws: kernel::InputError, one line, for another format, damage, or an array that is not there
-///   or has not one number a point: the message names the arrays that have.
+/// The scalar point field `name` of a .vtp file, one number a vertex of the mesh that read_mesh
+/// makes of it, as doubles without loss. Requires: a file that read_mesh accepts. Throws:
+/// kernel::InputError, one line, for another format, damage, or a field that is not there,
+///   not scalar or not exact as doubles: the message names the fields there are.
 std::vector<double> read_point_field(const std::string& path, const std::string& name);
 
 }  // namespace crest::io

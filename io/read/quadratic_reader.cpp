@@ -10,9 +10,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include "io/formats/field_soup.hpp"
-#include "io/formats/text_scan.hpp"
-#include "io/write/formats.hpp"
+#include "io/formats/fields.hpp"
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
+#include "io/read/soup_to_mesh.hpp"
 #include "kernel/expressions/evaluate.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -32,9 +33,13 @@ std::uint64_t edge_key(Index a, Index b) {
 
 class Builder {
  public:
-  Builder(const FieldSoup& file, const FunctionSource& source)
-      : file_(file), faces_(proper_faces(file.soup)) {
-    if (!source.linear) midside_ = file.midside;
+  /// `field`: one of the soup's, unless the source has an expression.
+  Builder(const Soup& soup, const SoupFaces& cells, const Field* field,
+          const FunctionSource& source)
+      : soup_(soup), cells_(cells), field_(field) {
+    if (field) node_values_ = exact_doubles(soup, *field);
+    faces_ = proper_corners(soup, cells);
+    if (!source.linear) midside_ = cells.midside;
     if (source.expression) expression_.emplace(kernel::double_evaluator(*source.expression));
     // Of an expression that is linear on every face, samples in the middle would add nothing but
     // their rounding, and with it critical points where its values all but agree.
@@ -60,7 +65,7 @@ class Builder {
               {},
               std::move(warnings_)};
     } catch (const kernel::InputError&) {
-      require_manifold(file_.soup, faces_);
+      require_manifold(soup_, cells_, faces_);
       require_agreement(middles);
       throw;
     }
@@ -70,18 +75,15 @@ class Builder {
   static constexpr Index kMiddle = kNone - 1;
 
   bool quadratic(std::size_t f) const { return !midside_.empty() && midside_[f][0] != kNone; }
-  std::string node_name(Index v) const { return fmt::format("node {}", file_.soup.point_tag(v)); }
+  std::string node_name(Index v) const { return fmt::format("node {}", soup_.point_tag(v)); }
 
-  Vec3 place(Index v) const {
-    const SoupPoint& p = file_.soup.points[v];
-    return {p.x(), p.y(), p.z()};
-  }
+  const Vec3& place(Index v) const { return soup_.points[v]; }
 
   /// Corners in the order of their nodes; number_ is kMiddle for mid-side nodes.
   void number_vertices() {
-    number_.assign(file_.soup.points.size(), kNone);
-    for (std::size_t f = 0; f < file_.midside.size(); ++f) {
-      for (const Index v : file_.midside[f])
+    number_.assign(soup_.points.size(), kNone);
+    for (const auto& middle : cells_.midside) {
+      for (const Index v : middle)
         if (v != kNone) number_[v] = kMiddle;
     }
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -103,13 +105,13 @@ class Builder {
   double sample(const Vec3& p) { return (*expression_)(std::span<const double>(p)); }
 
   double node_value(Index v) {
-    const double value = expression_ ? sample(place(v)) : file_.values[v];
-    if (!expression_ && !file_.missing.empty() && file_.missing[v])
-      fail(node_name(v), fmt::format("has no value of '{}'", file_.field), "give every node one");
+    const double value = expression_ ? sample(place(v)) : node_values_[v];
+    if (!expression_ && !field_->missing.empty() && field_->missing[v])
+      fail(node_name(v), fmt::format("has no value of '{}'", field_->name), "give every node one");
     if (!std::isfinite(value)) {
       fail(node_name(v),
            expression_ ? fmt::format("the expression is {} there", value)
-                       : fmt::format("its value of '{}' is {}", file_.field, value),
+                       : fmt::format("its value of '{}' is {}", field_->name, value),
            expression_ ? "change the expression" : "repair the field");
     }
     return value;
@@ -129,7 +131,7 @@ class Builder {
     const double value =
         sample({0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1], 0.5 * p[2] + 0.5 * q[2]});
     if (!std::isfinite(value)) {
-      fail(fmt::format("edge {}-{}", file_.soup.point_tag(a), file_.soup.point_tag(b)),
+      fail(fmt::format("edge {}-{}", soup_.point_tag(a), soup_.point_tag(b)),
            fmt::format("the expression is {} at its middle", value), "change the expression");
     }
     return value;
@@ -188,16 +190,19 @@ class Builder {
         const Index a = faces_[f][k], b = faces_[f][(k + 1) % 3];
         const auto [other, first] = seen.try_emplace(edge_key(a, b), f, middles[f][k]);
         if (first || other->second.second == middles[f][k]) continue;
-        fail(fmt::format("edge {}-{}", file_.soup.point_tag(a), file_.soup.point_tag(b)),
+        fail(fmt::format("edge {}-{}", soup_.point_tag(a), soup_.point_tag(b)),
              fmt::format("faces {} and {} have the values {} and {} at its middle",
-                         file_.soup.face_tag(other->second.first), file_.soup.face_tag(f),
+                         cells_.tag(soup_, other->second.first), cells_.tag(soup_, f),
                          other->second.second, middles[f][k]),
              "make the function continuous");
       }
     }
   }
 
-  const FieldSoup& file_;
+  const Soup& soup_;
+  const SoupFaces& cells_;
+  const Field* field_;
+  std::vector<double> node_values_;
   std::vector<Triangle> faces_;
   std::vector<std::array<Index, 3>> midside_;
   std::optional<kernel::Evaluator<double>> expression_;
@@ -208,17 +213,10 @@ class Builder {
   std::vector<std::string> warnings_;
 };
 
-using FieldReader = FieldSoup (*)(std::string, const FieldRequest&);
-
 /// Nothing for the formats without fields.
-FieldReader field_reader(const std::string& extension) {
-  static const std::map<std::string, FieldReader> readers = {
-      {".vtu", read_vtu},
-      {".vtp", read_vtp_field},
-      {".msh", [](std::string bytes, const FieldRequest& request) {
-         check_text(bytes);
-         return read_msh(bytes, request);
-       }}};
+SoupReader field_reader(const std::string& extension) {
+  static const std::map<std::string, SoupReader> readers = {
+      {".vtu", read_vtu}, {".vtp", read_vtp}, {".msh", read_msh}};
   const auto reader = readers.find(extension);
   return reader == readers.end() ? nullptr : reader->second;
 }
@@ -226,20 +224,23 @@ FieldReader field_reader(const std::string& extension) {
 QuadraticFile read(const std::string& extension, const FunctionSource& source,
                    const std::function<std::string()>& bytes) {
   const FieldRequest request{!source.expression, source.field};
-  FieldSoup soup;
-  if (const FieldReader reader = field_reader(extension)) {
-    soup = reader(bytes(), request);
-  } else {
-    const SoupReader mesh_reader = soup_reader(extension, ".vtu, .msh, ");
+  SoupReader reader = field_reader(extension);
+  if (!reader) {
+    reader = soup_reader(extension, ".vtu, .msh, ");
     if (request.wanted) {
       fail("fields", extension.substr(1) + " files have none",
            "use --expression, or a .vtu, .msh or .vtp file");
     }
-    soup.soup = mesh_reader(bytes());
   }
-  QuadraticFile file = Builder(soup, source).build();
-  file.function = source.expression ? source.expression->text() : soup.field;
-  file.warnings.insert(file.warnings.begin(), soup.warnings.begin(), soup.warnings.end());
+  const Soup soup = reader(bytes(), request);
+  const SoupFaces cells = faces_of(soup);
+  const Field* field =
+      request.wanted ? &choose_scalar(soup, source.field, "use --expression") : nullptr;
+  QuadraticFile file = Builder(soup, cells, field, source).build();
+  file.function = field ? field->name : source.expression->text();
+  std::vector<std::string> warnings;
+  cells.warn(warnings);
+  file.warnings.insert(file.warnings.begin(), warnings.begin(), warnings.end());
   return file;
 }
 

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "io/picture/drawing.hpp"
+#include "io/picture/picture_file.hpp"
 #include "io/reeb/graph_layout.hpp"
-#include "io/write/formats.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
@@ -21,22 +19,22 @@ using kernel::Vec3;
 using reeb::NodeKind;
 
 constexpr int kSurfaceWidth = 800, kGraphWidth = 400, kGraphMargin = 40;
-constexpr std::array<Colour, 8> kArcColours = {{{66, 118, 196},
-                                                {228, 128, 46},
-                                                {74, 160, 86},
-                                                {196, 78, 96},
-                                                {132, 106, 190},
-                                                {60, 168, 176},
-                                                {206, 170, 40},
-                                                {150, 104, 78}}};
-constexpr Colour kContour = {70, 74, 84};
+constexpr std::array<Rgb, 8> kArcColours = {{{66, 118, 196},
+                                             {228, 128, 46},
+                                             {74, 160, 86},
+                                             {196, 78, 96},
+                                             {132, 106, 190},
+                                             {60, 168, 176},
+                                             {206, 170, 40},
+                                             {150, 104, 78}}};
+constexpr Rgb kContour = {70, 74, 84};
 
-Colour arc_colour(Index arc) {
+Rgb arc_colour(Index arc) {
   return kArcColours[arc % kArcColours.size()];
 }
 
-Colour node_colour(NodeKind kind) {
-  constexpr std::array<Colour, 3> colours = {{{40, 84, 232}, {250, 214, 40}, {222, 34, 40}}};
+Rgb node_colour(NodeKind kind) {
+  constexpr std::array<Rgb, 3> colours = {{{40, 84, 232}, {250, 214, 40}, {222, 34, 40}}};
   return colours[static_cast<std::size_t>(kind)];
 }
 
@@ -106,7 +104,7 @@ std::vector<Vec3> tints(const ReebScene& scene) {
   std::vector<Vec3> result(scene.mesh.vertex_count(), Vec3{1, 1, 1});
   for (Index v = 0; v < result.size(); ++v) {
     if (scene.arc_of_node[v] == kNone) continue;
-    const Colour c = arc_colour(scene.arc_of_node[v]);
+    const Rgb c = arc_colour(scene.arc_of_node[v]);
     const auto pale = [](std::uint8_t x) { return 0.58 + 0.42 * x / 255.0; };
     result[v] = {pale(c.red), pale(c.green), pale(c.blue)};
   }
@@ -118,7 +116,7 @@ class Painter {
   Painter(const ReebScene& scene, const Camera& camera, const Canvas& canvas, Drawing& drawing)
       : scene_(scene), camera_(camera), canvas_(canvas), drawing_(drawing) {
     drawing.classes.push_back({"contour", kContour, {}});
-    for (const Colour c : kArcColours) drawing.classes.push_back({"arc", c, {}});
+    for (const Rgb c : kArcColours) drawing.classes.push_back({"arc", c, {}});
     drawing.classes[0].width = 0.5;
   }
 
@@ -249,9 +247,7 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 }  // namespace
 
 void write_reeb_picture(const std::string& path, const ReebScene& scene) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".svg")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .png or .svg");
+  check_picture_path(path);
   const std::vector<Triangle> faces = turned_faces(scene.mesh);
   const SurfaceView surface(scene.mesh.points(), faces);
   const Camera camera = camera_for(surface, height_direction(scene.mesh));

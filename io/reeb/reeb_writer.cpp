@@ -4,21 +4,18 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -35,16 +32,9 @@ int number(Index i) {
   return i == kNone ? -1 : static_cast<int>(i);
 }
 
-void add_digest(vtkDataObject& data, const std::string& digest) {
-  vtkNew<vtkStringArray> text;
-  text->SetName("data_digest");
-  text->InsertNextValue(digest);
-  data.GetFieldData()->AddArray(text);
-}
-
-class PolyBuilder {
+class Scene {
  public:
-  explicit PolyBuilder(const ReebScene& scene) : scene_(scene) { points_->SetDataTypeToDouble(); }
+  explicit Scene(const ReebScene& scene) : scene_(scene) {}
 
   std::string bytes() {
     add_nodes();
@@ -52,45 +42,36 @@ class PolyBuilder {
     add_levels();
     add_trees();
     if (!scene_.arc_of_tile.empty()) add_tiles();
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points_);
-    data->SetVerts(verts_);
-    data->SetLines(lines_);
-    data->SetPolys(polys_);
-    data->GetPointData()->AddArray(value_);
-    for (const auto& array : {node_, type_, multiplicity_, on_boundary_})
-      data->GetPointData()->AddArray(array);
-    for (const auto& array : {kind_, arc_, lower_, upper_, face_})
-      data->GetCellData()->AddArray(array);
-    data->GetCellData()->AddArray(level_);
-    add_digest(*data, scene_.data_digest);
-    return vtp_bytes(*data);
+    data_.fields().add("data_digest", scene_.data_digest);
+    return data_.bytes();
   }
 
  private:
-  vtkIdType add_point(const Vec3& p, double value, Index node, const reeb::ReebNode* critical) {
-    value_->InsertNextValue(value);
-    node_->InsertNextValue(number(node));
-    type_->InsertNextValue(critical ? static_cast<int>(critical->kind) : -1);
-    multiplicity_->InsertNextValue(critical ? static_cast<int>(critical->multiplicity) : 0);
-    on_boundary_->InsertNextValue(critical ? critical->on_boundary : 0);
-    return points_->InsertNextPoint(p.data());
+  PolyData::Id add_point(const Vec3& p, double value, Index node, const reeb::ReebNode* critical) {
+    Columns& row = data_.point_rows();
+    row.add("value", value);
+    row.add("node", number(node));
+    row.add("type", critical ? static_cast<int>(critical->kind) : -1);
+    row.add("multiplicity", critical ? static_cast<int>(critical->multiplicity) : 0);
+    row.add("on_boundary", critical ? int{critical->on_boundary} : 0);
+    return data_.add_point(p);
   }
 
-  void add_cell(int kind, int arc, int lower, int upper, int face, double level) {
-    kind_->InsertNextValue(kind);
-    arc_->InsertNextValue(arc);
-    lower_->InsertNextValue(lower);
-    upper_->InsertNextValue(upper);
-    face_->InsertNextValue(face);
-    level_->InsertNextValue(level);
+  static void add_row(Columns& row, int kind, int arc, int lower, int upper, int face,
+                      double level) {
+    row.add("kind", kind);
+    row.add("arc", arc);
+    row.add("lower", lower);
+    row.add("upper", upper);
+    row.add("face", face);
+    row.add("level", level);
   }
 
   void add_nodes() {
     for (const reeb::ReebNode& node : scene_.graph.nodes) {
       const NodePlace& place = scene_.places[node.vertex];
-      verts_->InsertNextCell({add_point(place.point, place.value, node.vertex, &node)});
-      add_cell(kNode, -1, -1, -1, -1, 0);
+      const auto point = add_point(place.point, place.value, node.vertex, &node);
+      add_row(data_.add_vertex(point), kNode, -1, -1, -1, -1, 0);
     }
   }
 
@@ -98,29 +79,24 @@ class PolyBuilder {
     const auto polylines = arc_polylines(scene_);
     for (std::size_t a = 0; a < polylines.size(); ++a) {
       const reeb::ReebArc& arc = scene_.graph.arcs[a];
-      const auto& line = polylines[a];
-      lines_->InsertNextCell(static_cast<int>(line.size()));
-      lines_->InsertCellPoint(arc.lower);  // the nodes are the first points
-      for (std::size_t i = 1; i + 1 < line.size(); ++i)
-        lines_->InsertCellPoint(add_point(line[i].point, line[i].value, kNone, nullptr));
-      lines_->InsertCellPoint(arc.upper);
-      add_cell(kArc, static_cast<int>(a), number(arc.lower), number(arc.upper), -1, 0);
+      const auto& places = polylines[a];
+      std::vector<PolyData::Id> line{arc.lower};  // the nodes are the first points
+      for (std::size_t i = 1; i + 1 < places.size(); ++i)
+        line.push_back(add_point(places[i].point, places[i].value, kNone, nullptr));
+      line.push_back(arc.upper);
+      add_row(data_.add_line(line), kArc, static_cast<int>(a), number(arc.lower), number(arc.upper),
+              -1, 0);
     }
   }
 
   void add_levels() {
     for (const LevelLines& lines : scene_.levels) {
       for (const reeb::Contour& contour : lines.contours) {
-        const std::size_t n = contour.points.size();
-        lines_->InsertNextCell(static_cast<int>(n + (contour.closed ? 1 : 0)));
-        vtkIdType first = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-          const vtkIdType at = add_point(contour.points[i], lines.level, kNone, nullptr);
-          if (i == 0) first = at;
-          lines_->InsertCellPoint(at);
-        }
-        if (contour.closed) lines_->InsertCellPoint(first);
-        add_cell(kLevelLine, -1, -1, -1, -1, lines.level);
+        std::vector<PolyData::Id> line;
+        for (const Vec3& p : contour.points)
+          line.push_back(add_point(p, lines.level, kNone, nullptr));
+        if (contour.closed) line.push_back(line.front());
+        add_row(data_.add_line(line), kLevelLine, -1, -1, -1, -1, lines.level);
       }
     }
   }
@@ -128,18 +104,16 @@ class PolyBuilder {
   void add_trees() {
     for (const TreeLines& tree : scene_.trees) {
       for (const auto& ends : tree.arcs) {
-        lines_->InsertNextCell(2);
-        for (const Index v : ends) {
-          const NodePlace& place = scene_.places[v];
-          lines_->InsertCellPoint(add_point(place.point, place.value, v, nullptr));
-        }
-        add_cell(tree.kind, -1, number(ends[0]), number(ends[1]), -1, 0);
+        std::vector<PolyData::Id> line;
+        for (const Index v : ends)
+          line.push_back(add_point(scene_.places[v].point, scene_.places[v].value, v, nullptr));
+        add_row(data_.add_line(line), tree.kind, -1, number(ends[0]), number(ends[1]), -1, 0);
       }
     }
   }
 
   void add_tiles() {
-    const auto first = points_->GetNumberOfPoints();
+    const PolyData::Id first = data_.point_count();
     for (Index v = 0; v < scene_.places.size(); ++v)
       add_point(scene_.places[v].point, scene_.places[v].value, v, nullptr);
     const auto& tiles = scene_.tiles.tiles;
@@ -148,56 +122,47 @@ class PolyBuilder {
     for (Index t = 0; t < tiles.size(); ++t) {
       while (!begin.empty() && begin[face + 1] <= t) ++face;
       const auto& [a, b, c] = tiles[t];
-      polys_->InsertNextCell({first + a, first + b, first + c});
-      add_cell(kTile, number(scene_.arc_of_tile[t]), -1, -1, number(begin.empty() ? t : face), 0);
+      add_row(data_.add_triangle(first + a, first + b, first + c), kTile,
+              number(scene_.arc_of_tile[t]), -1, -1, number(begin.empty() ? t : face), 0);
     }
   }
 
   const ReebScene& scene_;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> verts_, lines_, polys_;
-  vtkSmartPointer<vtkDoubleArray> value_ = named_doubles("value"), level_ = named_doubles("level");
-  vtkSmartPointer<vtkIntArray> node_ = named_ints("node"), type_ = named_ints("type"),
-                               multiplicity_ = named_ints("multiplicity"),
-                               on_boundary_ = named_ints("on_boundary"), kind_ = named_ints("kind"),
-                               arc_ = named_ints("arc"), lower_ = named_ints("lower"),
-                               upper_ = named_ints("upper"), face_ = named_ints("face");
+  PolyData data_;
 };
 
 std::string tiles_vtu(const ReebScene& scene) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const auto value = named_doubles("value");
-  const auto kind = named_ints("kind"), type = named_ints("type"), point_arc = named_ints("arc");
+  std::vector<int> type(scene.places.size(), -1);
+  for (const reeb::ReebNode& node : scene.graph.nodes)
+    type[node.vertex] = static_cast<int>(node.kind);
+  Columns point_rows, cell_rows, fields;
   const std::size_t lines = scene.tiles.vertex_count + scene.tiles.critical_edges.size();
   for (Index v = 0; v < scene.places.size(); ++v) {
     points->InsertNextPoint(scene.places[v].point.data());
-    value->InsertNextValue(scene.places[v].value);
-    kind->InsertNextValue(v < scene.tiles.vertex_count ? 0 : v < lines ? 1 : 2);
-    type->InsertNextValue(-1);
-    point_arc->InsertNextValue(number(scene.arc_of_node[v]));
+    point_rows.add("value", scene.places[v].value);
+    point_rows.add("kind", v < scene.tiles.vertex_count ? 0 : v < lines ? 1 : 2);
+    point_rows.add("type", type[v]);
+    point_rows.add("arc", number(scene.arc_of_node[v]));
   }
-  for (const reeb::ReebNode& node : scene.graph.nodes)
-    type->SetValue(node.vertex, static_cast<int>(node.kind));
   vtkNew<vtkCellArray> cells;
-  const auto face = named_ints("face"), arc = named_ints("arc");
   const auto& begin = scene.tiles.tile_begin;
   const auto& tiles = scene.tiles.tiles;
   Index f = 0;
   for (Index t = 0; t < tiles.size(); ++t) {
     while (!begin.empty() && begin[f + 1] <= t) ++f;
     cells->InsertNextCell({tiles[t][0], tiles[t][1], tiles[t][2]});
-    face->InsertNextValue(number(begin.empty() ? t : f));
-    if (!scene.arc_of_tile.empty()) arc->InsertNextValue(number(scene.arc_of_tile[t]));
+    cell_rows.add("face", number(begin.empty() ? t : f));
+    if (!scene.arc_of_tile.empty()) cell_rows.add("arc", number(scene.arc_of_tile[t]));
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   grid->SetCells(VTK_TRIANGLE, cells);
-  grid->GetPointData()->AddArray(value);
-  for (const auto& array : {kind, type, point_arc}) grid->GetPointData()->AddArray(array);
-  grid->GetCellData()->AddArray(face);
-  if (!scene.arc_of_tile.empty()) grid->GetCellData()->AddArray(arc);
-  add_digest(*grid, scene.data_digest);
+  fields.add("data_digest", scene.data_digest);
+  point_rows.move_to(*grid->GetPointData());
+  cell_rows.move_to(*grid->GetCellData());
+  fields.move_to(*grid->GetFieldData());
   return vtu_bytes(*grid);
 }
 
@@ -239,7 +204,7 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
 void write_reeb(const std::string& path, const ReebScene& scene) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, PolyBuilder(scene).bytes());
+    write_atomically(path, Scene(scene).bytes());
   else if (extension == ".vtu")
     write_atomically(path, tiles_vtu(scene));
   else

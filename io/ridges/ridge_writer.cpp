@@ -2,23 +2,14 @@
 #include "io/ridges/ridge_writer.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 #include <array>
 #include <iterator>
 
+#include "io/formats/files.hpp"
 #include "io/ridges/ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
-#include "io/write/formats.hpp"
-#include "io/write/vtk_columns.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -104,7 +95,7 @@ struct Cell {
   int number = -1;                   ///< the umbilic's
 };
 
-void add_cell(Columns& cells, const Cell& cell) {
+void add_row(Columns& cells, const Cell& cell) {
   const Ridge* r = cell.ridge;
   const Umbilic* u = cell.umbilic;
   cells.add("colour", r ? static_cast<int>(r->colour) : -1);
@@ -122,51 +113,27 @@ void add_cell(Columns& cells, const Cell& cell) {
   cells.add("index", u ? index_of(*u) : 0.0);
 }
 
-void add_point_data(vtkPolyData& data, const Table& table) {
-  Columns points;
+std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::string& digest,
+                   double scale) {
+  PolyData data;
+  Columns& points = data.point_rows();
   for (const Row& row : table.rows) {
+    data.add_point(row.point);
     for (std::size_t i = 0; i < kPointCodes.size(); ++i) points.add(kPointCodes[i], row.codes[i]);
     for (std::size_t i = 0; i < kPointNumbers.size(); ++i)
       points.add(kPointNumbers[i], row.numbers[i]);
   }
-  points.move_to(*data.GetPointData());
-}
-
-void add_field_data(vtkPolyData& data, const std::string& digest, double scale) {
-  vtkNew<vtkStringArray> text;
-  text->SetName("data_digest");
-  text->InsertNextValue(digest);
-  data.GetFieldData()->AddArray(text);
-  vtkNew<vtkDoubleArray> number;
-  number->SetName("fit_scale");
-  number->InsertNextValue(scale);
-  data.GetFieldData()->AddArray(number);
-}
-
-std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::string& digest,
-                   double scale) {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Row& row : table.rows) points->InsertNextPoint(row.point.data());
-  data->SetPoints(points);
-  vtkNew<vtkCellArray> vertices, lines;
-  Columns cells;
   for (std::size_t i = 0; i < graph.umbilics.size(); ++i) {
-    vertices->InsertNextCell({static_cast<vtkIdType>(i)});
-    add_cell(cells, {nullptr, &graph.umbilics[i], static_cast<int>(i)});
+    add_row(data.add_vertex(static_cast<PolyData::Id>(i)),
+            {nullptr, &graph.umbilics[i], static_cast<int>(i)});
   }
   for (std::size_t i = 0; i < graph.ridges.size(); ++i) {
-    lines->InsertNextCell(static_cast<int>(table.lines[i].size()));
-    for (Index p : table.lines[i]) lines->InsertCellPoint(p);
-    add_cell(cells, {&graph.ridges[i], nullptr, -1});
+    const std::vector<PolyData::Id> line(table.lines[i].begin(), table.lines[i].end());
+    add_row(data.add_line(line), {&graph.ridges[i], nullptr, -1});
   }
-  data->SetVerts(vertices);
-  data->SetLines(lines);
-  add_point_data(*data, table);
-  cells.move_to(*data->GetCellData());
-  add_field_data(*data, digest, scale);
-  return vtp_bytes(*data);
+  data.fields().add("data_digest", digest);
+  data.fields().add("fit_scale", scale);
+  return data.bytes();
 }
 
 std::string obj_of(const Table& table, const RidgeGraph& graph, const std::string& digest) {

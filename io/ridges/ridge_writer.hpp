@@ -5,7 +5,6 @@
 #include <string>
 
 #include "algorithms/ridges/ridge_graph.hpp"
-#include "algorithms/ridges/ridges.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::io {

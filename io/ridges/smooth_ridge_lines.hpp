@@ -6,13 +6,13 @@
 #include <cmath>
 #include <vector>
 
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 
 namespace crest::io {
 
 /// The types of a ridge's segments, also in patches: the piece of a ridge in a patch has no turning
-/// point (certify/SPEC.md, claim 4, theorem 10), so its type is the one in which the face beside it
-/// ends, and types flip at faces with a turning point. none: where no face tells.
+/// point (certify/ridges_smooth/SPEC.md, theorem 10), so its type is the one in which the face
+/// beside it ends, and types flip at faces with a turning point. none: where no face tells.
 inline std::vector<smooth_ridges::RidgeType> drawn_types(const smooth_ridges::SmoothRidge& ridge) {
   using smooth_ridges::RidgeType;
   std::vector<RidgeType> types = ridge.types;

@@ -3,20 +3,22 @@
 
 #include <algorithm>
 
-#include "io/picture/drawing.hpp"
+#include "io/picture/picture_file.hpp"
+#include "io/ridges/ridge_drawing.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 
 namespace crest::io {
 namespace {
 
+using kernel::Colour;
+using kernel::RidgeType;
 using kernel::Vec3;
-using smooth_ridges::RidgeType;
 using smooth_ridges::SmoothRidge;
 using smooth_ridges::SmoothRidges;
 using smooth_ridges::UmbilicPoint;
 
-constexpr Colour kPurple = {170, 60, 220};
-constexpr Colour kNotCertified = {230, 90, 90};
+constexpr Rgb kPurple = {170, 60, 220};
+constexpr Rgb kNotCertified = {230, 90, 90};
 constexpr double kDiamond = 1.1;  // turning and purple points, in dot radii
 
 /// A kind of umbilic: index and branches decide the mark.
@@ -30,13 +32,13 @@ constexpr UmbilicMark kUmbilicMarks[] = {{"umbilic +1/2, 1-ridge", 1, 1},
                                          {"umbilic -1/2, 3-ridge", -1, 3}};
 
 Dot umbilic_dot(const Vec3& pixel, int twice_index, int branches) {
-  const Colour colour = branches == 1 ? Colour{255, 255, 255} : Colour{0, 0, 0};
+  const Rgb colour = branches == 1 ? Rgb{255, 255, 255} : Rgb{0, 0, 0};
   if (twice_index > 0) return {pixel, colour};
   return {pixel, colour, Mark::triangle, 1.45};
 }
 
-Dot turning_dot(const Vec3& pixel, smooth_ridges::Colour colour) {
-  const Colour c = ridge_classes()[ridge_class(static_cast<std::size_t>(colour), 3)].colour;
+Dot turning_dot(const Vec3& pixel, Colour colour) {
+  const Rgb c = ridge_classes()[ridge_class(colour, RidgeType::turning)].colour;
   return {pixel, c, Mark::diamond, kDiamond};
 }
 
@@ -47,8 +49,7 @@ Dot purple_dot(const Vec3& pixel) {
 void add_lines(const SmoothRidges& result, StrokeMaker& maker, Drawing& drawing) {
   for (const SmoothRidge& ridge : result.ridges) {
     for (const RidgeRun& run : runs_of(ridge)) {
-      const std::size_t to =
-          ridge_class(static_cast<std::size_t>(ridge.colour), static_cast<std::size_t>(run.type));
+      const std::size_t to = ridge_class(ridge.colour, run.type);
       drawing.classes[to].in_graph = true;
       for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         maker.add(ridge.points[run.points[i]], ridge.points[run.points[i + 1]], to);
@@ -85,12 +86,11 @@ void add_legend(const SmoothRidges& result, Drawing& drawing) {
         });
     if (present) add(m.label, umbilic_dot({}, m.twice_index, m.branches));
   }
-  for (const smooth_ridges::Colour colour :
-       {smooth_ridges::Colour::blue, smooth_ridges::Colour::red}) {
+  for (const Colour colour : {Colour::blue, Colour::red}) {
     const bool present = std::any_of(result.turning_points.begin(), result.turning_points.end(),
                                      [&](const auto& p) { return p.colour == colour; });
     if (present)
-      add(colour == smooth_ridges::Colour::blue ? "blue turning point" : "red turning point",
+      add(colour == Colour::blue ? "blue turning point" : "red turning point",
           turning_dot({}, colour));
   }
   if (!result.purple_points.empty()) add("purple point", purple_dot({}));
@@ -122,8 +122,8 @@ void write_smooth_picture(const std::string& path, const SmoothRidges& result,
   canvas.draw_surface(camera, mesh, vertex_normals(mesh), &tint);
   Drawing drawing{};
   drawing.classes = ridge_classes();
-  drawing.classes[ridge_class(0, 0)].label = "blue, untyped";
-  drawing.classes[ridge_class(1, 0)].label = "red, untyped";
+  drawing.classes[ridge_class(Colour::blue, RidgeType::none)].label = "blue, untyped";
+  drawing.classes[ridge_class(Colour::red, RidgeType::none)].label = "red, untyped";
   StrokeMaker maker(camera, canvas, drawing);
   add_lines(result, maker, drawing);
   add_dots(result, camera, canvas, drawing);

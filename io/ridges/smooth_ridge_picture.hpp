@@ -4,7 +4,7 @@
 // Shaded pictures of a smooth surface with its ridges, umbilics, turning and purple points.
 #include <string>
 
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 #include "io/ridges/ridge_picture.hpp"
 
 namespace crest::io {

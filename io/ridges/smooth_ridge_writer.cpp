@@ -2,30 +2,23 @@
 #include "io/ridges/smooth_ridge_writer.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 #include <array>
 #include <iterator>
 
+#include "io/formats/files.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
-#include "io/write/formats.hpp"
 #include "io/write/mesh_writer.hpp"
-#include "io/write/vtk_columns.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
 
+using kernel::Colour;
 using kernel::Index;
-using smooth_ridges::RidgeType;
+using kernel::RidgeType;
 using smooth_ridges::SmoothRidge;
 using smooth_ridges::SmoothRidges;
 
@@ -121,53 +114,37 @@ void add_vertex_columns(Columns& cells, int umbilic) {
   cells.add("length", 0.0);
 }
 
-void add_field_data(vtkPolyData& data, const SmoothRidges& result, const std::string& digest) {
-  Columns fields;
+void add_fields(Columns& fields, const SmoothRidges& result, const std::string& digest) {
   fields.add("certified", result.certified ? 1 : 0);
   fields.add("undecided", static_cast<int>(result.undecided.size()));
-  fields.move_to(*data.GetFieldData());
-  vtkNew<vtkStringArray> text;
-  text->SetName("data_digest");
-  text->InsertNextValue(digest);
-  data.GetFieldData()->AddArray(text);
-}
-
-vtkSmartPointer<vtkPoints> vtk_points(std::size_t count, auto&& place_of) {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  for (std::size_t i = 0; i < count; ++i) points->InsertNextPoint(place_of(i).data());
-  return points;
+  fields.add("data_digest", digest);
 }
 
 std::string vtp_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(
-      vtk_points(table.points.size(), [&](std::size_t i) { return table.points[i].place; }));
-  vtkNew<vtkCellArray> vertices, lines;
-  Columns points, cells;
-  for (const Point& p : table.points) p.row.add_to(points);
+  PolyData data;
+  for (const Point& p : table.points) {
+    data.add_point(p.place);
+    p.row.add_to(data.point_rows());
+  }
   const std::size_t count =
       table.vertices[0] + table.vertices[1] + table.vertices[2] + table.vertices[3];
   for (std::size_t i = 0; i < count; ++i) {
-    vertices->InsertNextCell({static_cast<vtkIdType>(i)});
-    table.points[i].row.add_to(cells);
-    add_vertex_columns(cells, i < table.vertices[0] ? static_cast<int>(i) : -1);
+    Columns& row = data.add_vertex(static_cast<PolyData::Id>(i));
+    table.points[i].row.add_to(row);
+    add_vertex_columns(row, i < table.vertices[0] ? static_cast<int>(i) : -1);
   }
   for (std::size_t r = 0; r < result.ridges.size(); ++r) {
     for (const RidgeRun& run : runs_of(result.ridges[r])) {
-      lines->InsertNextCell(static_cast<int>(run.points.size()));
+      std::vector<PolyData::Id> line;
       for (const std::size_t p : run.points)
-        lines->InsertCellPoint(table.first[r] + static_cast<vtkIdType>(p));
-      ridge_row(result.ridges[r], run.type).add_to(cells);
-      add_ridge_columns(cells, result, r, run);
+        line.push_back(table.first[r] + static_cast<PolyData::Id>(p));
+      Columns& row = data.add_line(line);
+      ridge_row(result.ridges[r], run.type).add_to(row);
+      add_ridge_columns(row, result, r, run);
     }
   }
-  data->SetVerts(vertices);
-  data->SetLines(lines);
-  points.move_to(*data->GetPointData());
-  cells.move_to(*data->GetCellData());
-  add_field_data(*data, result, digest);
-  return vtp_bytes(*data);
+  add_fields(data.fields(), result, digest);
+  return data.bytes();
 }
 
 /// The line of text that goes before everything else.
@@ -199,9 +176,8 @@ std::string obj_of(const Table& table, const SmoothRidges& result, const std::st
     if (table.vertices[g] > 0) fmt::format_to(out, "g {}\n", groups[g]);
     for (std::size_t i = 0; i < table.vertices[g]; ++i) fmt::format_to(out, "p {}\n", next++);
   }
-  for (const smooth_ridges::Colour colour :
-       {smooth_ridges::Colour::blue, smooth_ridges::Colour::red}) {
-    fmt::format_to(out, "g {}\n", colour == smooth_ridges::Colour::blue ? "blue" : "red");
+  for (const Colour colour : {Colour::blue, Colour::red}) {
+    fmt::format_to(out, "g {}\n", colour == Colour::blue ? "blue" : "red");
     for (std::size_t r = 0; r < result.ridges.size(); ++r) {
       const std::vector<std::size_t> line = line_of(table, result, r);
       // A polyline of one point is not a line for other programs.
@@ -243,22 +219,17 @@ std::string ply_of(const Table& table, const SmoothRidges& result, const std::st
 }
 
 std::string mesh_vtp(const SmoothRidges& result, const std::string& digest) {
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(
-      vtk_points(result.points.size(), [&](std::size_t i) { return result.points[i]; }));
-  vtkNew<vtkCellArray> faces;
-  Columns cells;
+  PolyData data;
+  data.add_points(result.points);
   const std::vector<bool> undecided = undecided_faces(result);
   for (std::size_t f = 0; f < result.faces.size(); ++f) {
     const kernel::Triangle& t = result.faces[f];
-    faces->InsertNextCell({vtkIdType{t[0]}, vtkIdType{t[1]}, vtkIdType{t[2]}});
-    cells.add("in_patch", result.in_patch[f] ? 1 : 0);
-    cells.add("undecided", undecided[f] ? 1 : 0);
+    Columns& row = data.add_triangle(t[0], t[1], t[2]);
+    row.add("in_patch", result.in_patch[f] ? 1 : 0);
+    row.add("undecided", undecided[f] ? 1 : 0);
   }
-  data->SetPolys(faces);
-  cells.move_to(*data->GetCellData());
-  add_field_data(*data, result, digest);
-  return vtp_bytes(*data);
+  add_fields(data.fields(), result, digest);
+  return data.bytes();
 }
 
 }  // namespace

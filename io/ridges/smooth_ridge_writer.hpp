@@ -4,7 +4,7 @@
 // The ridge graph of a smooth surface, and the triangulation that proves it, for other programs.
 #include <string>
 
-#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 
 namespace crest::io {
 

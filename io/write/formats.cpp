@@ -7,7 +7,6 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "io/formats/vtk_quiet.hpp"
@@ -38,25 +37,6 @@ std::string vtp_bytes(vtkPolyData& data) {
 
 std::string vtu_bytes(vtkUnstructuredGrid& data) {
   return bytes_of<vtkXMLUnstructuredGridWriter>(data);
-}
-
-vtkSmartPointer<vtkIntArray> named_ints(const char* name) {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray> named_doubles(const char* name) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  return array;
-}
-
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
 }
 
 }  // namespace crest::io

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the writers of several formats share.
-#include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
-#include <vtkSmartPointer.h>
-
+// VTK's data sets as bytes of its XML formats.
 #include <string>
 
 class vtkPolyData;
@@ -18,12 +14,5 @@ namespace crest::io {
 std::string vtp_bytes(vtkPolyData& data);
 /// A .vtu file's, likewise.
 std::string vtu_bytes(vtkUnstructuredGrid& data);
-
-/// Empty arrays with a name.
-vtkSmartPointer<vtkIntArray> named_ints(const char* name);
-vtkSmartPointer<vtkDoubleArray> named_doubles(const char* name);
-
-/// The extension in lower case, with its dot.
-std::string lower_extension(const std::string& path);
 
 }  // namespace crest::io

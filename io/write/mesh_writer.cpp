@@ -2,15 +2,12 @@
 #include "io/write/mesh_writer.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <iterator>
 
+#include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
-#include "io/write/formats.hpp"
+#include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -40,16 +37,10 @@ std::string ply_header(std::size_t points, std::size_t faces) {
 }
 
 std::string vtp_of(const Points& points, const Faces& faces) {
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  for (const kernel::Vec3& p : points) positions->InsertNextPoint(p.data());
-  vtkNew<vtkCellArray> cells;
-  for (const kernel::Triangle& f : faces)
-    cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(positions);
-  data->SetPolys(cells);
-  return vtp_bytes(*data);
+  PolyData data;
+  data.add_points(points);
+  for (const kernel::Triangle& f : faces) data.add_triangle(f[0], f[1], f[2]);
+  return data.bytes();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "algorithms/reeb/certificate.hpp"
 #include "algorithms/reeb/conic_arc.hpp"
+#include "algorithms/reeb/exact_node_value.hpp"
 #include "tests/support/degenerate_families.hpp"
 #include "tests/support/quadratic_files.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/smooth_ridges/surface.hpp"
 #include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/files.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
+
+/// File names and words quoted from files may hold anything; the message stays one line.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+}  // namespace
+
+void fail(const std::string& element, const std::string& problem, const std::string& remedy) {
+  // Before the exception's C string ends at a zero quoted from the file.
+  throw kernel::InputError(one_line(element + ": " + problem + "; " + remedy));
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+std::string load(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) fail("file", "does not exist", "check the path");
+  if (!std::filesystem::is_regular_file(path, error))
+    fail("file", "is not a regular file", "give the path of a mesh file");
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    fail("file", "cannot be read", "check its permissions");
+  return bytes;
+}
+
+void read_named(const std::string& name, const std::function<void()>& read) {
+  try {
+    try {
+      read();
+    } catch (const kernel::InputError&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      fail("file", "needs more memory than there is", "split the mesh");
+    } catch (const std::exception&) {
+      const std::string extension = lower_extension(name);
+      fail("file",
+           "cannot be read as " + extension.substr(std::min<std::size_t>(1, extension.size())),
+           "export the mesh again");
+    }
+  } catch (const kernel::InputError& error) {
+    throw kernel::InputError(one_line(error.with_file(name).what()));
+  }
+}
+
+}  // namespace crest::io

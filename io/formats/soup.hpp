@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Points, cells of any dimension and fields as they stand in a file: what every reader produces.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "kernel/arithmetic/vec3.hpp"
+
+namespace crest::io {
+
+/// VTK's numbers, nodes in VTK's order. A file may have others: they are kept, too.
+enum class CellType : std::uint8_t {
+  empty = 0,
+  vertex = 1,
+  poly_vertex = 2,
+  line = 3,
+  poly_line = 4,
+  triangle = 5,
+  triangle_strip = 6,
+  polygon = 7,
+  pixel = 8,
+  quad = 9,
+  tetrahedron = 10,
+  voxel = 11,
+  hexahedron = 12,
+  wedge = 13,
+  pyramid = 14,
+  quadratic_edge = 21,
+  quadratic_triangle = 22,
+  quadratic_tetrahedron = 24
+};
+
+/// 0 to 3, or -1 for a type that is not named above.
+int dimension_of(CellType type);
+
+/// Cells in the file's order. Nodes are positions of points; none of them is checked.
+class Cells {
+ public:
+  using Node = std::int64_t;
+  void reserve(std::size_t cells, std::size_t nodes);
+  void add(CellType type, std::span<const Node> nodes) {
+    types_.push_back(type);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+    begin_.push_back(nodes_.size());
+  }
+  std::size_t size() const { return types_.size(); }
+  bool empty() const { return types_.empty(); }
+  CellType type(std::size_t c) const { return types_[c]; }
+  std::span<const Node> nodes(std::size_t c) const {
+    return {nodes_.data() + begin_[c], nodes_.data() + begin_[c + 1]};
+  }
+
+ private:
+  std::vector<CellType> types_;
+  std::vector<std::size_t> begin_{0};  ///< in nodes_, one more at the end
+  std::vector<Node> nodes_;
+};
+
+/// Numbers of points or cells, those of one next to each other: a scalar, a vector, a tensor.
+struct Field {
+  /// Reals and integers as the file has them: neither rounds the other.
+  using Numbers =
+      std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>>;
+
+  std::string name;
+  int components = 1;           ///< of each point or cell; 0: these are no numbers
+  Numbers numbers{};            ///< empty: not asked for
+  bool normals = false;         ///< the file says that they are the points' normals
+  std::vector<bool> missing{};  ///< points or cells without a value; empty: none
+  std::size_t size() const;     ///< of numbers
+};
+
+struct Soup {
+  std::vector<kernel::Vec3> points;
+  Cells cells;
+  std::vector<Field> point_fields, cell_fields;
+  /// What the file calls them, for messages; empty: by position.
+  std::vector<std::int64_t> point_tags, cell_tags;
+
+  std::int64_t point_tag(std::size_t v) const {
+    return point_tags.empty() ? static_cast<std::int64_t>(v) : point_tags[v];
+  }
+  std::int64_t cell_tag(std::size_t c) const {
+    return cell_tags.empty() ? static_cast<std::int64_t>(c) : cell_tags[c];
+  }
+};
+
+}  // namespace crest::io

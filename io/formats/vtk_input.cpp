@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/vtk_input.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkXMLReader.h>
+
+#include <type_traits>
+
+#include "io/formats/files.hpp"
+#include "io/formats/vtk_quiet.hpp"
+
+namespace crest::io {
+namespace {
+
+template <class Native>
+Field::Numbers copied(const Native* first, std::size_t count) {
+  using Wide = std::conditional_t<std::is_floating_point_v<Native>, double,
+                                  std::conditional_t<std::is_signed_v<Native> || sizeof(Native) < 8,
+                                                     std::int64_t, std::uint64_t>>;
+  return std::vector<Wide>(first, first + count);
+}
+
+Field::Numbers numbers_of(vtkDataArray& array) {
+  const auto count = static_cast<std::size_t>(array.GetNumberOfValues());
+  if (count == 0) return {};
+  switch (array.GetDataType()) {
+    vtkTemplateMacro(return copied(static_cast<const VTK_TT*>(array.GetVoidPointer(0)), count));
+    default: {
+      std::vector<double> numbers;  // bits
+      for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
+        for (int k = 0; k < array.GetNumberOfComponents(); ++k)
+          numbers.push_back(array.GetComponent(i, k));
+      return numbers;
+    }
+  }
+}
+
+/// Of a cell array, which has 32 or 64 bits.
+std::vector<std::int64_t> integers_of(vtkDataArray& array) {
+  Field::Numbers numbers = numbers_of(array);
+  auto* integers = std::get_if<std::vector<std::int64_t>>(&numbers);
+  return integers ? std::move(*integers) : std::vector<std::int64_t>();
+}
+
+/// Those that were loaded.
+void take_fields(vtkDataArraySelection& names, vtkDataSetAttributes& data,
+                 std::vector<Field>& fields) {
+  for (int i = 0; i < names.GetNumberOfArrays(); ++i) {
+    const char* name = names.GetArrayName(i);
+    if (names.ArrayIsEnabled(name) == 0) continue;
+    vtkDataArray* array = data.GetArray(name);
+    Field& field = fields.emplace_back(Field{.name = name, .components = 0});
+    if (!array) continue;
+    field.components = array->GetNumberOfComponents();
+    field.numbers = numbers_of(*array);
+    field.normals = array == data.GetNormals();
+  }
+}
+
+bool is_scalar(vtkDataSet& data, const std::string& name) {
+  const vtkDataArray* array = data.GetPointData()->GetArray(name.c_str());
+  return array && array->GetNumberOfComponents() == 1;
+}
+
+}  // namespace
+
+vtkPointSet& read_vtk(vtkXMLReader& reader, const std::string& bytes, const char* format,
+                      const FieldRequest& request, Soup& soup) {
+  check_vtp(bytes);
+  const VtkQuiet quiet;
+  reader.ReadFromInputStringOn();
+  reader.SetInputString(bytes);
+  reader.UpdateInformation();
+  vtkDataArraySelection& of_points = *reader.GetPointDataArraySelection();
+  vtkDataArraySelection& of_cells = *reader.GetCellDataArraySelection();
+  of_cells.DisableAllArrays();
+  of_points.DisableAllArrays();
+  if (request.wanted && request.name.empty()) of_points.EnableAllArrays();
+  if (request.wanted && of_points.ArrayExists(request.name.c_str()) != 0)
+    of_points.EnableArray(request.name.c_str());
+  const auto update = [&]() -> vtkPointSet& {
+    reader.Update();
+    auto* data = vtkPointSet::SafeDownCast(reader.GetOutputAsDataSet());
+    if (quiet.failed() || reader.GetErrorCode() != 0 || !data)
+      fail("file", fmt::format("cannot be read as {} (wrong format, truncated or damaged)", format),
+           "export the mesh again");
+    return *data;
+  };
+  vtkPointSet* data = &update();
+  if (request.wanted && !request.name.empty() && !is_scalar(*data, request.name)) {
+    of_points.EnableAllArrays();
+    of_cells.EnableAllArrays();
+    data = &update();
+  }
+  soup.points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    data->GetPoint(static_cast<vtkIdType>(v), soup.points[v].data());
+  take_fields(of_points, *data->GetPointData(), soup.point_fields);
+  take_fields(of_cells, *data->GetCellData(), soup.cell_fields);
+  return *data;
+}
+
+void take_cells(vtkCellArray& from, const char* element,
+                const std::function<CellType(std::size_t c, std::size_t nodes)>& type_of,
+                Cells& cells) {
+  vtkDataArray* offsets = from.GetOffsetsArray();
+  vtkDataArray* connectivity = from.GetConnectivityArray();
+  if (!offsets || !connectivity)
+    fail(fmt::format("{}s", element), "cannot be read", "export the mesh again");
+  const std::vector<std::int64_t> begins = integers_of(*offsets),
+                                  nodes = integers_of(*connectivity);
+  const auto size = static_cast<std::int64_t>(nodes.size());
+  const std::size_t count = begins.empty() ? 0 : begins.size() - 1;
+  cells.reserve(count, nodes.size());
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::int64_t begin = begins[c], end = begins[c + 1];
+    if (begin < 0 || end < begin || end > size)
+      fail(fmt::format("{} {}", element, c), "its offsets are wrong", "export the mesh again");
+    const auto length = static_cast<std::size_t>(end - begin);
+    cells.add(type_of(c, length), {nodes.data() + begin, length});
+  }
+}
+
+}  // namespace crest::io

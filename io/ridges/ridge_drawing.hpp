@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Ridges as strokes and dots over their surface.
+#include <vector>
+
+#include "algorithms/ridges/ridge_graph.hpp"
+#include "io/picture/drawing.hpp"
+
+namespace crest::io {
+
+/// Classes for ridges in the order of painting: red under blue, in each colour untyped (or flat),
+/// hyperbolic, turning, elliptic.
+std::vector<StrokeClass> ridge_classes();
+std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
+
+/// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
+/// of the elliptic ridges, weighted by curvature (the most area without ridges).
+kernel::Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<kernel::Vec3>& normals,
+                        const ridges::RidgeGraph& graph);
+
+/// Cuts the ridges where the canvas's surface hides them. order: 3 or 4, which types to use.
+/// Strokes and dots become thinner where there are too many for the picture.
+Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
+                     const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
+                     int order);
+
+}  // namespace crest::io

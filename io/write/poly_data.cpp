@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write/poly_data.hpp"
+
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <stdexcept>
+
+#include "io/write/formats.hpp"
+
+namespace crest::io {
+
+PolyData::PolyData() {
+  points_->SetDataTypeToDouble();
+}
+
+PolyData::Id PolyData::add_point(const kernel::Vec3& place) {
+  return points_->InsertNextPoint(place.data());
+}
+
+void PolyData::add_points(const std::vector<kernel::Vec3>& places) {
+  for (const kernel::Vec3& place : places) add_point(place);
+}
+
+Columns& PolyData::add_vertex(Id point) {
+  return add_cell(kVertex, {&point, 1});
+}
+
+Columns& PolyData::add_line(std::span<const Id> points) {
+  return add_cell(points.size() == 1 ? kVertex : kLine, points);
+}
+
+Columns& PolyData::add_triangle(Id a, Id b, Id c) {
+  return add_cell(kTriangle, std::array{a, b, c});
+}
+
+Columns& PolyData::add_cell(Kind kind, std::span<const Id> points) {
+  if (points.empty()) throw std::logic_error("a cell without points");
+  for (const Id p : points)
+    if (p < 0 || p >= point_count())
+      throw std::logic_error("a cell with a point that is not there");
+  cells_[kind]->InsertNextCell(static_cast<Id>(points.size()), points.data());
+  return cell_rows_[kind];
+}
+
+std::string PolyData::bytes() {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points_);
+  if (cells_[kVertex]->GetNumberOfCells() > 0) data->SetVerts(cells_[kVertex]);
+  if (cells_[kLine]->GetNumberOfCells() > 0) data->SetLines(cells_[kLine]);
+  if (cells_[kTriangle]->GetNumberOfCells() > 0) data->SetPolys(cells_[kTriangle]);
+  point_rows_.move_to(*data->GetPointData());
+  for (const auto& array : point_arrays_) data->GetPointData()->AddArray(array);
+  Columns cell_rows;
+  for (const Columns& rows : cell_rows_) cell_rows.append(rows);
+  cell_rows.move_to(*data->GetCellData());
+  fields_.move_to(*data->GetFieldData());
+  return vtp_bytes(*data);
+}
+
+}  // namespace crest::io
