@@ -10,15 +10,16 @@
 namespace crest::cli {
 namespace {
 
-using smooth_ridges::ArcType;
+using smooth_ridges::Colour;
+using smooth_ridges::RidgeType;
 using smooth_ridges::SmoothRidges;
 using smooth_ridges::UmbilicPoint;
 
 constexpr std::size_t kListedCells = 10000;  // in the report
 constexpr std::size_t kShownCells = 5;       // on the terminal
 
-const char* colour_name(std::size_t colour) {
-  return colour == 0 ? "blue" : "red";
+const char* colour_name(Colour colour) {
+  return colour == Colour::blue ? "blue" : "red";
 }
 
 std::string kind_name(const UmbilicPoint& umbilic) {
@@ -102,7 +103,7 @@ std::string count_lines(const SmoothRidges& result) {
       count([](const auto& u) { return u.twice_index < 0; }),
       count([](const auto& u) { return u.branches[0] == 1; }),
       count([](const auto& u) { return u.branches[0] == 3; }), index_sum(result));
-  for (const std::size_t colour : {0u, 1u}) {
+  for (const Colour colour : {Colour::blue, Colour::red}) {
     const ColourSummary s = summarise(result, colour);
     const auto turning = std::count_if(result.turning_points.begin(), result.turning_points.end(),
                                        [&](const auto& p) { return p.colour == colour; });
@@ -131,7 +132,7 @@ std::string refusal(const SmoothRidges& result) {
 
 }  // namespace
 
-ColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
+ColourSummary summarise(const SmoothRidges& result, Colour colour) {
   ColourSummary s;
   for (const auto& ridge : result.ridges) {
     if (ridge.colour != colour) continue;
@@ -141,9 +142,9 @@ ColourSummary summarise(const SmoothRidges& result, std::size_t colour) {
       for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         length += io::length_of(ridge, run.points[i], run.points[i + 1]);
       s.length += length;
-      const double half = run.type == ArcType::turning ? 0.5 * length : 0;
-      s.elliptic_length += run.type == ArcType::elliptic ? length : half;
-      s.hyperbolic_length += run.type == ArcType::hyperbolic ? length : half;
+      const double half = run.type == RidgeType::turning ? 0.5 * length : 0;
+      s.elliptic_length += run.type == RidgeType::elliptic ? length : half;
+      s.hyperbolic_length += run.type == RidgeType::hyperbolic ? length : half;
     }
   }
   return s;
@@ -169,8 +170,8 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
   report["depth"] = result.rounds;
   report["face_tests"] = result.tests;
   report["umbilics"] = umbilics_json(result);
-  report["ridges"] = {{"blue", to_json(summarise(result, 0))},
-                      {"red", to_json(summarise(result, 1))}};
+  report["ridges"] = {{"blue", to_json(summarise(result, Colour::blue))},
+                      {"red", to_json(summarise(result, Colour::red))}};
   report["open_ends"] = io::open_ends(result);
   report["turning_points"] = points_json(result.turning_points, true);
   report["purple_points"] = points_json(result.purple_points, false);

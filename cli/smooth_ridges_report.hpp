@@ -18,7 +18,7 @@ struct SmoothRidgesRun {
 };
 
 /// A segment with a turning point is halved.
-ColourSummary summarise(const smooth_ridges::SmoothRidges& result, std::size_t colour);
+ColourSummary summarise(const smooth_ridges::SmoothRidges& result, smooth_ridges::Colour colour);
 
 /// All keys but those of the certificate's file (Report::set_certificate).
 void fill_report(Report& report, const SmoothRidgesRun& run);

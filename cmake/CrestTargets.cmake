@@ -23,6 +23,22 @@ function(crest_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
+# The headers that <owner> precompiles, for a target with the same flags: gcc reads them with the
+# flags of the unit that wrote them, and other ones (rounding!) would be lost without a word.
+function(crest_reuse_precompiled target owner)
+  foreach(name ${target} ${owner})
+    get_target_property(libraries ${name} LINK_LIBRARIES)
+    get_target_property(options ${name} COMPILE_OPTIONS)
+    string(REGEX MATCHALL "crest_flags|crest_rounding" flags_${name} "${libraries}")
+    list(SORT flags_${name})
+    list(APPEND flags_${name} ${options})
+  endforeach()
+  if(NOT flags_${target} STREQUAL flags_${owner})
+    message(FATAL_ERROR "${target} and ${owner} have different flags: ${flags_${target}}; ${flags_${owner}}")
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+endfunction()
+
 # crest_library(<name> SOURCES ... LINK ... [ROUNDING])
 function(crest_library name)
   cmake_parse_arguments(ARG "ROUNDING" "" "SOURCES;LINK" ${ARGN})

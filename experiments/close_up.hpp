@@ -34,12 +34,8 @@ struct CloseUp {
 
 namespace close_up_detail {
 
-inline double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vec3 sum(const Vec3& a, double s, const Vec3& b) {
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
+using kernel::cross, kernel::dot, kernel::norm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 /// The centre is in the middle of a square of kSide pixels.
 struct Eye {
@@ -50,22 +46,21 @@ struct Eye {
   Eye(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, const CloseUp& c)
       : towards{}, centre(c.centre), scale(0.5 * kSide / c.radius) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      const Vec3 d = sum(mesh.points()[v], -1, centre);
-      if (dot(d, d) <= c.radius * c.radius) towards = sum(towards, 1, normals[v]);
+      const Vec3 d = mesh.points()[v] - centre;
+      if (dot(d, d) <= c.radius * c.radius) towards = towards + normals[v];
     }
-    const double length = std::sqrt(dot(towards, towards));
-    towards = length > 0 ? sum({}, 1 / length, towards) : Vec3{0, 0, 1};
+    const double length = norm(towards);
+    towards = length > 0 ? (1 / length * towards) : Vec3{0, 0, 1};
     const Vec3 above = std::abs(towards[1]) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
-    up = sum(above, -dot(above, towards), towards);
-    up = sum({}, 1 / std::sqrt(dot(up, up)), up);
-    right = {up[1] * towards[2] - up[2] * towards[1], up[2] * towards[0] - up[0] * towards[2],
-             up[0] * towards[1] - up[1] * towards[0]};
+    up = above - dot(above, towards) * towards;
+    up = 1 / norm(up) * up;
+    right = cross(up, towards);
   }
   std::array<double, 2> at(const Vec3& p) const {
-    const Vec3 d = sum(p, -1, centre);
+    const Vec3 d = p - centre;
     return {0.5 * kSide + scale * dot(right, d), 0.5 * kSide - scale * dot(up, d)};
   }
-  double depth(const Vec3& p) const { return dot(sum(p, -1, centre), towards); }
+  double depth(const Vec3& p) const { return dot(p - centre, towards); }
 };
 
 }  // namespace close_up_detail
@@ -74,19 +69,19 @@ struct Eye {
 /// Throws: kernel::InputError (write_atomically).
 inline void write_close_up(const std::string& path, const kernel::TriangleMesh& mesh,
                            const CloseUp& c) {
-  namespace detail = close_up_detail;
+  using namespace close_up_detail;
   const std::vector<Vec3> normals = curvature::area_weighted_normals(mesh);
-  const detail::Eye eye(mesh, normals, c);
+  const Eye eye(mesh, normals, c);
   const auto& p = mesh.points();
   const auto inside = [&](Index v) {
-    const Vec3 d = detail::sum(p[v], -1, c.centre);
-    return detail::dot(d, d) <= 2.25 * c.radius * c.radius;
+    const Vec3 d = p[v] - c.centre;
+    return dot(d, d) <= 2.25 * c.radius * c.radius;
   };
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{0}\" viewBox=\"0 0 {0} "
       "{0}\">\n<rect width=\"{0}\" height=\"{0}\" fill=\"#fff\"/>\n<g stroke=\"#999\" "
       "stroke-width=\"0.6\" stroke-linejoin=\"round\">\n",
-      detail::Eye::kSide);
+      Eye::kSide);
   std::vector<std::pair<double, Index>> order;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto& t = mesh.faces()[f];
@@ -99,8 +94,8 @@ inline void write_close_up(const std::string& path, const kernel::TriangleMesh& 
     const auto a = eye.at(p[t[0]]), b = eye.at(p[t[1]]), d = eye.at(p[t[2]]);
     // Counter-clockwise faces face the eye; pixels' y points down.
     if ((b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]) >= 0) continue;
-    Vec3 n = detail::sum(detail::sum(normals[t[0]], 1, normals[t[1]]), 1, normals[t[2]]);
-    const double facing = std::max(0.0, detail::dot(n, eye.towards) / 3);
+    Vec3 n = normals[t[0]] + normals[t[1]] + normals[t[2]];
+    const double facing = std::max(0.0, dot(n, eye.towards) / 3);
     svg += fmt::format(
         "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"#{:02x}{:02x}{:02x}\"/>\n",
         a[0], a[1], b[0], b[1], d[0], d[1], static_cast<int>(150 + 95 * facing),
@@ -108,9 +103,8 @@ inline void write_close_up(const std::string& path, const kernel::TriangleMesh& 
   }
   svg += "</g>\n<g stroke-linecap=\"round\">\n";
   for (const CloseUpLine& line : c.lines) {
-    const Vec3 d = detail::sum(line.from, -1, c.centre);
-    if (detail::dot(line.normal, eye.towards) < 0 || detail::dot(d, d) > 2.25 * c.radius * c.radius)
-      continue;
+    const Vec3 d = line.from - c.centre;
+    if (dot(line.normal, eye.towards) < 0 || dot(d, d) > 2.25 * c.radius * c.radius) continue;
     const auto a = eye.at(line.from), b = eye.at(line.to);
     svg += fmt::format(
         "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", a[0],
@@ -118,7 +112,7 @@ inline void write_close_up(const std::string& path, const kernel::TriangleMesh& 
   }
   svg += "</g>\n";
   for (Index v = 0; v < c.dots.size(); ++v) {
-    if (c.dots[v].empty() || !inside(v) || detail::dot(normals[v], eye.towards) < 0) continue;
+    if (c.dots[v].empty() || !inside(v) || dot(normals[v], eye.towards) < 0) continue;
     const auto a = eye.at(p[v]);
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", a[0], a[1],
                        c.dots[v]);

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 start=$(date +%s.%N)
 
 step "Install missing packages" ./scripts/install_deps.sh
-step "Configure (release, in build/)" cmake --preset release -DCREST_BUILD_TESTS=OFF -DCREST_BUILD_EXPERIMENTS=OFF
+step "Configure (release, in build/)" cmake --preset release -DCREST_BUILD_TESTS=OFF
 step "Build crest and crest-verify" cmake --build build --target crest crest-verify
 mkdir -p out
 step "Sample the blend, 40000 vertices" ./build/cli/crest sample blend --vertices 40000 -o out/blend.off

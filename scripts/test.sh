@@ -21,10 +21,7 @@ done
 
 [ $install = no ] || step "Install missing packages" ./scripts/install_deps.sh
 # Tests on by name: the demo configures the same folder without them.
-experiments=ON
-[ $preset = release ] || experiments=OFF
-step "Configure ($preset, in $folder/)" cmake --preset $preset -DCREST_BUILD_TESTS=ON \
-  -DCREST_BUILD_EXPERIMENTS=$experiments
+step "Configure ($preset, in $folder/)" cmake --preset $preset -DCREST_BUILD_TESTS=ON
 step "Build" cmake --build $folder
 echo "Run the tests (2 at a time)"
 tests_start=$(date +%s.%N)

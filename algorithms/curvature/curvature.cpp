@@ -83,12 +83,12 @@ void area_weighted_normals(const kernel::TriangleMesh& mesh, std::vector<Vec3>& 
     const auto ring = mesh.ring(v);
     const bool open = mesh.on_boundary(v);
     Vec3 sum{}, first{};
-    Vec3 before = minus(points[open ? ring.front() : ring.back()], points[v]);
+    Vec3 before = points[open ? ring.front() : ring.back()] - points[v];
     for (std::size_t j = open ? 1 : 0; j < ring.size(); ++j) {
-      const Vec3 next = minus(points[ring[j]], points[v]);
+      const Vec3 next = points[ring[j]] - points[v];
       const Vec3 n = cross(before, next);
       if (j < 2) first = n;
-      sum = combine(1, sum, 1, n);
+      sum = sum + n;
       before = next;
     }
     double squared = dot(sum, sum);
@@ -97,7 +97,7 @@ void area_weighted_normals(const kernel::TriangleMesh& mesh, std::vector<Vec3>& 
       squared = dot(sum, sum);
     }
     // Slivers whose area underflows leave no direction at all.
-    normals[v] = squared > 0 ? combine(1 / std::sqrt(squared), sum, 0, sum) : Vec3{0, 0, 1};
+    normals[v] = squared > 0 ? 1 / std::sqrt(squared) * sum : Vec3{0, 0, 1};
   });
 }
 
@@ -173,7 +173,7 @@ Distances distances(const std::vector<PointCurvature>& estimates,
   Distances sum;
   const auto angle = [](const Vec3& a, const Vec3& b) {
     const Vec3 n = cross(a, b);
-    return std::atan2(std::sqrt(dot(n, n)), std::abs(dot(a, b)));  // arccos |a b|, also near 1
+    return std::atan2(norm(n), std::abs(dot(a, b)));  // arccos |a b|, also near 1
   };
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const PointCurvature &a = estimates[i], &b = exact[i];

@@ -27,16 +27,16 @@ struct Neighbourhood {
 Neighbourhood neighbourhood_of(const kernel::TriangleMesh& mesh, const Vec3& normal, MeshIndex v,
                                std::vector<MeshIndex> vertices) {
   Neighbourhood n;
-  n.frame = frame_of(combine(1 / std::sqrt(dot(normal, normal)), normal, 0, normal));
+  n.frame = frame_of(1 / norm(normal) * normal);
   n.vertices = std::move(vertices);
   double sum = 0;
   for (const MeshIndex w : n.vertices) {
-    const Vec3 d = minus(mesh.points()[w], mesh.points()[v]);
-    sum += std::sqrt(dot(d, d));
+    const Vec3 d = mesh.points()[w] - mesh.points()[v];
+    sum += norm(d);
     n.local.push_back({dot(d, n.frame.t1), dot(d, n.frame.t2), dot(d, n.frame.n)});
   }
   n.scale = sum / static_cast<double>(n.vertices.size());
-  for (Vec3& p : n.local) p = combine(1 / n.scale, p, 0, p);
+  for (Vec3& p : n.local) p = 1 / n.scale * p;
   return n;
 }
 
@@ -114,12 +114,12 @@ std::vector<Flat> exponential_map(const kernel::TriangleMesh& mesh, MeshIndex v)
   std::vector<double> angle(ring.size()), radius(ring.size());
   std::vector<Vec3> spoke(ring.size());
   for (std::size_t j = 0; j < ring.size(); ++j) {
-    spoke[j] = minus(mesh.points()[ring[j]], mesh.points()[v]);
-    radius[j] = std::sqrt(dot(spoke[j], spoke[j]));
+    spoke[j] = mesh.points()[ring[j]] - mesh.points()[v];
+    radius[j] = norm(spoke[j]);
   }
   const auto between = [&](std::size_t i, std::size_t j) {
     const Vec3 n = cross(spoke[i], spoke[j]);
-    return std::atan2(std::sqrt(dot(n, n)), dot(spoke[i], spoke[j]));
+    return std::atan2(norm(n), dot(spoke[i], spoke[j]));
   };
   for (std::size_t j = 1; j < ring.size(); ++j) angle[j] = angle[j - 1] + between(j - 1, j);
   double stretch = 1;
@@ -149,17 +149,19 @@ PointCurvature quadratic_over_exponential(const kernel::TriangleMesh& mesh,
   }
   const Matrix c = solve(a, b, flags);
   const auto world = [&](Index i) {
-    return combine(1, combine(c(i, 0), n.frame.t1, c(i, 1), n.frame.t2), c(i, 2), n.frame.n);
+    return c(i, 0) * n.frame.t1 + c(i, 1) * n.frame.t2 + c(i, 2) * n.frame.n;
   };
   const Vec3 fu = world(0), fv = world(1);
   Vec3 up = cross(fu, fv);
-  const double length = std::sqrt(dot(up, up));
+  const double length = norm(up);
   if (!(length > 0)) {
     flags.undetermined = true;
     return {};
   }
   // The map turns as the mesh does; a fit turned over by noise still gets the vertex's side.
-  up = combine(dot(up, normals[v]) < 0 ? -1 / length : 1 / length, up, 0, up);
+  const bool over = dot(up, normals[v]) < 0;
+  up = 1 / length * up;
+  if (over) up = Vec3{} - up;
   const Frame frame = frame_of(up);
   return principal(
       tensor_of_forms(frame.flatten(fu), frame.flatten(fv),
@@ -195,9 +197,9 @@ PointCurvature jet(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& no
   const Matrix c = solve(a, b, flags);
   flags.lowered = flags.lowered || degree < options.degree;
   const double zx = c(1), zy = c(2), g = std::sqrt(1 + zx * zx + zy * zy);
-  const Vec3 pu = combine(1, n.frame.t1, zx, n.frame.n), pv = combine(1, n.frame.t2, zy, n.frame.n);
+  const Vec3 pu = n.frame.t1 + zx * n.frame.n, pv = n.frame.t2 + zy * n.frame.n;
   const Vec3 up = cross(pu, pv);
-  const Frame frame = frame_of(combine(1 / g, up, 0, up));
+  const Frame frame = frame_of(1 / g * up);
   const double s = 1 / (g * n.scale);
   return principal(tensor_of_forms(frame.flatten(pu), frame.flatten(pv),
                                    {2 * c(3) * s, kRoot2 * c(4) * s, 2 * c(5) * s}),

@@ -19,8 +19,7 @@ double diagonal(const kernel::TriangleMesh& mesh) {
       high[k] = std::max(high[k], p[k]);
     }
   }
-  const Vec3 d = minus(high, low);
-  return std::sqrt(dot(d, d));
+  return norm(high - low);
 }
 
 /// Points of a triangle by rows of descending first coordinate: steps + 1 points a side.
@@ -61,9 +60,9 @@ void add_face(FocalSurface& s, Index face, Index base, int steps) {
 void displace(FocalSurface& s, const std::vector<Vec3>& directions) {
   for (std::size_t i = 0; i < s.points.size(); ++i) {
     const Vec3& n = directions[i];
-    const double length = std::sqrt(dot(n, n));
+    const double length = norm(n);
     if (!(length > 0)) continue;
-    s.points[i] = combine(1, s.points[i], s.scale * std::abs(s.values[i]) / length, n);
+    s.points[i] = s.points[i] + s.scale * std::abs(s.values[i]) / length * n;
   }
 }
 
@@ -94,8 +93,8 @@ FocalSurface focal_of_triangles(const kernel::TriangleMesh& mesh, const std::vec
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const std::size_t slot = f * nodes.size() + i;
       for (std::size_t k = 0; k < 3; ++k) {
-        s.points[slot] = combine(1, s.points[slot], nodes[i][k], mesh.points()[t[k]]);
-        directions[slot] = combine(1, directions[slot], nodes[i][k], normals[t[k]]);
+        s.points[slot] = s.points[slot] + nodes[i][k] * mesh.points()[t[k]];
+        directions[slot] = directions[slot] + nodes[i][k] * normals[t[k]];
       }
       const double q = value_of(curvature_at(mesh, normals, f, nodes[i]), quantity);
       s.values[slot] = std::isfinite(q) ? q : 0;

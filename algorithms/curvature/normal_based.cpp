@@ -30,12 +30,11 @@ struct TangentPlane {
   Frame frame;
   double inverse_length;
 
-  TangentPlane(const Vec3& p, const Vec3& n)
-      : point(p), normal(n), inverse_length(1 / std::sqrt(dot(n, n))) {
-    frame = frame_of(combine(inverse_length, n, 0, n));
+  TangentPlane(const Vec3& p, const Vec3& n) : point(p), normal(n), inverse_length(1 / norm(n)) {
+    frame = frame_of(inverse_length * n);
   }
   Side side(const Vec3& p, const Vec3& n) const {
-    const Flat x = frame.flatten(minus(p, point)), dn = frame.flatten(minus(n, normal));
+    const Flat x = frame.flatten(p - point), dn = frame.flatten(n - normal);
     return {x, {dn.x * inverse_length, dn.y * inverse_length}};
   }
 };
@@ -96,9 +95,9 @@ PointCurvature curvature_at(const kernel::TriangleMesh& mesh, const std::vector<
     t.n[k] = normals[mesh.faces()[face][k]];
   }
   const Vec3 n = interpolated_normal(t, lambda);
-  const double length = std::sqrt(dot(n, n));
-  const Frame frame = frame_of(combine(1 / length, n, 0, n));
-  const Flat xu = frame.flatten(minus(t.x[1], t.x[0])), xv = frame.flatten(minus(t.x[2], t.x[0]));
+  const double length = norm(n);
+  const Frame frame = frame_of(1 / length * n);
+  const Flat xu = frame.flatten(t.x[1] - t.x[0]), xv = frame.flatten(t.x[2] - t.x[0]);
   const auto w = scaled_weingarten(t, lambda);
   // From the basis (x_u, x_v) into the frame: X W X^-1.
   const double s = 1 / (length * (xu.x * xv.y - xv.x * xu.y));

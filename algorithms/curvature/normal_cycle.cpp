@@ -21,16 +21,16 @@ std::vector<double> dihedral_angles(const kernel::TriangleMesh& mesh) {
   const auto& p = mesh.points();
   for_each_index(mesh.face_count(), [&](Index f) {
     const auto& t = mesh.faces()[f];
-    const Vec3 n = cross(minus(p[t[1]], p[t[0]]), minus(p[t[2]], p[t[0]]));
-    normals[f] = combine(1 / std::sqrt(dot(n, n)), n, 0, n);
+    const Vec3 n = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+    normals[f] = 1 / norm(n) * n;
   });
   std::vector<double> angles(mesh.edge_count(), 0.0);
   for_each_index(mesh.edge_count(), [&](Index i) {
     const kernel::Edge& e = mesh.edges()[i];
     if (e.f0 == kernel::kNone || e.f1 == kernel::kNone) return;
-    const Vec3 along = minus(p[e.v1], p[e.v0]);
+    const Vec3 along = p[e.v1] - p[e.v0];
     const double sine = dot(cross(normals[e.f0], normals[e.f1]), along);
-    angles[i] = -std::atan2(sine, dot(normals[e.f0], normals[e.f1]) * std::sqrt(dot(along, along)));
+    angles[i] = -std::atan2(sine, dot(normals[e.f0], normals[e.f1]) * norm(along));
   });
   return angles;
 }
@@ -41,10 +41,10 @@ Moments cell_of(const kernel::TriangleMesh& mesh, const std::vector<double>& ang
   for (const Index f : mesh.fan(v)) {
     const auto& t = mesh.faces()[f];
     const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    const Vec3 e = minus(p[t[(k + 1) % 3]], p[v]);
-    const Vec3 n = cross(e, minus(p[t[(k + 2) % 3]], p[v]));
-    m.area += std::sqrt(dot(n, n)) / 6;
-    const double weight = 0.5 * angles[mesh.face_edges()[f][k]] / std::sqrt(dot(e, e));
+    const Vec3 e = p[t[(k + 1) % 3]] - p[v];
+    const Vec3 n = cross(e, p[t[(k + 2) % 3]] - p[v]);
+    m.area += norm(n) / 6;
+    const double weight = 0.5 * angles[mesh.face_edges()[f][k]] / norm(e);
     std::size_t at = 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j) m.sum[at++] += weight * e[i] * e[j];
@@ -69,8 +69,7 @@ void normal_cycle(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& nor
     }
     const double s = 1 / m.area;
     const auto& q = m.sum;
-    const Frame frame =
-        frame_of(combine(1 / std::sqrt(dot(normals[v], normals[v])), normals[v], 0, normals[v]));
+    const Frame frame = frame_of(1 / norm(normals[v]) * normals[v]);
     const auto apply = [&](const Vec3& a) {
       return Vec3{(q[0] * a[0] + q[1] * a[1] + q[2] * a[2]) * s,
                   (q[1] * a[0] + q[3] * a[1] + q[4] * a[2]) * s,

@@ -12,27 +12,15 @@
 // determinant, which it must not.
 #include <array>
 
+#include "kernel/arithmetic/vec3.hpp"
+
 namespace crest::curvature {
 
-template <class T>
-using Vector = std::array<T, 3>;
+using kernel::cross, kernel::determinant, kernel::dot;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 template <class T>
-Vector<T> difference(const Vector<T>& a, const Vector<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class T>
-T inner(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Vector<T> outer(const Vector<T>& a, const Vector<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class T>
-T determinant(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
-  return inner(outer(a, b), c);
-}
+using Vector = kernel::Vector3<T>;
 
 template <class T>
 struct NormalTriangle {
@@ -51,14 +39,14 @@ Vector<T> interpolated_normal(const NormalTriangle<T>& t, const Vector<T>& lambd
 /// m~.
 template <class T>
 Vector<T> triangle_normal(const NormalTriangle<T>& t) {
-  return outer(difference(t.x[1], t.x[0]), difference(t.x[2], t.x[0]));
+  return cross(t.x[1] - t.x[0], t.x[2] - t.x[0]);
 }
 
 /// K (equation 3.13). Requires: (n~ m~) != 0.
 template <class T>
 T gaussian_curvature(const NormalTriangle<T>& t, const Vector<T>& lambda) {
   const Vector<T> n = interpolated_normal(t, lambda);
-  return determinant(t.n[0], t.n[1], t.n[2]) / (inner(n, n) * inner(n, triangle_normal(t)));
+  return determinant(t.n[0], t.n[1], t.n[2]) / (dot(n, n) * dot(n, triangle_normal(t)));
 }
 
 /// H sqrt(n~ n~) (equation 3.14). Requires: (n~ m~) != 0.
@@ -67,11 +55,10 @@ T scaled_mean_curvature(const NormalTriangle<T>& t, const Vector<T>& lambda) {
   const Vector<T> n = interpolated_normal(t, lambda);
   Vector<T> h{T(0), T(0), T(0)};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector<T> r = difference(t.x[(i + 2) % 3], t.x[(i + 1) % 3]);
-    const Vector<T> part = outer(t.n[i], r);
-    for (std::size_t k = 0; k < 3; ++k) h[k] = h[k] + part[k];
+    const Vector<T> r = t.x[(i + 2) % 3] - t.x[(i + 1) % 3];
+    h = h + cross(t.n[i], r);
   }
-  return inner(n, h) / (T(2) * inner(n, triangle_normal(t)));
+  return dot(n, h) / (T(2) * dot(n, triangle_normal(t)));
 }
 
 /// W sqrt(n~ n~) in the basis (x_u, x_v), -dn(x_u) = w11 x_u + w21 x_v (appendix A, determinant
@@ -83,8 +70,8 @@ struct ScaledWeingarten {
 template <class T>
 ScaledWeingarten<T> scaled_weingarten(const NormalTriangle<T>& t, const Vector<T>& lambda) {
   const Vector<T> n = interpolated_normal(t, lambda);
-  const Vector<T> xu = difference(t.x[1], t.x[0]), xv = difference(t.x[2], t.x[0]);
-  const Vector<T> nu = difference(t.n[1], t.n[0]), nv = difference(t.n[2], t.n[0]);
+  const Vector<T> xu = t.x[1] - t.x[0], xv = t.x[2] - t.x[0];
+  const Vector<T> nu = t.n[1] - t.n[0], nv = t.n[2] - t.n[0];
   const T d = determinant(xu, xv, n);
   return {determinant(xv, nu, n) / d, determinant(xv, nv, n) / d, determinant(nu, xu, n) / d,
           determinant(nv, xu, n) / d};
@@ -96,12 +83,12 @@ ScaledWeingarten<T> scaled_weingarten(const NormalTriangle<T>& t, const Vector<T
 template <class T>
 T asymmetry(const NormalTriangle<T>& t, const Vector<T>& lambda) {
   const Vector<T> n = interpolated_normal(t, lambda);
-  const Vector<T> xu = difference(t.x[1], t.x[0]), xv = difference(t.x[2], t.x[0]);
-  const Vector<T> nu = difference(t.n[1], t.n[0]), nv = difference(t.n[2], t.n[0]);
-  const T nn = inner(n, n);
-  const T numerator = nn * (inner(xu, nv) - inner(xv, nu)) - inner(xu, n) * inner(nv, n) +
-                      inner(xv, n) * inner(nu, n);
-  return numerator / (nn * inner(n, outer(xu, xv)));
+  const Vector<T> xu = t.x[1] - t.x[0], xv = t.x[2] - t.x[0];
+  const Vector<T> nu = t.n[1] - t.n[0], nv = t.n[2] - t.n[0];
+  const T nn = dot(n, n);
+  const T numerator =
+      nn * (dot(xu, nv) - dot(xv, nu)) - dot(xu, n) * dot(nv, n) + dot(xv, n) * dot(nu, n);
+  return numerator / (nn * dot(n, cross(xu, xv)));
 }
 
 }  // namespace crest::curvature

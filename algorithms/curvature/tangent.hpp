@@ -8,18 +8,8 @@
 
 namespace crest::curvature {
 
-inline double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Vec3 minus(const Vec3& a, const Vec3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Vec3 combine(double s, const Vec3& a, double t, const Vec3& b) {
-  return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
-}
+using kernel::cross, kernel::dot, kernel::norm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 struct Flat {
   double x, y;
@@ -29,7 +19,7 @@ struct Flat {
 struct Frame {
   Vec3 t1, t2, n;
   Flat flatten(const Vec3& a) const { return {dot(a, t1), dot(a, t2)}; }
-  Vec3 lift(const Flat& a) const { return combine(a.x, t1, a.y, t2); }
+  Vec3 lift(const Flat& a) const { return a.x * t1 + a.y * t2; }
 };
 
 /// The frame of a unit normal, without a branch on its direction but the sign of n[2]

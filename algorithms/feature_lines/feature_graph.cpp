@@ -124,10 +124,8 @@ class Tracer {
                                               : LineKind::isolated;
     const auto& p = mesh_.points();
     const std::size_t n = line.vertices.size();
-    for (std::size_t i = 0; i + (line.kind == LineKind::loop ? 0 : 1) < n; ++i) {
-      const auto &a = p[line.vertices[i]], &b = p[line.vertices[(i + 1) % n]];
-      line.length += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    }
+    for (std::size_t i = 0; i + (line.kind == LineKind::loop ? 0 : 1) < n; ++i)
+      line.length += kernel::distance(p[line.vertices[i]], p[line.vertices[(i + 1) % n]]);
     const Label label = line.kind == LineKind::arc      ? Label::arc
                         : line.kind == LineKind::branch ? Label::branch
                         : line.kind == LineKind::loop   ? Label::loop

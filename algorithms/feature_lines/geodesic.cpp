@@ -9,23 +9,18 @@
 namespace crest::feature_lines {
 namespace {
 
+using kernel::distance;
+using kernel::dot;
+using kernel::norm;
 using kernel::Triangle;
 using kernel::TriangleMesh;
+using kernel::Vec2;
 using kernel::Vec3;
-
-struct Flat {
-  double x, y;
-};
-double dot(const Flat& a, const Flat& b) {
-  return a.x * b.x + a.y * b.y;
-}
+using kernel::operator-;
 
 double squared(const Vec3& a, const Vec3& b) {
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return x * x + y * y + z * z;
-}
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  const Vec3 d = a - b;
+  return dot(d, d);
 }
 
 /// A corner at `apex` between a neighbour and a vertex beyond the opposite edge, in the unfolding.
@@ -36,12 +31,12 @@ struct Split {
 
 /// The point at distances `dp`, `dq` from p and q, to the right of p -> q: where the face across
 /// the edge lies when the face before it is to the left.
-Flat across(const Flat& p, const Flat& q, double dp2, double dq2) {
-  const Flat e = {q.x - p.x, q.y - p.y};
+Vec2 across(const Vec2& p, const Vec2& q, double dp2, double dq2) {
+  const Vec2 e = q - p;
   const double l2 = dot(e, e);
   const double t = 0.5 * (1 + (dp2 - dq2) / l2);
   const double h = std::sqrt(std::max(0.0, dp2 / l2 - t * t));
-  return {p.x + t * e.x + h * e.y, p.y + t * e.y - h * e.x};
+  return {p[0] + t * e[0] + h * e[1], p[1] + t * e[1] - h * e[0]};
 }
 
 /// Splits the obtuse corner k of face f: the faces beyond its opposite edge, unfolded into the
@@ -58,19 +53,19 @@ class Unfolder {
     const double ca2 = squared(points[c], points[a]), cb2 = squared(points[c], points[b]);
     const double ab2 = squared(points[a], points[b]);
     const double la = std::sqrt(ca2), along = 0.5 * (ca2 + cb2 - ab2) / la;
-    const Flat start = {la, 0}, end = {along, std::sqrt(std::max(0.0, cb2 - along * along))};
-    Flat p = start, q = end;
+    const Vec2 start = {la, 0}, end = {along, std::sqrt(std::max(0.0, cb2 - along * along))};
+    Vec2 p = start, q = end;
     Index vp = a, vq = b;
     for (int step = 0; step < kMostSteps; ++step) {
       const Index g = face_beyond(f, vp, vq);
       if (g == kNone) return false;
       const Triangle& u = mesh_.faces()[g];
       const Index d = u[0] != vp && u[0] != vq ? u[0] : u[1] != vp && u[1] != vq ? u[1] : u[2];
-      const Flat r = across(p, q, squared(points[vp], points[d]), squared(points[vq], points[d]));
+      const Vec2 r = across(p, q, squared(points[vp], points[d]), squared(points[vq], points[d]));
       const bool beside_start = dot(r, end) <= 0, beside_end = dot(r, start) <= 0;
       if (d == c || (beside_start && beside_end)) return false;
       if (!beside_start && !beside_end) {
-        const double lr = std::sqrt(dot(r, r)), lb = std::sqrt(cb2);
+        const double lr = norm(r), lb = std::sqrt(cb2);
         splits_.push_back({c, a, d, la, lr, dot(r, start) / (lr * la)});
         splits_.push_back({c, b, d, lb, lr, dot(r, end) / (lr * lb)});
         return true;

@@ -14,6 +14,7 @@
 namespace crest::feature_lines {
 namespace {
 
+using kernel::distance;
 using kernel::TriangleMesh;
 
 void require_numbers(const std::vector<double>& field) {
@@ -23,10 +24,6 @@ void require_numbers(const std::vector<double>& field) {
                                ": its field value is not a number; give a number to every vertex");
     }
   }
-}
-
-double distance(const kernel::Vec3& a, const kernel::Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 Marks complement(Marks marks) {

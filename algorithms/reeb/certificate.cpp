@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/reeb/certificate.hpp"
 
-#include <numeric>
-
 #include "algorithms/reeb/cuts.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::reeb {
 namespace {
 
 /// Boundary edges form cycles: one for each class of vertices they join.
 std::uint32_t count_boundary_loops(const kernel::QuadraticMesh& mesh) {
-  std::vector<Index> parent(mesh.vertex_count());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto find = [&](Index x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  };
+  kernel::DisjointSets parts(mesh.vertex_count());
   std::uint32_t edges = 0, joins = 0;
   for (const kernel::Edge& e : mesh.edges()) {
     if (e.f0 != kNone && e.f1 != kNone) continue;
     ++edges;
-    const Index a = find(e.v0), b = find(e.v1);
-    if (a == b) continue;
-    parent[a] = b;
-    ++joins;
+    joins += parts.unite(e.v0, e.v1);
   }
   return edges - joins;
 }

@@ -14,19 +14,19 @@ double nearer_root(double a, double b, double c) {
   return c / q;
 }
 
-bool in_face(const Point2& p) {
+bool in_face(const Vec2& p) {
   constexpr double slack = 1e-9;
   return p[0] >= -slack && p[1] >= -slack && p[0] + p[1] <= 1 + slack;
 }
 
 }  // namespace
 
-double FaceFunction::at(const Point2& p) const {
+double FaceFunction::at(const Vec2& p) const {
   const auto [s, t] = p;
   return value + gs * s + gt * t + 0.5 * hss * s * s + hst * s * t + 0.5 * htt * t * t;
 }
 
-Point2 FaceFunction::gradient(const Point2& p) const {
+Vec2 FaceFunction::gradient(const Vec2& p) const {
   return {gs + hss * p[0] + hst * p[1], gt + hst * p[0] + htt * p[1]};
 }
 
@@ -52,23 +52,23 @@ double crossing_parameter(double a, double m, double b, double c, double u, doub
   return 0.5 * (u + v);
 }
 
-void sample_arc(const FaceFunction& f, double c, const Point2& p, const Point2& q, int depth,
-                std::vector<Point2>& out) {
+void sample_arc(const FaceFunction& f, double c, const Vec2& p, const Vec2& q, int depth,
+                std::vector<Vec2>& out) {
   constexpr double flat = 1e-3;  // of the chord: below what is seen
   if (depth == 0) return;
-  const Point2 m = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
-  const Point2 d = {q[0] - p[0], q[1] - p[1]};
-  const Point2 hd = {f.hss * d[0] + f.hst * d[1], f.hst * d[0] + f.htt * d[1]};
-  const Point2 along = {-hd[1], hd[0]};  // conjugate to the chord
+  const Vec2 m = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
+  const Vec2 d = q - p;
+  const Vec2 hd = {f.hss * d[0] + f.hst * d[1], f.hst * d[0] + f.htt * d[1]};
+  const Vec2 along = {-hd[1], hd[0]};  // conjugate to the chord
   const double length = std::hypot(along[0], along[1]);
   if (!(length > 0)) return;  // the level line is the chord
-  const Point2 e = {along[0] / length, along[1] / length};
-  const Point2 g = f.gradient(m);
+  const Vec2 e = {along[0] / length, along[1] / length};
+  const Vec2 g = f.gradient(m);
   const double curvature = f.hss * e[0] * e[0] + 2 * f.hst * e[0] * e[1] + f.htt * e[1] * e[1];
-  const double step = nearer_root(0.5 * curvature, g[0] * e[0] + g[1] * e[1], f.at(m) - c);
+  const double step = nearer_root(0.5 * curvature, dot(g, e), f.at(m) - c);
   const double chord = std::hypot(d[0], d[1]);
   if (!(std::abs(step) > flat * chord)) return;
-  const Point2 middle = {m[0] + step * e[0], m[1] + step * e[1]};
+  const Vec2 middle = m + step * e;
   // On a chord next to nothing, or where H is, rounding leaves no direction: the chord is better.
   if (!in_face(middle) || !(std::abs(f.at(middle) - c) < std::abs(f.at(m) - c))) return;
   sample_arc(f, c, p, middle, depth - 1, out);

@@ -5,16 +5,19 @@
 #include <array>
 #include <vector>
 
+#include "kernel/arithmetic/vec3.hpp"
+
 namespace crest::reeb {
 
-using Point2 = std::array<double, 2>;
+using kernel::dot, kernel::Vec2;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 /// A quadratic function in a face's coordinates (s, t): along its first side and its last.
 struct FaceFunction {
   double value, gs, gt;  ///< value and first derivatives at the first corner
   double hss, hst, htt;  ///< second derivatives
-  double at(const Point2& p) const;
-  Point2 gradient(const Point2& p) const;
+  double at(const Vec2& p) const;
+  Vec2 gradient(const Vec2& p) const;
 };
 
 /// Corners' values and those in the middle of the sides (0 1), (1 2), (2 0).
@@ -29,7 +32,7 @@ double crossing_parameter(double a, double m, double b, double c, double u, doub
 /// ellipse it is the one that turns by less than half. At most 2^depth - 1 points; where the arc is
 /// straight, none.
 /// Source: a chord's midpoint lies on the diameter conjugate to the chord.
-void sample_arc(const FaceFunction& f, double c, const Point2& p, const Point2& q, int depth,
-                std::vector<Point2>& out);
+void sample_arc(const FaceFunction& f, double c, const Vec2& p, const Vec2& q, int depth,
+                std::vector<Vec2>& out);
 
 }  // namespace crest::reeb

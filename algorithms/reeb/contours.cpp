@@ -155,7 +155,7 @@ class Placer {
   }
 
   /// In the coordinates of a face that has the side.
-  Point2 place(const Side& side, Index face) const {
+  Vec2 place(const Side& side, Index face) const {
     if (side.high >= first_face_node()) return on_spoke(side, face);
     const Index edge = edge_of(side);
     const kernel::Edge& e = mesh_.edges()[edge];
@@ -164,11 +164,11 @@ class Placer {
     double u = parameter(side.low, edge), v = parameter(side.high, edge);
     if (u > v) std::swap(u, v);
     const double x = crossing_parameter(a, m, b, level_, u, v);
-    const Point2 p = corner(e.v0, face), q = corner(e.v1, face);
-    return {p[0] + x * (q[0] - p[0]), p[1] + x * (q[1] - p[1])};
+    const Vec2 p = corner(e.v0, face), q = corner(e.v1, face);
+    return p + x * (q - p);
   }
 
-  Vec3 world(const Point2& p, Index face) const {
+  Vec3 world(const Vec2& p, Index face) const {
     const Triangle& f = mesh_.faces()[face];
     Vec3 result{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -218,29 +218,29 @@ class Placer {
     return std::clamp(start / (start - end), 0.0, 1.0);
   }
 
-  Point2 corner(Index vertex, Index face) const {
+  Vec2 corner(Index vertex, Index face) const {
     const Triangle& f = mesh_.faces()[face];
     return {vertex == f[1] ? 1.0 : 0.0, vertex == f[2] ? 1.0 : 0.0};
   }
 
-  Point2 boundary_node(Index node, Index face) const {
+  Vec2 boundary_node(Index node, Index face) const {
     if (node < tiles_.vertex_count) return corner(node, face);
     const Index edge = tiles_.critical_edges[node - tiles_.vertex_count];
     const double x = parameter(node, edge);
-    const Point2 p = corner(mesh_.edges()[edge].v0, face), q = corner(mesh_.edges()[edge].v1, face);
-    return {p[0] + x * (q[0] - p[0]), p[1] + x * (q[1] - p[1])};
+    const Vec2 p = corner(mesh_.edges()[edge].v0, face), q = corner(mesh_.edges()[edge].v1, face);
+    return p + x * (q - p);
   }
 
   /// From the face-critical node the function changes with the square of the distance. Its place
   /// and value are rounded from exact ones: H may be next to nothing.
-  Point2 on_spoke(const Side& side, Index face) const {
+  Vec2 on_spoke(const Side& side, Index face) const {
     const ExactFace f(mesh_, face);
-    const Point2 centre = {f.s().convert_to<double>(), f.t().convert_to<double>()};
-    const Point2 end = boundary_node(side.low, face);
+    const Vec2 centre = {f.s().convert_to<double>(), f.t().convert_to<double>()};
+    const Vec2 end = boundary_node(side.low, face);
     const double v = f.centre_value().convert_to<double>(), w = function(face).at(end);
     const double share = std::sqrt(std::clamp((level_ - v) / (w - v), 0.0, 1.0));
     const double x = std::isfinite(share) ? share : 0.5;
-    return {centre[0] + x * (end[0] - centre[0]), centre[1] + x * (end[1] - centre[1])};
+    return centre + x * (end - centre);
   }
 
   const QuadraticMesh& mesh_;
@@ -263,20 +263,20 @@ Contour place_line(const QuadraticMesh& mesh, const Crossings& crossings, const 
                    Line line) {
   start_at_place(crossings, placer, line);
   Contour contour{line.closed, {}};
-  std::vector<Point2> arc;
+  std::vector<Vec2> arc;
   Index from = line.sides[0];
   const std::size_t steps = line.faces.size();
   for (std::size_t i = 0; i < steps; ++i) {
     const Index face = line.faces[i];
     const Index to = line.sides[(i + 1) % line.sides.size()];
     if (!placer.has_place(crossings.sides[to])) continue;
-    const Point2 p = placer.place(crossings.sides[from], face);
-    const Point2 q = placer.place(crossings.sides[to], face);
+    const Vec2 p = placer.place(crossings.sides[from], face);
+    const Vec2 q = placer.place(crossings.sides[to], face);
     contour.points.push_back(placer.world(p, face));
     if (!mesh.linear()) {
       arc.clear();
       sample_arc(placer.function(face), placer.level(), p, q, kArcDepth, arc);
-      for (const Point2& x : arc) contour.points.push_back(placer.world(x, face));
+      for (const Vec2& x : arc) contour.points.push_back(placer.world(x, face));
     }
     if (i + 1 == steps && !line.closed) contour.points.push_back(placer.world(q, face));
     from = to;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "kernel/geometry/disjoint_sets.hpp"
+
 namespace crest::reeb {
 namespace {
 
@@ -16,20 +18,13 @@ std::vector<Index> groups_of(const ReebGraph& graph, std::span<const Index> rank
     p += r > 0 && tied[r] == 0;
     plateau[r] = static_cast<Index>(p);
   }
-  std::vector<Index> parent(graph.nodes.size());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto find = [&](Index x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  };
+  kernel::DisjointSets groups(static_cast<Index>(graph.nodes.size()));
   for (const ReebArc& arc : graph.arcs) {
     const auto value = [&](Index node) { return plateau[rank[graph.nodes[node].vertex]]; };
-    if (value(arc.lower) != value(arc.upper)) continue;
-    const Index a = find(arc.lower), b = find(arc.upper);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (value(arc.lower) == value(arc.upper)) groups.unite(arc.lower, arc.upper);
   }
-  std::vector<Index> group(parent.size());
-  for (Index i = 0; i < group.size(); ++i) group[i] = find(i);
+  std::vector<Index> group(groups.size());
+  for (Index i = 0; i < group.size(); ++i) group[i] = groups.find(i);
   return group;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "kernel/geometry/disjoint_sets.hpp"
+
 namespace crest::reeb {
 namespace {
 
@@ -114,19 +116,9 @@ void Chooser::cut_loops() {
   const auto span = [&](Index a) { return graph_.arcs[a].upper - graph_.arcs[a].lower; };
   std::sort(arcs.begin(), arcs.end(),
             [&](Index a, Index b) { return span(a) != span(b) ? span(a) < span(b) : a < b; });
-  std::vector<Index> parent(graph_.nodes.size());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto find = [&](Index x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  };
-  for (const Index a : arcs) {
-    const Index low = find(graph_.arcs[a].lower), high = find(graph_.arcs[a].upper);
-    if (low == high)
-      cut(a);
-    else
-      parent[high] = low;
-  }
+  kernel::DisjointSets joined(static_cast<Index>(graph_.nodes.size()));
+  for (const Index a : arcs)
+    if (!joined.unite(graph_.arcs[a].lower, graph_.arcs[a].upper)) cut(a);
 }
 
 /// Breadth first, without the arcs that are cut.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The contours a certificate cuts a surface along (certify/reeb/SPEC.md, theorem 6).
+// Cut: a contour along which a certificate opens the surface (certify/reeb/SPEC.md, theorem 6).
 #include <vector>
 
 #include "algorithms/reeb/reeb_graph.hpp"

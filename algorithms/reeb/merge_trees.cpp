@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "algorithms/reeb/strands.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::reeb {
 namespace {
@@ -11,25 +12,18 @@ namespace {
 /// Disjoint sets of nodes, each with its last node.
 class Parts {
  public:
-  explicit Parts(std::size_t n) : parent_(n), last_(n) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-    last_ = parent_;
-  }
-  Index find(Index x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
+  explicit Parts(Index n) : sets_(n), last_(n) { std::iota(last_.begin(), last_.end(), Index{0}); }
   /// Adds the part of `below` to that of `node`, the last of both.
   void add(Index node, Index below, std::vector<Index>& tree) {
-    const Index part = find(below), own = find(node);
-    if (part == own) return;
+    const Index part = sets_.find(below);
+    if (!sets_.unite(part, node)) return;
     tree[last_[part]] = node;
-    parent_[own] = part;
-    last_[part] = node;
+    last_[sets_.find(node)] = node;
   }
 
  private:
-  std::vector<Index> parent_, last_;
+  kernel::DisjointSets sets_;
+  std::vector<Index> last_;  ///< by a part's name
 };
 
 OrderedComplex upside_down(const OrderedComplex& complex, std::vector<Index>& rank,

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "kernel/geometry/disjoint_sets.hpp"
+
 namespace crest::reeb {
 namespace {
 
@@ -142,37 +144,35 @@ class HighestForest {
 class Sweep {
  public:
   Sweep(const ReebGraph& graph, std::span<const double> values, bool up)
-      : graph_(graph), values_(values), up_(up), parent_(graph.nodes.size()) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
+      : graph_(graph), values_(values), up_(up), parts_(static_cast<Index>(graph.nodes.size())) {}
 
   /// Joins the parts of an arc at its later end; the younger one ends there, unless that end is
   /// all it is.
   void pass(const ReebArc& arc, std::vector<PersistencePair>& out) {
     const Index later = up_ ? arc.upper : arc.lower;
-    Index a = find(arc.lower), b = find(arc.upper);
-    if (a == b) return;
-    if (up_ ? a > b : a < b) std::swap(a, b);  // b is the younger
-    parent_[b] = a;
-    if (b == later) return;
+    const Index a = first(arc.lower), b = first(arc.upper);
+    if (!parts_.unite(place(a), place(b))) return;
+    const Index younger = up_ ? std::max(a, b) : std::min(a, b);
+    if (younger == later) return;
     if (up_)
-      out.push_back({PairKind::minimum, b, later, rise(b, later)});
+      out.push_back({PairKind::minimum, younger, later, rise(younger, later)});
     else
-      out.push_back({PairKind::maximum, later, b, rise(later, b)});
+      out.push_back({PairKind::maximum, later, younger, rise(later, younger)});
   }
   double rise(Index lower, Index upper) const {
     return values_[graph_.nodes[upper].vertex] - values_[graph_.nodes[lower].vertex];
   }
-  Index find(Index x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
+  /// The first node of a node's part.
+  Index first(Index node) { return place(parts_.find(place(node))); }
 
  private:
+  /// Nodes in the order in which the level passes them, and back.
+  Index place(Index node) const { return up_ ? node : parts_.size() - 1 - node; }
+
   const ReebGraph& graph_;
   std::span<const double> values_;
   bool up_;
-  std::vector<Index> parent_;
+  kernel::DisjointSets parts_;  ///< of places
 };
 
 }  // namespace
@@ -197,7 +197,7 @@ std::vector<PersistencePair> persistence_pairs(const ReebGraph& graph,
   }
   for (std::size_t i = graph.arcs.size(); i-- > 0;) down.pass(graph.arcs[i], pairs);
   std::vector<Index> highest(graph.nodes.size(), kNone);
-  for (Index i = 0; i < graph.nodes.size(); ++i) highest[up.find(i)] = i;
+  for (Index i = 0; i < graph.nodes.size(); ++i) highest[up.first(i)] = i;
   for (Index i = 0; i < graph.nodes.size(); ++i)
     if (highest[i] != kNone)
       pairs.push_back({PairKind::component, i, highest[i], up.rise(i, highest[i])});

@@ -6,6 +6,7 @@
 
 #include "algorithms/reeb/contour_sweep.hpp"
 #include "algorithms/reeb/swept_graph.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::reeb {
 namespace {
@@ -27,20 +28,9 @@ ReebNode node_at(const StrandLists& strands, Index stop) {
 }
 
 Index count_components(const ReebGraph& graph) {
-  std::vector<Index> parent(graph.nodes.size());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto find = [&](Index x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  };
-  auto components = static_cast<Index>(graph.nodes.size());
-  for (const ReebArc& arc : graph.arcs) {
-    const Index a = find(arc.lower), b = find(arc.upper);
-    if (a == b) continue;
-    parent[std::max(a, b)] = std::min(a, b);
-    --components;
-  }
-  return components;
+  kernel::DisjointSets parts(static_cast<Index>(graph.nodes.size()));
+  for (const ReebArc& arc : graph.arcs) parts.unite(arc.lower, arc.upper);
+  return parts.count();
 }
 
 std::vector<Index> stops_in_order(const OrderedComplex& complex, const StrandLists& strands) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/geometry/index.hpp"
 
 namespace crest::reeb {
 

@@ -3,21 +3,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
+
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::reeb {
 namespace {
-
-struct Sets {
-  explicit Sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
-  Index find(Index x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  }
-  void unite(Index a, Index b) { parent[find(a)] = find(b); }
-  std::vector<Index> parent;
-};
 
 class Slabs {
  public:
@@ -53,9 +44,9 @@ class Slabs {
       out_.arcs_of_triangle.push_back({named[t[0]], named[t[1]], named[t[2]]});
     std::sort(named.begin(), named.end());
     out_.arcs = named;
-    Sets sets(complex_.rank.size());
+    kernel::DisjointSets sets(static_cast<Index>(complex_.rank.size()));
     for (const auto& e : edges_) sets.unite(e[0], e[1]);
-    for (Index v = 0; v < complex_.rank.size(); ++v) out_.components += sets.find(v) == v;
+    out_.components = sets.count();
     return out_;
   }
 
@@ -98,7 +89,7 @@ class Slabs {
         ++uses[w];
       }
     }
-    Sets sets(place.size());
+    kernel::DisjointSets sets(static_cast<Index>(place.size()));
     const auto lower = [&](Index w) { return complex_.rank[w] < complex_.rank[v]; };
     int lower_sides = 0, lower_vertices = 0;
     for (const auto& s : sides) {
@@ -130,7 +121,7 @@ class Slabs {
     const auto crossed = [&](Index e) {
       return complex_.rank[edges_[e][0]] <= level && complex_.rank[edges_[e][1]] > level;
     };
-    Sets sets(edges_.size());
+    kernel::DisjointSets sets(static_cast<Index>(edges_.size()));
     std::vector<std::uint8_t> is_crossed(edges_.size());
     for (Index e = 0; e < edges_.size(); ++e) is_crossed[e] = crossed(e);
     for (std::size_t t = 0; t < complex_.triangles.size(); ++t) {

@@ -19,8 +19,7 @@ std::int8_t as_int(kernel::Sign s) {
 }
 
 kernel::Decision plain_acute_rule(const Vec3& d, const Vec3& e) {
-  const double dot = d[0] * e[0] + d[1] * e[1] + d[2] * e[2];
-  return {dot < 0 ? kernel::Sign::negative : kernel::Sign::positive, Stage::triage};
+  return {kernel::dot(d, e) < 0 ? kernel::Sign::negative : kernel::Sign::positive, Stage::triage};
 }
 
 void decide_extremalities(const std::vector<MongeForm>& forms, EdgeStates& s) {

@@ -2,6 +2,8 @@
 #pragma once
 
 // The acute rule and the crossings on every edge: all of the graph's decisions at edges.
+// Ambiguous edge: its principal vectors are exactly perpendicular. Conflict triangle: it has 1 or 3
+// crossed sides of a colour (then of both: lemma 1 of certify/ridges_mesh/SPEC.md).
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::ridges {

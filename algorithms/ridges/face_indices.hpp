@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The index of the maximal direction field on every triangle (certify/ridges_mesh/SPEC.md, "Index
-// of a face").
+// The umbilic index of every triangle: how often the maximal direction field turns around it
+// (certify/ridges_mesh/SPEC.md, "Index of a face").
 #include "algorithms/ridges/edge_states.hpp"
 
 namespace crest::ridges {

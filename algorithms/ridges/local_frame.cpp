@@ -6,17 +6,10 @@
 namespace crest::ridges {
 namespace {
 
+using kernel::cross;
+using kernel::dot;
 using kernel::Vec3;
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vec3 sub(const Vec3& a, const Vec3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+using kernel::operator-;
 
 struct Covariance {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -47,7 +40,7 @@ Vec3 least_direction(const Covariance& c) {
 }
 
 bool normalise(Vec3& v) {
-  const double l = std::sqrt(dot(v, v));
+  const double l = kernel::norm(v);
   if (!(l > 0) || !std::isfinite(l)) return false;
   for (double& x : v) x /= l;
   return true;
@@ -170,7 +163,7 @@ std::vector<Vec3> vertex_normals(const kernel::TriangleMesh& mesh) {
   const auto& p = mesh.points();
   auto area_vector = [&](kernel::Index f) {
     const auto [a, b, c] = mesh.faces()[f];
-    return cross(sub(p[b], p[a]), sub(p[c], p[a]));
+    return cross(p[b] - p[a], p[c] - p[a]);
   };
   for (kernel::Index f = 0; f < mesh.face_count(); ++f) {
     const Vec3 n = area_vector(f);

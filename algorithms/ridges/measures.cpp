@@ -7,16 +7,13 @@ namespace crest::ridges {
 namespace {
 
 using kernel::MongeForm;
-
-double distance(const Vec3& a, const Vec3& b) {
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return std::sqrt(x * x + y * y + z * z);
-}
+using kernel::norm;
+using kernel::operator-;
 
 double polyline_length(const std::vector<Vec3>& points, const Vec3& last) {
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    sum += distance(points[i], i + 1 < points.size() ? points[i + 1] : last);
+    sum += norm(points[i] - (i + 1 < points.size() ? points[i + 1] : last));
   return sum;
 }
 
@@ -51,7 +48,7 @@ Crossing measure_crossing(const kernel::TriangleMesh& mesh, const std::vector<Mo
   const double w = c.weight;
   auto mix = [w](double x, double y) { return (1 - w) * x + w * y; };
   for (std::size_t k = 0; k < 3; ++k) c.point[k] = mix(mesh.points()[p][k], mesh.points()[q][k]);
-  c.type = RidgeType::flat;
+  c.type = RidgeType::none;
   c.k1 = mix(a.k1, b.k1);
   c.k2 = mix(a.k2, b.k2);
   c.b = (std::fabs(extremality(a, colour)) + std::fabs(extremality(b, colour))) / 2;
@@ -66,7 +63,7 @@ double model_size(const kernel::TriangleMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) mean[k] += p[k];
   for (double& x : mean) x /= mesh.vertex_count();
   double size = 0;
-  for (const Vec3& p : mesh.points()) size = std::fmax(size, distance(p, mean));
+  for (const Vec3& p : mesh.points()) size = std::fmax(size, norm(p - mean));
   return size;
 }
 
@@ -76,7 +73,7 @@ void measure_ridge(Ridge& ridge, double model_size) {
   const auto& nodes = ridge.crossings;
   for (std::size_t i = 0; i < ridge.segment_count(); ++i) {
     const Crossing &a = nodes[i], &b = nodes[(i + 1) % nodes.size()];
-    const double l = distance(a.point, b.point);
+    const double l = norm(a.point - b.point);
     ridge.length += l;
     switch (ridge.fourth_order(i)) {
       case RidgeType::elliptic:
@@ -92,7 +89,7 @@ void measure_ridge(Ridge& ridge, double model_size) {
         (a.p < 0 ? ridge.hyperbolic_length : ridge.elliptic_length) += (1 - share) * l;
         break;
       }
-      case RidgeType::flat:
+      case RidgeType::none:
         break;
     }
     const auto curvature = [&](const Crossing& c) {
@@ -106,7 +103,7 @@ void measure_ridge(Ridge& ridge, double model_size) {
       (ridge.lead_in.empty() ? 0 : polyline_length(ridge.lead_in, nodes[0].point)) +
       (ridge.lead_out.empty() ? 0
                               : polyline_length(ridge.lead_out, ridge.lead_out.back()) +
-                                    distance(nodes.back().point, ridge.lead_out.front()));
+                                    norm(nodes.back().point - ridge.lead_out.front()));
   ridge.length += drawn;
   ridge.hyperbolic_length += drawn;
 }

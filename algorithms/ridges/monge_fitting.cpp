@@ -81,10 +81,8 @@ void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& nor
 
 double mean_edge_length(const kernel::TriangleMesh& mesh) {
   double sum = 0;
-  for (const kernel::Edge& e : mesh.edges()) {
-    const Vec3 &p = mesh.points()[e.v0], &q = mesh.points()[e.v1];
-    sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }
+  for (const kernel::Edge& e : mesh.edges())
+    sum += kernel::distance(mesh.points()[e.v0], mesh.points()[e.v1]);
   return sum / mesh.edge_count();
 }
 

@@ -34,8 +34,7 @@ PrincipalFrame principal_frame(double fx, double fy, const Form<3>& q) {
   f.n = {-fx / f.w, -fy / f.w, 1 / f.w};
   const double l = std::sqrt(1 + fx * fx);
   const kernel::Vec3 t1 = {1 / l, 0, fx / l};
-  const kernel::Vec3 t2 = {f.n[1] * t1[2] - f.n[2] * t1[1], f.n[2] * t1[0] - f.n[0] * t1[2],
-                           f.n[0] * t1[1] - f.n[1] * t1[0]};
+  const kernel::Vec3 t2 = kernel::cross(f.n, t1);
   auto second = [&](const kernel::Vec3& s, const kernel::Vec3& t) {
     return (2 * q[0] * s[0] * t[0] + q[1] * (s[0] * t[1] + s[1] * t[0]) + 2 * q[2] * s[1] * t[1]) /
            f.w;

@@ -5,6 +5,8 @@
 
 namespace crest::ridges {
 
+using kernel::operator-;
+
 NeighbourhoodCollector::NeighbourhoodCollector(const kernel::TriangleMesh& mesh)
     : mesh_(mesh), mark_(mesh.vertex_count(), 0) {}
 
@@ -15,9 +17,8 @@ bool NeighbourhoodCollector::add_ring(std::vector<Index>& found, Index first, In
     for (Index w : mesh_.ring(found[i])) {
       if (mark_[w] == stamp_) continue;
       mark_[w] = stamp_;
-      const double x = points[w][0] - centre[0], y = points[w][1] - centre[1],
-                   z = points[w][2] - centre[2];
-      if (x * x + y * y + z * z <= squared_radius) found.push_back(w);
+      const Vec3 d = points[w] - centre;
+      if (kernel::dot(d, d) <= squared_radius) found.push_back(w);
     }
   }
   return found.size() > last;

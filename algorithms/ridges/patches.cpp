@@ -21,9 +21,7 @@ PatchGrower::PatchGrower(const kernel::TriangleMesh& mesh)
 }
 
 double PatchGrower::distance(Index f, Index g) const {
-  const Vec3 &a = centroid_[f], &b = centroid_[g];
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return std::sqrt(x * x + y * y + z * z);
+  return kernel::norm(kernel::operator-(centroid_[f], centroid_[g]));
 }
 
 double PatchGrower::one_ring_reach(Index seed) const {

@@ -5,30 +5,26 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/geometry/index.hpp"
 #include "kernel/geometry/monge_form.hpp"
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/geometry/ridge_words.hpp"
 #include "kernel/predicates/ladder.hpp"
 
 namespace crest::ridges {
 
+using kernel::Colour;
 using kernel::Index;
+using kernel::RidgeType;
 using kernel::StageCounts;
+using kernel::UmbilicKind;
 using kernel::Vec3;
-
-/// Blue: k1, the larger principal curvature; red: k2 (paper 002, section 3).
-enum class Colour : std::uint8_t { blue = 0, red = 1 };
-
-/// Elliptic: maximum of k1 or minimum of k2 (P < 0). Hyperbolic: the other extremum (P > 0).
-/// Turning: a segment whose two ends differ; flat: P is exactly zero; undecided: third-order rule
-/// with a tie.
-enum class RidgeType : std::uint8_t { flat = 0, elliptic = 1, hyperbolic = 2, turning = 3 };
 
 /// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).
 struct Crossing {
   Index edge;
   double weight;   ///< the point is (1 - weight) p + weight q
   Vec3 point;      ///< units of the input
-  RidgeType type;  ///< exact sign of the interpolated P: flat, elliptic or hyperbolic
+  RidgeType type;  ///< exact sign of the interpolated P: none, elliptic or hyperbolic
   double k1, k2;   ///< interpolated curvatures
   double b;        ///< |b0| or |b3|, mean of the two ends: how steep the zero crossing is
   double p;        ///< interpolated P1 (blue) or P2 (red)
@@ -62,9 +58,6 @@ struct Ridge {
     return a == b ? a : RidgeType::turning;
   }
 };
-
-/// 1-ridge (hyperbolic) or 3-ridge (elliptic) by the sign of the cubic form's discriminant.
-enum class UmbilicKind : std::uint8_t { degenerate = 0, one_ridge = 1, three_ridge = 3 };
 
 /// An umbilic: a disk of triangles whose contour the principal directions wind around.
 struct Umbilic {

@@ -32,7 +32,7 @@ RidgeType fourth_order_type(const kernel::TriangleMesh& mesh, const std::vector<
                                  ? kernel::crossing_type(kernel::blue_end(p), kernel::blue_end(q))
                                  : kernel::crossing_type(kernel::red_end(p), kernel::red_end(q));
   counts.crossing.add(d.stage);
-  if (d.sign == kernel::Sign::zero) return RidgeType::flat;
+  if (d.sign == kernel::Sign::zero) return RidgeType::none;
   return d.sign == kernel::Sign::negative ? RidgeType::elliptic : RidgeType::hyperbolic;
 }
 
@@ -58,7 +58,7 @@ RidgeType third_order_type(const kernel::TriangleMesh& mesh, const std::vector<M
     const int beta = states.extremality[red ? 1 : 0][v[k]];
     vote += (k == 0 ? 1 : -1) * beta * static_cast<int>(side.sign);
   }
-  if (vote == 0) return RidgeType::flat;
+  if (vote == 0) return RidgeType::none;
   return (vote > 0) != red ? RidgeType::elliptic : RidgeType::hyperbolic;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "algorithms/ridges/ridge_graph.hpp"
+#include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::ridges {
 

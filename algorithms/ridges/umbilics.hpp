@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Umbilics as disjoint patches that hold every triangle of non-zero index.
+// Umbilic patches: disjoint disks of faces that hold every triangle of non-zero index. Coherent: of
+// index +-1/2, its contour crossed by one ridge of each colour or by three of each.
 #include "algorithms/ridges/face_indices.hpp"
 #include "algorithms/ridges/patches.hpp"
 

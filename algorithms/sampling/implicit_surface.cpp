@@ -20,7 +20,7 @@ Frame any_frame(const Point& n) {
   Point axis{};
   axis[least] = 1;
   Point d1 = axis - n[least] * n;
-  d1 = (1 / length(d1)) * d1;
+  d1 = (1 / norm(d1)) * d1;
   return {d1, cross(n, d1), n};
 }
 
@@ -33,7 +33,7 @@ Jet<2, Order> height(const ImplicitSurface& surface, const Point& p, const Frame
   for (int known = 1; known < Order; ++known) {
     std::array<Series, 3> at;
     for (std::size_t i = 0; i < 3; ++i)
-      at[i] = Series(p[i]) + frame.d1[i] * x + frame.d2[i] * y + frame.n[i] * z;
+      at[i] = p[i] + frame.d1[i] * x + frame.d2[i] * y + frame.n[i] * z;
     z = z - (1 / slope) * surface.evaluate(at);
   }
   return z;
@@ -41,8 +41,7 @@ Jet<2, Order> height(const ImplicitSurface& surface, const Point& p, const Frame
 
 /// Turns d1 onto the eigenvector of the larger eigenvalue of the Hessian ((a, b), (b, c)).
 Frame principal_frame(const Frame& f, const Jet<2, 2>& z) {
-  const Real a = 2 * z.coefficient({2, 0}), b = z.coefficient({1, 1}),
-             c = 2 * z.coefficient({0, 2});
+  const Real a = 2 * z.coefficient(2, 0), b = z.coefficient(1, 1), c = 2 * z.coefficient(0, 2);
   const Real half = (a - c) / 2, radius = std::sqrt(half * half + b * b);
   if (radius == 0) return f;
   Real x = half >= 0 ? half + radius : b, y = half >= 0 ? b : radius - half;
@@ -58,7 +57,7 @@ ValueAndGradient gradient(const ImplicitSurface& surface, const Point& p) {
   using Linear = Jet<3, 1>;
   const Linear f = surface.evaluate(std::array<Linear, 3>{
       Linear::variable(0, p[0]), Linear::variable(1, p[1]), Linear::variable(2, p[2])});
-  return {f.c[0], {f.coefficient({1, 0, 0}), f.coefficient({0, 1, 0}), f.coefficient({0, 0, 1})}};
+  return {f[0], {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)}};
 }
 
 kernel::MongeForm monge_form(const ImplicitSurface& surface, const Point& given) {
@@ -66,7 +65,7 @@ kernel::MongeForm monge_form(const ImplicitSurface& surface, const Point& given)
   ValueAndGradient at = gradient(surface, given);
   const Point p = given - (at.value / dot(at.gradient, at.gradient)) * at.gradient;
   at = gradient(surface, p);
-  const Real slope = length(at.gradient);
+  const Real slope = norm(at.gradient);
   Frame frame = any_frame((1 / slope) * at.gradient);
   frame = principal_frame(frame, height<2>(surface, p, frame, slope));
   const Jet<2, 4> z = height<4>(surface, p, frame, slope);
@@ -74,10 +73,7 @@ kernel::MongeForm monge_form(const ImplicitSurface& surface, const Point& given)
   kernel::MongeForm m;
   m.d1 = to_vec3(frame.d1);
   m.n = to_vec3(frame.n);
-  const auto derivative = [&](std::uint8_t i, std::uint8_t j) {
-    constexpr Real factorial[] = {1, 1, 2, 6, 24};
-    return static_cast<double>(factorial[i] * factorial[j] * z.coefficient({i, j}));
-  };
+  const auto derivative = [&](int i, int j) { return static_cast<double>(z.derivative(i, j)); };
   m.k1 = derivative(2, 0);
   m.k2 = derivative(0, 2);
   if (m.k1 < m.k2) std::swap(m.k1, m.k2);  // umbilics, by rounding
@@ -97,8 +93,7 @@ Point project_along_ray(const ImplicitSurface& surface, const Point& origin,
                         const Point& direction) {
   const auto at = [&](Real t) {
     std::array<Jet<1, 1>, 3> p;
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = Jet<1, 1>(origin[i]) + direction[i] * Jet<1, 1>::variable(0, t);
+    for (std::size_t i = 0; i < 3; ++i) p[i] = origin[i] + direction[i] * Jet<1, 1>::variable(0, t);
     return surface.evaluate(p);
   };
   if (!(surface.value(origin) < 0))
@@ -106,11 +101,11 @@ Point project_along_ray(const ImplicitSurface& surface, const Point& origin,
   Real low = 0, high = 0, t = 1;
   for (int step = 0; step < 200; ++step) {
     const Jet<1, 1> f = at(t);
-    if (f.c[0] == 0) return origin + t * direction;
-    (f.c[0] < 0 ? low : high) = t;
+    if (f[0] == 0) return origin + t * direction;
+    (f[0] < 0 ? low : high) = t;
     if (high == 0 && t > Real(1e6))
       throw std::invalid_argument("project_along_ray: the ray does not meet the surface");
-    Real next = t - f.c[0] / f.c[1];
+    Real next = t - f[0] / f[1];
     if (std::abs(next - t) <= 4 * std::numeric_limits<Real>::epsilon() * t)
       return origin + next * direction;
     // Newton's step must stay in the bracket; without an upper bound it may double at most.

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "algorithms/sampling/jet.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 #include "kernel/geometry/monge_form.hpp"
 
 namespace crest::sampling {
 
-using kernel::Vec3;
-using Point = std::array<Real, 3>;
+using kernel::cross, kernel::dot, kernel::norm, kernel::Vec3;
+using kernel::operator+, kernel::operator-, kernel::operator*;
+using Point = kernel::Vector3<Real>;
 
 /// F over plain numbers and over the jets the library needs (see implicit()).
 class ImplicitSurface {
@@ -27,8 +29,8 @@ class ImplicitSurface {
   virtual Jet<2, 4> evaluate(const Arguments<Jet<2, 4>>& p) const = 0;
 };
 
-/// The surface of a formula written once: f(x, y, z) for any number type, with unqualified exp and
-/// sqrt.
+/// The surface of a formula written once: f(x, y, z) for any number type, with square,
+/// exponential and root of jet.hpp.
 template <class Formula>
 std::shared_ptr<const ImplicitSurface> implicit(Formula formula) {
   class Surface final : public ImplicitSurface {
@@ -78,24 +80,6 @@ inline kernel::MongeForm monge_form(const ImplicitSurface& surface, const Vec3& 
 Point project_along_ray(const ImplicitSurface& surface, const Point& origin,
                         const Point& direction);
 
-inline Point operator+(const Point& a, const Point& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-inline Point operator-(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Point operator*(Real s, const Point& a) {
-  return {s * a[0], s * a[1], s * a[2]};
-}
-inline Real dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Real length(const Point& a) {
-  return std::sqrt(dot(a, a));
-}
 inline Point to_point(const Vec3& p) {
   return {p[0], p[1], p[2]};
 }

@@ -72,14 +72,14 @@ Icosahedron icosahedron() {
 class SphereGrid {
  public:
   explicit SphereGrid(Index n) : n_(n), base_(icosahedron()) {
-    for (const Point& p : base_.corners) grid_.points.push_back((1 / length(p)) * p);
+    for (const Point& p : base_.corners) grid_.points.push_back((1 / norm(p)) * p);
     for (const auto& f : base_.faces) fill(f);
   }
   Grid grid_;
 
  private:
   Index add(const Point& p) {
-    grid_.points.push_back((1 / length(p)) * p);
+    grid_.points.push_back((1 / norm(p)) * p);
     return static_cast<Index>(grid_.points.size() - 1);
   }
   /// Point k of n from corner a to corner b.
@@ -266,10 +266,8 @@ SurfaceSample sample(const std::string& name, const std::vector<double>& paramet
 double mean_edge_length(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {
   double sum = 0;
   for (const Triangle& f : faces)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = points[f[k]], &b = points[f[(k + 1) % 3]];
-      sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += kernel::distance(points[f[k]], points[f[(k + 1) % 3]]);
   return faces.empty() ? 0 : sum / (3.0 * static_cast<double>(faces.size()));
 }
 

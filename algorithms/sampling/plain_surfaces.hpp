@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/index.hpp"
 
 namespace crest::sampling {
 

@@ -25,11 +25,6 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
-template <class T>
-T square(const T& x) {
-  return x * x;
-}
-
 void star(Surface& s, Point centre, Point reach) {
   s.shape = Surface::Shape::star;
   s.known.euler_characteristic = 2;
@@ -42,7 +37,7 @@ void ellipsoid(Surface& s, const Parameters& p) {
   require(p[0] > 0 && p[1] > 0 && p[2] > 0, "ellipsoid: semi-axes must be positive");
   const Real a = 1 / square(Real(p[0])), b = 1 / square(Real(p[1])), c = 1 / square(Real(p[2]));
   s.implicit = implicit([a, b, c](const auto& x, const auto& y, const auto& z) {
-    return a * (x * x) + b * (y * y) + c * (z * z) - Real(1);
+    return a * square(x) + b * square(y) + c * square(z) - Real(1);
   });
   star(s, {}, {p[0], p[1], p[2]});
   if (p[0] != p[1] && p[1] != p[2] && p[0] != p[2]) s.known.umbilics = Umbilics{4, 0};
@@ -55,7 +50,8 @@ void blend(Surface& s, const Parameters&) {
     const auto q1 = term(x, 0.15L) + term(y, 0.25L) + term(z, 0.35L);
     const auto q2 =
         term(x - Real(0.25L), 0.1L) + term(y - Real(0.1L), 0.2L) + term(z - Real(0.1L), 0.3L);
-    return Real(1) - exp(Real(-0.7L) * (q1 - Real(1))) - exp(Real(-0.7L) * (q2 - Real(1)));
+    return Real(1) - exponential(Real(-0.7L) * (q1 - Real(1))) -
+           exponential(Real(-0.7L) * (q2 - Real(1)));
   });
   star(s, {0.15L, 0.06L, 0.05L}, {0.25L, 0.25L, 0.4L});
   s.known.umbilics = Umbilics{6, 2};
@@ -65,10 +61,10 @@ void quartic_sphere(Surface& s, const Parameters& p) {
   require(p[0] > 0 && std::abs(p[1]) <= 0.5, "quartic-sphere: needs S > 0 and |EPS| <= 0.5");
   const Real a = p[0], e = p[1];
   s.implicit = implicit([a, e](const auto& x, const auto& y, const auto& z) {
-    const auto xx = x * x, yy = y * y, zz = z * z;
+    const auto xx = square(x), yy = square(y), zz = square(z);
     const auto cubic = x * yy + Real(0.7L) * (y * zz) - Real(0.4L) * (z * xx) +
                        Real(0.3L) * (x * (y * z)) + Real(0.2L) * (x * xx);
-    return xx * xx + yy * yy + zz * zz + a * (xx + yy + zz) + e * cubic - (1 + a);
+    return square(xx) + square(yy) + square(zz) + a * (xx + yy + zz) + e * cubic - (1 + a);
   });
   star(s, {}, {1, 1, 1});
 }
@@ -76,8 +72,9 @@ void quartic_sphere(Surface& s, const Parameters& p) {
 void sphere(Surface& s, const Parameters& p) {
   require(p[0] > 0, "sphere: the radius must be positive");
   const Real r = p[0];
-  s.implicit = implicit(
-      [r](const auto& x, const auto& y, const auto& z) { return x * x + y * y + z * z - r * r; });
+  s.implicit = implicit([r](const auto& x, const auto& y, const auto& z) {
+    return square(x) + square(y) + square(z) - r * r;
+  });
   star(s, {}, {r, r, r});
   s.exact = [radius = p[0]](const Point&, kernel::MongeForm& m) {
     m.k1 = m.k2 = -1 / radius;
@@ -104,7 +101,7 @@ void torus(Surface& s, const Parameters& p) {
   s.known.umbilics = Umbilics{0, 0};
   const Real big = p[0], small = p[1];
   s.implicit = implicit([big, small](const auto& x, const auto& y, const auto& z) {
-    return square(sqrt(x * x + y * y) - big) + z * z - small * small;
+    return square(root(square(x) + square(y)) - big) + square(z) - small * small;
   });
   // Reflection in the meridian plane kills the odd terms; the tube is a circle.
   s.exact = [tube = p[1]](const Point&, kernel::MongeForm& m) {
@@ -125,8 +122,9 @@ void perturbed_torus(Surface& s, const Parameters& p) {
   s.implicit = implicit([big, small, e, stretch](const auto& x, const auto& y, const auto& z) {
     const auto u = (1 / big) * x, v = (1 / big) * y, w = (1 / (stretch * small)) * z;
     const auto g = Real(0.6L) * (u * v) + Real(0.4L) * (u * w) + Real(0.3L) * v -
-                   Real(0.25L) * (v * w) + Real(0.2L) * (u * u * w);
-    return square(sqrt(x * x + y * y) - big) + small * small * (w * w - e * g - Real(1));
+                   Real(0.25L) * (v * w) + Real(0.2L) * (square(u) * w);
+    return square(root(square(x) + square(y)) - big) +
+           small * small * (square(w) - e * g - Real(1));
   });
 }
 
@@ -147,8 +145,8 @@ void plane(Surface& s, const Parameters& p) {
 void cylinder(Surface& s, const Parameters& p) {
   require(p[0] > 0, "cylinder: the radius must be positive");
   const Real r = p[0];
-  s.implicit =
-      implicit([r](const auto& x, const auto& y, const auto&) { return x * x + y * y - r * r; });
+  s.implicit = implicit(
+      [r](const auto& x, const auto& y, const auto&) { return square(x) + square(y) - r * r; });
   patch_shape(s, [r](Real u, Real v) { return Point{r * std::cos(u), r * std::sin(u), r * v}; });
   s.ray_origin = [](const Point& q) { return Point{0, 0, q[2]}; };
   s.exact = [radius = p[0]](const Point&, kernel::MongeForm& m) {
@@ -166,12 +164,12 @@ void umbilic_patch(Surface& s, const Parameters& p) {
   const Real k = p[0], b0 = p[1], b1 = p[2], b2 = p[3], b3 = p[4], half = p[5];
   require(half > 0, "umbilic-patch: HALF must be positive");
   const auto h = [=](const auto& x, const auto& y) {
-    const auto xx = x * x, yy = y * y;
+    const auto xx = square(x), yy = square(y);
     return k / 2 * (xx + yy) +
            Real(1) / 6 * (b0 * (xx * x) + 3 * b1 * (xx * y) + 3 * b2 * (x * yy) + b3 * (yy * y)) +
            Real(1) / 24 *
-               (Real(0.3L) * (xx * xx) + Real(0.8L) * (xx * (x * y)) - Real(0.6L) * (xx * yy) +
-                Real(1.0L) * (x * (yy * y)) + Real(0.4L) * (yy * yy));
+               (Real(0.3L) * square(xx) + Real(0.8L) * (xx * (x * y)) - Real(0.6L) * (xx * yy) +
+                Real(1.0L) * (x * (yy * y)) + Real(0.4L) * square(yy));
   };
   s.implicit = implicit([h](const auto& x, const auto& y, const auto& z) { return z - h(x, y); });
   patch_shape(s, [half, h](Real u, Real v) {

@@ -8,11 +8,8 @@
 namespace crest::sampling {
 namespace {
 
+using kernel::distance;
 using kernel::MongeForm;
-
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// The sign of the deviator's linear part: how it winds around the umbilic.
 int winding(const MongeForm& m) {

@@ -38,8 +38,10 @@ void count(const SmoothRidges& result, certify::RidgesSmoothCertificate& c) {
     ++c.umbilics[u.twice_index > 0 ? 0 : 1];
     ++c.umbilics[u.branches[0] == 1 ? 2 : 3];
   }
-  for (const SmoothRidge& r : result.ridges) ++c.counts[2 * r.colour + (r.loop ? 0 : 1)];
-  for (const RidgePoint& p : result.turning_points) ++c.turning_points[p.colour];
+  for (const SmoothRidge& r : result.ridges)
+    ++c.counts[2 * static_cast<std::size_t>(r.colour) + (r.loop ? 0 : 1)];
+  for (const RidgePoint& p : result.turning_points)
+    ++c.turning_points[static_cast<std::size_t>(p.colour)];
   c.purple_points = static_cast<std::uint32_t>(result.purple_points.size());
 }
 

@@ -27,16 +27,12 @@ Model polynomial(Model m) {
   return m;
 }
 
-double determinant(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return dot(cross(a, b), c);
-}
-
 /// (J) for |s| <= h, with room for rounding.
 bool jacobian_is_positive(const Corners& c, double h) {
-  const Vec3 p1 = step(position(c[1]), -1, position(c[0]));
-  const Vec3 p2 = step(position(c[2]), -1, position(c[0]));
-  const Vec3 m1 = step(normal(c[1]), -1, normal(c[0]));
-  const Vec3 m2 = step(normal(c[2]), -1, normal(c[0]));
+  const Vec3 p1 = position(c[1]) - position(c[0]);
+  const Vec3 p2 = position(c[2]) - position(c[0]);
+  const Vec3 m1 = normal(c[1]) - normal(c[0]);
+  const Vec3 m2 = normal(c[2]) - normal(c[0]);
   double least = HUGE_VAL, first = 0, second = 0;
   for (const Vertex& v : c) {
     const Vec3 m = normal(v);
@@ -44,7 +40,7 @@ bool jacobian_is_positive(const Corners& c, double h) {
     first = std::max(first, std::fabs(determinant(m1, p2, m) + determinant(p1, m2, m)));
     second = std::max(second, std::fabs(determinant(m1, m2, m)));
   }
-  const double room = 1e-12 * length(p1) * length(p2);
+  const double room = 1e-12 * norm(p1) * norm(p2);
   return least > h * (first + h * second) + room;
 }
 
@@ -72,7 +68,7 @@ double Charts<Model>::guess_reach(const Corners& c) {
     edge += std::fabs(c[1][k] - c[0][k]);
   }
   const double value = (*value_)(centre), d = 0x1p-10 * edge;
-  const double slope = ((*value_)(step(centre, d, mean)) - value) / d;
+  const double slope = ((*value_)(centre + d * mean) - value) / d;
   double largest = std::fabs(value);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex &a = c[i], &b = c[(i + 1) % 3];
@@ -135,16 +131,13 @@ std::optional<Chart<Model>> Charts<Model>::operator()(const Corners& c) {
 
 template <class Model>
 void Charts<Model>::tangents(Chart<Model>& chart, const Corners& c, const Models& gradient) {
-  const auto product = [](const Models& a, const Models& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  const Model inverse_slope = inverse(product(gradient, chart.m));
+  const Model inverse_slope = inverse(dot(gradient, chart.m));
   for (std::size_t i = 0; i < 2; ++i) {
     Models t;
     for (std::size_t k = 0; k < 3; ++k)
       t[k] = difference<Model>(c[i + 1][k], c[0][k]) +
              chart.s * difference<Model>(c[i + 1][3 + k], c[0][3 + k]);
-    const Model along = product(gradient, t) * inverse_slope;
+    const Model along = dot(gradient, t) * inverse_slope;
     for (std::size_t k = 0; k < 3; ++k) chart.dx[i][k] = t[k] - along * chart.m[k];
   }
 }

@@ -45,7 +45,7 @@ class Enclosures {
     const auto jet = first_(k);
     First r{jet[0], {jet.coefficient(1, 0, 0), jet.coefficient(0, 1, 0), jet.coefficient(0, 0, 1)}};
     const Cell c = centre(k);
-    r.f = meet(r.f, value_(c)[0] + along(r.gradient, {k[0] - c[0], k[1] - c[1], k[2] - c[2]}));
+    r.f = meet(r.f, value_(c)[0] + dot(r.gradient, k - c));
     return r;
   }
 
@@ -69,7 +69,7 @@ class Enclosures {
     const auto at = first_(c);
     s.gradient = {jet.coefficient(1, 0, 0), jet.coefficient(0, 1, 0), jet.coefficient(0, 0, 1)};
     s.centre = {at.coefficient(1, 0, 0), at.coefficient(0, 1, 0), at.coefficient(0, 0, 1)};
-    s.offset = {k[0] - c[0], k[1] - c[1], k[2] - c[2]};
+    s.offset = k - c;
     return s;
   }
   /// w . grad F.
@@ -95,9 +95,6 @@ class Enclosures {
     Cell c;
     for (std::size_t i = 0; i < 3; ++i) c[i] = Interval(k[i].inf() / 2 + k[i].sup() / 2);
     return c;
-  }
-  static Interval along(const Gradient& g, const Gradient& d) {
-    return g[0] * d[0] + g[1] * d[1] + g[2] * d[2];
   }
 
   ImplicitMap<Interval, 0> value_;
@@ -126,15 +123,15 @@ class CriticalPoints {
           rows[2][c] += kB[r] * h;
         }
       const Vec3 right = {-f[0], -dot(kA, g), -dot(kB, g)};
-      const double det = dot(cross(rows[0], rows[1]), rows[2]);
+      const double det = determinant(rows[0], rows[1], rows[2]);
       Vec3 d = {};
-      d = step(d, right[0] / det, cross(rows[1], rows[2]));
-      d = step(d, right[1] / det, cross(rows[2], rows[0]));
-      d = step(d, right[2] / det, cross(rows[0], rows[1]));
-      const double move = length(d);
+      d = d + right[0] / det * cross(rows[1], rows[2]);
+      d = d + right[1] / det * cross(rows[2], rows[0]);
+      d = d + right[2] / det * cross(rows[0], rows[1]);
+      const double move = norm(d);
       gone += move;
       if (!(gone <= reach)) return std::nullopt;
-      p = step(p, 1, d);
+      p = p + d;
       if (move <= 0x1p-40 * reach) return p;
     }
     return std::nullopt;
@@ -327,7 +324,7 @@ std::optional<Index> nearest_vertex(const Triangulation& mesh, const Vec3& p, Wa
   double nearest = HUGE_VAL;
   for (Index v = 0; v < mesh.vertices().size(); ++v) {
     const Vec3 x = position(mesh.vertices()[v]);
-    const double distance = length(step(x, -1, p));
+    const double distance = norm(x - p);
     if (distance >= nearest || !wanted(x)) continue;
     nearest = distance;
     best = v;

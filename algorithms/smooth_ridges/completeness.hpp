@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What theorem 8 (certify/ridges_smooth/SPEC.md) needs besides charts: the tree over the box which
-// shows that every component of S = {F = 0} passes through a graph box, and faces with one sheet.
+// Completeness and one sheet, which theorem 8 (certify/ridges_smooth/SPEC.md) needs besides charts:
+// the tree over the box which shows that every component of S = {F = 0} passes through a graph box,
+// and faces over which there is nothing else of S.
 //
 // Cells are decided by double intervals: F by the mean value form F(c) + grad F(K) . (K - c), and
 // by its plain value; a . grad F, b . grad F likewise with the Hessian. Left are cells around

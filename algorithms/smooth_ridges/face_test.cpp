@@ -135,8 +135,8 @@ struct FaceTest::State {
   }
 
   static Vec3 mean_normal(const Corners& c) {
-    const Vec3 sum = step(step(normal(c[0]), 1, normal(c[1])), 1, normal(c[2]));
-    const double size = length(sum);
+    const Vec3 sum = normal(c[0]) + normal(c[1]) + normal(c[2]);
+    const double size = norm(sum);
     return {sum[0] / size, sum[1] / size, sum[2] / size};
   }
 
@@ -274,12 +274,12 @@ struct FaceTest::State {
       if (!(std::fabs(at) > 4 * along[0].radius)) return false;
       sum += at > 0 ? 1 : -1;
     }
-    colour.type = sum == 0 ? ArcType::turning : arc_type(sum, j);
+    colour.type = sum == 0 ? RidgeType::turning : arc_type(sum, j);
     return true;
   }
   /// Lemma 5: of the sign of G.
-  static ArcType arc_type(int sign, std::size_t j) {
-    return (sign < 0) == (j == 0) ? ArcType::elliptic : ArcType::hyperbolic;
+  static RidgeType arc_type(int sign, std::size_t j) {
+    return (sign < 0) == (j == 0) ? RidgeType::elliptic : RidgeType::hyperbolic;
   }
 
   /// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.

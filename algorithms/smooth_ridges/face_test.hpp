@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper
-// 002, section 6).
+// The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper 002,
+// section 6). Turning point: a ridge changes between elliptic and hyperbolic. Purple point: a blue
+// and a red ridge cross.
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"
 #include "algorithms/smooth_ridges/frame.hpp"
+#include "kernel/geometry/ridge_words.hpp"
 
 namespace crest::smooth_ridges {
+
+using kernel::RidgeType;
 
 /// What stopped a proof.
 enum class FaceStatus : std::uint8_t {
@@ -20,15 +24,13 @@ enum class FaceStatus : std::uint8_t {
   purple    ///< the order of a blue and a red arc is not decided
 };
 
-enum class ArcType : std::uint8_t { none, elliptic, hyperbolic, turning };
-
 struct ColourResult {
   bool no_zero = false;
   std::uint8_t monotone = 0;           ///< direction number if not no_zero
   std::array<bool, 3> crossed{};       ///< edge i from corner i to corner i + 1
   std::array<bool, 3> edge_decided{};  ///< exactly as many zeros as `crossed` says
   std::array<double, 3> at{};          ///< where on a crossed edge, in [0, 1] from its corner i
-  ArcType type = ArcType::none;
+  RidgeType type = RidgeType::none;
   /// A corner of the domain where the sign is not certain and taken positive, or -1; then the sign
   /// of the derivative along each edge, 0 if not certain.
   int loose_corner = -1;

@@ -30,9 +30,9 @@ class Assembly {
       if (!usable(f)) continue;
       const FaceResult& r = refined_.faces[f];
       for (std::size_t j = 0; j < 2; ++j)
-        if (r.colour[j].type == ArcType::turning)
-          out_.turning_points.push_back({at(f, arc_middle(r.colour[j])), j});
-      if (r.purple) out_.purple_points.push_back({at(f, meeting(r)), 0});
+        if (r.colour[j].type == RidgeType::turning)
+          out_.turning_points.push_back({at(f, arc_middle(r.colour[j])), static_cast<Colour>(j)});
+      if (r.purple) out_.purple_points.push_back({at(f, meeting(r))});
     }
   }
 
@@ -73,7 +73,7 @@ class Assembly {
 
   void follow(const Side& start, std::size_t j, bool loop) {
     SmoothRidge ridge;
-    ridge.colour = j;
+    ridge.colour = static_cast<Colour>(j);
     ridge.loop = loop;
     if (!loop) enter(ridge, start, 0);
     Side in = start;
@@ -100,7 +100,7 @@ class Assembly {
     ridge.ends[end] = refined_.patch_of[n];
     const Vec3& umbilic = out_.umbilics[ridge.ends[end]].point;
     ridge.points.push_back(umbilic);
-    ridge.types.push_back(ArcType::none);
+    ridge.types.push_back(RidgeType::none);
   }
 
   Barycentric on_edge(const Side& s, std::size_t j) const {
@@ -149,7 +149,7 @@ class Assembly {
     if (!projection_) return places_(m);
     const Vec3 p = position(m);
     double size = 0;
-    for (const Vertex& c : corners) size = std::fmax(size, length(step(position(c), -1, p)));
+    for (const Vertex& c : corners) size = std::fmax(size, norm(position(c) - p));
     const auto on = projection_->along(p, normal(m), size);
     return on ? *on : p;
   }

@@ -49,7 +49,7 @@ class Workpiece {
   bool has_vertex_near(const Vec3& p) const {
     const Vertex seed = f_.vertex(p);
     return std::any_of(vertices_.begin(), vertices_.end(), [&](const Vertex& v) {
-      return length(step(position(v), -1, p)) < 1.5 * cell_ && dot(normal(v), normal(seed)) > 0.5;
+      return norm(position(v) - p) < 1.5 * cell_ && dot(normal(v), normal(seed)) > 0.5;
     });
   }
   const std::vector<Triangle>& faces() const { return faces_; }
@@ -98,15 +98,15 @@ class Workpiece {
     for (const Triangle& f : faces_)
       for (std::size_t k = 0; k < 3; ++k) {
         // In a closed mesh every neighbour follows the vertex in exactly one face.
-        sum[f[k]] = step(sum[f[k]], 1, points_[f[(k + 1) % 3]]);
+        sum[f[k]] = sum[f[k]] + points_[f[(k + 1) % 3]];
         count[f[k]] += 1;
       }
     for (std::size_t v = 0; v < points_.size(); ++v) {
       const Vec3 n = normal(vertices_[v]);
       Vec3 move{};
       for (std::size_t k = 0; k < 3; ++k) move[k] = sum[v][k] / count[v] - points_[v][k];
-      move = step(move, -dot(move, n), n);
-      points_[v] = step(points_[v], 0.5, move);
+      move = move - dot(move, n) * n;
+      points_[v] = points_[v] + 0.5 * move;
     }
     return project_all();
   }
@@ -133,15 +133,15 @@ class Workpiece {
 
   /// The angle's cotangent at c in the triangle (a, b, c).
   double cotangent(Index a, Index b, Index c) const {
-    const Vec3 p = step(points_[a], -1, points_[c]), q = step(points_[b], -1, points_[c]);
-    return dot(p, q) / length(cross(p, q));
+    const Vec3 p = points_[a] - points_[c], q = points_[b] - points_[c];
+    return dot(p, q) / norm(cross(p, q));
   }
   /// The least cosine between the triangle's normal and those of its corners.
   double agreement(Index a, Index b, Index c) const {
-    const Vec3 n = cross(step(points_[b], -1, points_[a]), step(points_[c], -1, points_[a]));
+    const Vec3 n = cross(points_[b] - points_[a], points_[c] - points_[a]);
     double least = 1;
     for (const Index v : {a, b, c}) least = std::min(least, dot(n, normal(vertices_[v])));
-    return least / length(n);
+    return least / norm(n);
   }
 
   /// Turns the edge from corner k if the opposite angles exceed pi together.

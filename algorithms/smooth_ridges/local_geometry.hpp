@@ -8,6 +8,7 @@
 #include <array>
 
 #include "algorithms/smooth_ridges/local_graph.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -66,7 +67,7 @@ struct MapGeometry {
 
  private:
   template <int K>
-  using Vector = std::array<kernel::Jet<T, 2, K>, 3>;
+  using Vector = kernel::Vector3<kernel::Jet<T, 2, K>>;
 
   template <int K>
   Vector<K> derivative(int a, int b) const {
@@ -74,13 +75,7 @@ struct MapGeometry {
   }
   template <int K>
   Vector<K> normal() const {
-    const auto x1 = derivative<K>(1, 0), x2 = derivative<K>(0, 1);
-    return {x1[1] * x2[2] - x1[2] * x2[1], x1[2] * x2[0] - x1[0] * x2[2],
-            x1[0] * x2[1] - x1[1] * x2[0]};
-  }
-  template <class V>
-  static auto dot(const V& a, const V& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return cross(derivative<K>(1, 0), derivative<K>(0, 1));
   }
 };
 

@@ -39,9 +39,9 @@ class SheetFinder {
     const auto corners = mesh_.corners(face);
     const std::array<Vec3, 3> x = {position(corners[0]), position(corners[1]),
                                    position(corners[2])};
-    const Vec3 flat = cross(step(x[1], -1, x[0]), step(x[2], -1, x[0]));
+    const Vec3 flat = cross(x[1] - x[0], x[2] - x[0]);
     std::array<Vec3, 3> outward;  // conormals
-    for (std::size_t i = 0; i < 3; ++i) outward[i] = cross(step(x[(i + 1) % 3], -1, x[i]), flat);
+    for (std::size_t i = 0; i < 3; ++i) outward[i] = cross(x[(i + 1) % 3] - x[i], flat);
     // The centroid is the origin of a model's coordinates.
     Vec3 y{};
     for (std::size_t k = 0; k < 3; ++k) y[k] = chart->x[k].c[0];
@@ -96,9 +96,9 @@ double shape(const Triangulation& mesh, Index face) {
   const auto c = mesh.corners(face);
   double least = 1;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 a = step(position(c[(k + 1) % 3]), -1, position(c[k]));
-    const Vec3 b = step(position(c[(k + 2) % 3]), -1, position(c[k]));
-    least = std::min(least, length(cross(a, b)) / (length(a) * length(b)));
+    const Vec3 a = position(c[(k + 1) % 3]) - position(c[k]);
+    const Vec3 b = position(c[(k + 2) % 3]) - position(c[k]);
+    least = std::min(least, norm(cross(a, b)) / (norm(a) * norm(b)));
   }
   return least;
 }
@@ -107,7 +107,7 @@ double shape(const Triangulation& mesh, Index face) {
 
 std::uint8_t face_axis(const Triangulation& mesh, Index face) {
   Vec3 sum{};
-  for (const Vertex& v : mesh.corners(face)) sum = step(sum, 1, normal(v));
+  for (const Vertex& v : mesh.corners(face)) sum = sum + normal(v);
   std::uint8_t axis = 0;
   for (std::uint8_t k = 1; k < 3; ++k)
     if (std::fabs(sum[k]) > std::fabs(sum[axis])) axis = k;

@@ -18,12 +18,12 @@ std::optional<Vec3> Projection::newton(Vec3 p, double reach, Direction&& directi
     const Sample s = sample(p);
     if (s.value == 0) return p;
     const Vec3 d = direction(s);
-    const double t = -s.value / dot(s.gradient, d), move = std::fabs(t) * length(d);
+    const double t = -s.value / dot(s.gradient, d), move = std::fabs(t) * norm(d);
     gone += move;
     if (!(gone <= reach)) return std::nullopt;
-    p = step(p, t, d);
+    p = p + t * d;
     // Nothing but rounding is left.
-    if (move <= 0x1p-52 * length(p) || (i > 3 && move >= last)) return p;
+    if (move <= 0x1p-52 * norm(p) || (i > 3 && move >= last)) return p;
     last = move;
   }
   return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<Vec3> Projection::along(Vec3 p, const Vec3& m, double reach) {
 
 Vertex Projection::vertex(const Vec3& x) {
   const Vec3 g = sample(x).gradient;
-  const double size = length(g);
+  const double size = norm(g);
   Vertex v{};
   for (std::size_t k = 0; k < 3; ++k) {
     v[k] = x[k] + 0.0;
@@ -64,7 +64,7 @@ EdgeRules edge_rules(const Surface& surface) {
   }
   const auto project = std::make_shared<Projection>(surface);
   const auto measure = [](const Vertex& a, const Vertex& b) {
-    const Vec3 d = step(position(a), -1, position(b));
+    const Vec3 d = position(a) - position(b);
     return dot(d, d);
   };
   const auto place = [project, measure](const Vertex& a, const Vertex& b) {

@@ -42,19 +42,6 @@ class Projection {
 /// midpoint along its mean normal. Parametric: lengths in the metric of X at the midpoint.
 EdgeRules edge_rules(const Surface& surface);
 
-inline double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-/// a + t b.
-inline Vec3 step(const Vec3& a, double t, const Vec3& b) {
-  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
-}
-inline double length(const Vec3& a) {
-  return std::sqrt(dot(a, a));
-}
 inline Vec3 position(const Vertex& v) {
   return {v[0], v[1], v[2]};
 }

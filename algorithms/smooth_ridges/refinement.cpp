@@ -15,10 +15,6 @@
 namespace crest::smooth_ridges {
 namespace {
 
-double distance(const Vec3& a, const Vec3& b) {
-  return length(step(a, -1, b));
-}
-
 class Refinement {
  public:
   Refinement(const Surface& surface, Triangulation start, const RefinementOptions& options)
@@ -81,7 +77,7 @@ class Refinement {
       if (!found || !bring_inside(*found)) continue;
       const Vec3 place = point(*found);
       if (std::any_of(seen_.begin(), seen_.end(), [&](const Vec3& other) {
-            return distance(place, other) < 1e-9 * (1 + length(place));
+            return norm(place - other) < 1e-9 * (1 + norm(place));
           }))
         continue;
       seen_.push_back(place);
@@ -256,7 +252,7 @@ class Refinement {
     for (const Index f : marks) {
       const auto c = out_.mesh.corners(f);
       const std::array<Vec3, 3> x = {places_(c[0]), places_(c[1]), places_(c[2])};
-      area += length(cross(step(x[1], -1, x[0]), step(x[2], -1, x[0])));
+      area += norm(cross(x[1] - x[0], x[2] - x[0]));
     }
     undecided_area_.push_back(area);
     const std::size_t n = undecided_area_.size();
@@ -275,7 +271,7 @@ class Refinement {
 
   double longest(const std::array<Vertex, 3>& c) {
     const std::array<Vec3, 3> x = {places_(c[0]), places_(c[1]), places_(c[2])};
-    return std::max({distance(x[0], x[1]), distance(x[1], x[2]), distance(x[2], x[0])});
+    return std::max({norm(x[0] - x[1]), norm(x[1] - x[2]), norm(x[2] - x[0])});
   }
 
   void sort_patches() {

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "algorithms/smooth_ridges/refinement.hpp"
+#include "kernel/geometry/ridge_words.hpp"
 
 namespace crest::smooth_ridges {
+
+using kernel::Colour;
 
 struct Options {
   /// Of the first triangulation, about. Else 1500 that resolve an implicit surface, or 400: of a
@@ -27,16 +30,16 @@ struct UmbilicPoint {
 
 /// A ridge as a polyline through its crossings of edges.
 struct SmoothRidge {
-  std::size_t colour = 0;  ///< 0 blue, 1 red
+  Colour colour = Colour::blue;
   bool loop = false;
   std::array<Index, 2> ends{kNone, kNone};  ///< umbilics; kNone: a loop, or the boundary
   std::vector<Vec3> points;                 ///< a loop's first point is not repeated
-  std::vector<ArcType> types;  ///< of the segment after each point; none inside a patch
+  std::vector<RidgeType> types;  ///< of the segment after each point; none inside a patch
 };
 
 struct RidgePoint {
   Vec3 point;
-  std::size_t colour = 0;  ///< of a turning point
+  Colour colour = Colour::blue;  ///< of a turning point
 };
 
 struct UndecidedCell {

@@ -15,7 +15,8 @@
 
 namespace crest::smooth_ridges {
 
-using kernel::Vec3;
+using kernel::cross, kernel::determinant, kernel::dot, kernel::norm, kernel::Vec3;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 class Surface {
  public:

@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "kernel/geometry/disjoint_sets.hpp"
+
 namespace crest::smooth_ridges {
 namespace {
 
 /// Orthonormal to rounding; no entry is near 0, 1 or a ratio of small integers.
 std::array<Vec3, 3> generic_axes() {
   Vec3 a = {0.8316, 0.3871, 0.2547}, b = {-0.4329, 0.7213, 0.5418};
-  const double size = length(a);
+  const double size = norm(a);
   for (double& x : a) x /= size;
-  b = step(b, -dot(a, b), a);
-  const double other = length(b);
+  b = b - dot(a, b) * a;
+  const double other = norm(b);
   for (double& x : b) x /= other;
   return {a, b, cross(a, b)};
 }
@@ -73,7 +75,7 @@ class Net {
     if ((a < 0) == (b < 0)) return;
     const Vec3 p = point(c), q = point(end);
     const double t = a / (a - b);
-    const Vec3 crossing = step(p, t >= 0 && t <= 1 ? t : 0.5, step(q, -1, p));
+    const Vec3 crossing = p + (t >= 0 && t <= 1 ? t : 0.5) * (q - p);
     if (outside(p) && outside(q) && !net_.on_boundary) net_.on_boundary = clamped(crossing);
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     if (c[u] == 0 || c[v] == 0 || c[u] + 1 == grid_.points[u] || c[v] + 1 == grid_.points[v]) {
@@ -88,7 +90,7 @@ class Net {
       cell[v] -= shifts[i][1];
       const unsigned corner = shifts[i][0] << u | shifts[i][1] << v;
       around[i] = sheets(cell)[edge_of(corner, axis)];
-      net_.points[around[i]] = step(net_.points[around[i]], 1, crossing);
+      net_.points[around[i]] = net_.points[around[i]] + crossing;
       crossings_[around[i]] += 1;
     }
     // Counter-clockwise around the axis: seen from its end, where F >= 0 if a < 0.
@@ -110,15 +112,14 @@ class Net {
   const Sheets& sheets(const Cell& cell) {
     const auto [at, fresh] = sheets_.try_emplace(number(cell));
     if (!fresh) return at->second;
-    Sheets& root = at->second;  // first: edges joined into sheets
-    for (Index e = 0; e < 12; ++e) root[e] = e;
+    kernel::DisjointSets joined(12);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for (unsigned side = 0; side < 2; ++side) join(cell, axis, side, root);
+      for (unsigned side = 0; side < 2; ++side) join(cell, axis, side, joined);
     std::array<Index, 12> vertex;
     vertex.fill(kNone);
-    Sheets result;
+    Sheets& result = at->second;
     for (Index e = 0; e < 12; ++e) {
-      const Index r = find(root, e);
+      const Index r = joined.find(e);
       if (vertex[r] == kNone && crossed(cell, e)) {
         vertex[r] = static_cast<Index>(net_.points.size());
         net_.points.push_back({});
@@ -126,19 +127,15 @@ class Net {
       }
       result[e] = vertex[r];
     }
-    return root = result;
+    return result;
   }
   bool crossed(const Cell& cell, Index e) const {
     const std::size_t axis = e / 4;
     const unsigned corner = (e & 1) << (axis + 1) % 3 | (e >> 1 & 1) << (axis + 2) % 3;
     return negative(cell, corner) != negative(cell, corner | 1u << axis);
   }
-  static Index find(const Sheets& root, Index e) {
-    while (root[e] != e) e = root[e];
-    return e;
-  }
   /// Joins crossed edges of a side: all, or around each negative corner if the signs alternate.
-  void join(const Cell& cell, std::size_t axis, unsigned side, Sheets& root) const {
+  void join(const Cell& cell, std::size_t axis, unsigned side, kernel::DisjointSets& joined) const {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto corner = [&](unsigned i, unsigned j) { return side << axis | i << u | j << v; };
     const bool alternate = negative(cell, corner(0, 0)) == negative(cell, corner(1, 1)) &&
@@ -152,7 +149,7 @@ class Net {
         for (const std::size_t along : {u, v}) {
           const Index e = static_cast<Index>(edge_of(corner(i, j), along));
           if (!crossed(cell, e)) continue;
-          if (last != kNone) root[find(root, last)] = find(root, e);
+          if (last != kNone) joined.unite(last, e);
           last = e;
         }
       }
@@ -160,9 +157,7 @@ class Net {
 
   /// Along the shorter diagonal.
   void cut(const std::array<Index, 4>& q) {
-    const auto distance = [&](Index a, Index b) {
-      return length(step(net_.points[a], -1, net_.points[b]));
-    };
+    const auto distance = [&](Index a, Index b) { return norm(net_.points[a] - net_.points[b]); };
     if (distance(q[0], q[2]) <= distance(q[1], q[3])) {
       net_.faces.push_back({q[0], q[1], q[2]});
       net_.faces.push_back({q[0], q[2], q[3]});
@@ -205,7 +200,7 @@ Grid generic_grid(const Vec3& low, const Vec3& high, double cell) {
   const std::array<double, 3> shifts = {1.3713, 1.6127, 1.4519};  // of a cell
   Grid grid{{}, generic_axes(), cell, {}};
   for (std::size_t k = 0; k < 3; ++k) {
-    grid.origin = step(grid.origin, low[k] - shifts[k] * cell, grid.axes[k]);
+    grid.origin = grid.origin + (low[k] - shifts[k] * cell) * grid.axes[k];
     grid.points[k] = static_cast<std::size_t>(std::ceil((high[k] - low[k]) / cell)) + 4;
   }
   return grid;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A mesh of the sign changes of a function on a grid: a vertex for each sheet in a cell, at the
-// mean of the crossings of its edges, a quadrangle around each grid edge that changes sign (Gibson
-// 1998; with sheets told apart: Nielson 2004). Where the signs of a cell's side alternate, its
-// negative corners are separated, from both cells alike.
+// Surface net of the sign changes of a function on a grid: a vertex for each sheet in a cell, at
+// the mean of the crossings of its edges, a quadrangle around each grid edge that changes sign
+// (Gibson 1998; with sheets told apart: Nielson 2004). Where the signs of a cell's side alternate,
+// its negative corners are separated, from both cells alike.
 #include <optional>
 
 #include "algorithms/smooth_ridges/projection.hpp"
@@ -21,7 +21,7 @@ struct Grid {
 
   std::size_t size() const { return points[0] * points[1] * points[2]; }
   Vec3 at(double i, double j, double k) const {
-    return step(step(step(origin, cell * i, axes[0]), cell * j, axes[1]), cell * k, axes[2]);
+    return origin + cell * i * axes[0] + cell * j * axes[1] + cell * k * axes[2];
   }
 };
 

@@ -14,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/geometry/triangle_mesh.hpp"
+#include "kernel/geometry/index.hpp"
 
 namespace crest::smooth_ridges {
 

@@ -3,10 +3,8 @@
 // noise, at doubling resolutions.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <iostream>
-
 #include "experiments/001-curvature/test_meshes.hpp"
+#include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
@@ -105,17 +103,13 @@ void run(const std::vector<int>& sizes) {
 
 int main(int argc, char** argv) {
   std::vector<int> sizes = {32, 64, 128, 256};
-  CLI::App app{"Convergence of curvature estimates"};
-  app.add_option("--sizes", sizes, "columns of the grids (default 32,64,128,256)")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command: experiments/001-curvature/curvature_convergence");
-  for (int i = 1; i < argc; ++i) fmt::print(" {}", argv[i]);
-  fmt::print("\n");
-  try {
+  crest::experiments::Program program("Convergence of curvature estimates");
+  program.list("--sizes", sizes, "columns of the grids (default 32,64,128,256)");
+  return program.run(argc, argv, [&] {
+    fmt::print("Command: experiments/001-curvature/curvature_convergence");
+    for (int i = 1; i < argc; ++i) fmt::print(" {}", argv[i]);
+    fmt::print("\n");
     crest::experiments::run(sizes);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -6,14 +6,13 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
-#include <iostream>
 
 #include "experiments/001-curvature/test_meshes.hpp"
+#include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
@@ -95,16 +94,12 @@ void run(int columns, int runs, bool all) {
 int main(int argc, char** argv) {
   int columns = 866, runs = 7;
   bool all = false;
-  CLI::App app{"Speed of curvature estimates"};
-  app.add_option("--columns", columns, "of the square grid (default 866: 1.5 million triangles)");
-  app.add_option("--runs", runs, "the best counts (default 7)");
-  app.add_flag("--all", all, "the fits and normal-cycle too");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  crest::experiments::Program program("Speed of curvature estimates");
+  program.option("--columns", columns, "of the square grid (default 866: 1.5 million triangles)");
+  program.option("--runs", runs, "the best counts (default 7)");
+  program.flag("--all", all, "the fits and normal-cycle too");
+  return program.run(argc, argv, [&] {
     crest::experiments::run(columns, runs, all);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

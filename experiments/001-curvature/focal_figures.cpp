@@ -3,16 +3,15 @@
 // noise 1/2, eight panels each, all in the scale of the exact one) and 3.14 (a scan) of paper 001.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <map>
 
 #include "algorithms/curvature/focal.hpp"
 #include "experiments/001-curvature/test_meshes.hpp"
 #include "experiments/close_up.hpp"
 #include "experiments/packed_mesh.hpp"
+#include "experiments/program.hpp"
 #include "io/curvature/curvature_picture.hpp"
 
 namespace crest::experiments {
@@ -81,7 +80,7 @@ std::optional<kernel::TriangleMesh> part_of(const kernel::TriangleMesh& mesh, co
   std::vector<bool> kept(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     kept[f] = std::ranges::all_of(mesh.faces()[f], [&](Index v) {
-      const Vec3 d = combine(1, mesh.points()[v], -1, centre);
+      const Vec3 d = mesh.points()[v] - centre;
       return dot(d, d) <= radius * radius;
     });
   }
@@ -127,12 +126,12 @@ void directions(const std::string& path, const kernel::TriangleMesh& mesh, const
     const Vec3& p = mesh.points()[v];
     double edge = 1e300;
     for (const Index w : mesh.ring(v)) {
-      const Vec3 d = combine(1, mesh.points()[w], -1, p);
-      edge = std::min(edge, std::sqrt(dot(d, d)));
+      const Vec3 d = mesh.points()[w] - p;
+      edge = std::min(edge, norm(d));
     }
     const auto add = [&](const Vec3& d, const char* colour) {
-      view.lines.push_back({combine(1, p, -0.45 * edge, d), combine(1, p, 0.45 * edge, d),
-                            result.normals[v], colour, 1.2});
+      view.lines.push_back(
+          {p - 0.45 * edge * d, p + 0.45 * edge * d, result.normals[v], colour, 1.2});
     };
     add(result.vertices[v].d1, "#c81e1e");
     add(result.vertices[v].d2, "#1e46c8");
@@ -163,7 +162,7 @@ void figure_14(const std::string& folder, const std::string& file, Index centre,
   const auto part = part_of(mesh, middle, 0.06 * size);
   if (!part) throw std::runtime_error("--centre: no face lies near that vertex");
   const auto ne = estimate(*part, Method::ne, {});
-  picture.view = combine(-1, result.normals[centre], 0, result.normals[centre]);
+  picture.view = Vec3{} - result.normals[centre];
   io::write_focal_picture(folder + "/figure-3.14-b.png", *part,
                           curvature::focal_of_triangles(*part, ne.normals, Quantity::mean, 0.05, 3),
                           picture);
@@ -198,19 +197,14 @@ int main(int argc, char** argv) {
   std::string folder = "figures-001-curvature", scan = "../shared/data/meshes/igea.ply.xz";
   crest::kernel::Index centre = 31536;
   int width = 480;
-  CLI::App app{"Figures 3.7, 3.8, 3.11, 3.12 and 3.14 of paper 001"};
-  app.add_option("--pictures", folder, "folder for the pictures (default figures-001-curvature)");
-  app.add_option("--scan", scan, "of figure 3.14 (default ../shared/data/meshes/igea.ply.xz)");
-  app.add_option("--centre", centre,
+  crest::experiments::Program program("Figures 3.7, 3.8, 3.11, 3.12 and 3.14 of paper 001");
+  program.option("--pictures", folder, "folder for the pictures (default figures-001-curvature)");
+  program.option("--scan", scan, "of figure 3.14 (default ../shared/data/meshes/igea.ply.xz)");
+  program.option("--centre", centre,
                  "vertex in the middle of its close-ups (default 31536: the nose)");
-  app.add_option("--width", width, "of a picture, pixels (default 480)")
-      ->check(CLI::Range(100, 4000));
-  CLI11_PARSE(app, argc, argv);
-  try {
+  program.option("--width", width, "of a picture, pixels (default 480)", {100, 4000});
+  return program.run(argc, argv, [&] {
     crest::experiments::run(folder, scan, centre, width);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -3,13 +3,12 @@
 // normal-cycle: distances of K, H and directions on four meshes, five noise levels, many seeds.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <map>
 
 #include "experiments/001-curvature/svg_plot.hpp"
 #include "experiments/001-curvature/test_meshes.hpp"
+#include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
@@ -154,21 +153,14 @@ void run(const Settings& o) {
 
 int main(int argc, char** argv) {
   crest::experiments::Settings o;
-  CLI::App app{"Paper 001, section 3.3: curvature estimates under noise"};
-  app.add_option("--seeds", o.seeds, "triangulations and noises (default 20)");
-  app.add_option("--noise", o.noise, "levels s (default 0,0.5,1,2,3)")->delimiter(',');
-  app.add_option("--plots", o.plots, "folder for plots like figures 3.5 to 3.10 (.svg)");
-  app.add_flag("--interior", o.interior, "leave boundary vertices out");
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/001-curvature/noise_evaluation" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Paper 001, section 3.3: curvature estimates under noise");
+  program.option("--seeds", o.seeds, "triangulations and noises (default 20)");
+  program.list("--noise", o.noise, "levels s (default 0,0.5,1,2,3)");
+  program.option("--plots", o.plots, "folder for plots like figures 3.5 to 3.10 (.svg)");
+  program.flag("--interior", o.interior, "leave boundary vertices out");
+  program.echo("experiments/001-curvature/noise_evaluation");
+  return program.run(argc, argv, [&] {
     crest::experiments::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

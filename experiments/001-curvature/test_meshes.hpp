@@ -24,15 +24,8 @@ using curvature::PointCurvature;
 using kernel::Index;
 using kernel::Vec3;
 
-inline double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Vec3 combine(double s, const Vec3& a, double t, const Vec3& b) {
-  return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
-}
+using kernel::cross, kernel::dot, kernel::norm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 
 /// Position and its partial derivatives; x_u x x_v points outwards.
 struct SurfacePoint {
@@ -73,12 +66,12 @@ inline TestSurface waved_tube() {
             const double rzz = -0.15 * pi * pi * c3 * cz - 0.8 * std::sin(2 * z);
             const Vec3 e = {std::cos(phi), std::sin(phi), 0}, t = {-e[1], e[0], 0}, k = {0, 0, 1};
             // phi = w a, z = 2 b - 1.
-            return SurfacePoint{combine(r, e, z, k),
-                                combine(w * rp, e, w * r, t),
-                                combine(2 * rz, e, 2, k),
-                                combine(w * w * (rpp - r), e, 2 * w * w * rp, t),
-                                combine(2 * w * rpz, e, 2 * w * rz, t),
-                                combine(4 * rzz, e, 0, k)};
+            return SurfacePoint{r * e + z * k,
+                                w * rp * e + w * r * t,
+                                2 * rz * e + 2 * k,
+                                w * w * (rpp - r) * e + 2 * w * w * rp * t,
+                                2 * w * rpz * e + 2 * w * rz * t,
+                                4 * rzz * e};
           }};
 }
 
@@ -92,10 +85,10 @@ struct TestMesh {
 
 inline void add_point(TestMesh& mesh, const SurfacePoint& s) {
   Vec3 n = cross(s.u, s.v);
-  n = combine(1 / std::sqrt(dot(n, n)), n, 0, n);
+  n = 1 / norm(n) * n;
   // Orthonormal frame along x_u: II in it is symmetric.
-  const double lu = std::sqrt(dot(s.u, s.u));
-  const Vec3 t1 = combine(1 / lu, s.u, 0, s.u), t2 = cross(n, t1);
+  const double lu = norm(s.u);
+  const Vec3 t1 = 1 / lu * s.u, t2 = cross(n, t1);
   const double p = dot(s.v, t1), q = dot(s.v, t2);
   const double e = dot(s.uu, n), f = dot(s.uv, n), g = dot(s.vv, n);
   const double a = e / (lu * lu), b = (f / lu - a * p) / q;
@@ -106,8 +99,8 @@ inline void add_point(TestMesh& mesh, const SurfacePoint& s) {
   c.k1 = c.H + root;
   c.k2 = c.H - root;
   c.K = a * d - b * b;
-  c.d1 = combine(std::cos(angle), t1, std::sin(angle), t2);
-  c.d2 = combine(-std::sin(angle), t1, std::cos(angle), t2);
+  c.d1 = std::cos(angle) * t1 + std::sin(angle) * t2;
+  c.d2 = -std::sin(angle) * t1 + std::cos(angle) * t2;
   mesh.points.push_back(s.x);
   mesh.normals.push_back(n);
   mesh.exact.push_back(c);
@@ -196,8 +189,7 @@ inline double bounding_diagonal(const std::vector<Vec3>& points) {
       low[k] = std::min(low[k], p[k]);
       high[k] = std::max(high[k], p[k]);
     }
-  const Vec3 d = combine(1, high, -1, low);
-  return std::sqrt(dot(d, d));
+  return norm(high - low);
 }
 
 /// Along the exact normals by a uniform length in [0, s d / 100].
@@ -207,7 +199,7 @@ inline std::vector<Vec3> displaced(const TestMesh& mesh, double s, std::uint64_t
   std::vector<Vec3> points = mesh.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double t = static_cast<double>(random() >> 11) * 0x1p-53;
-    points[i] = combine(1, points[i], t * length, mesh.normals[i]);
+    points[i] = points[i] + t * length * mesh.normals[i];
   }
   return points;
 }

@@ -3,7 +3,6 @@
 // verdict.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include "certify/verify.hpp"
 #include "experiments/001-features/feature_field.hpp"
 #include "experiments/packed_mesh.hpp"
+#include "experiments/program.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest {
@@ -82,15 +82,9 @@ int main(int argc, char** argv) {
   crest::feature_lines::Options options;
   options.close = 1;
   options.prune = 5;
-  CLI::App app{"Betti numbers before and after thinning"};
-  app.add_option("--folder", folder, "of meshes (default ../shared/data/meshes)");
-  app.add_option("--threshold", options.quantile, "quantile (default 0.85)");
-  app.add_option("--prune", options.prune, "vertices (default 5)");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return crest::run(folder, options);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  crest::experiments::Program program("Betti numbers before and after thinning");
+  program.option("--folder", folder, "of meshes (default ../shared/data/meshes)");
+  program.option("--threshold", options.quantile, "quantile (default 0.85)");
+  program.option("--prune", options.prune, "vertices (default 5)");
+  return program.run(argc, argv, [&] { return crest::run(folder, options); });
 }

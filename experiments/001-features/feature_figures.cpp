@@ -3,13 +3,12 @@
 // graph's elements.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 
 #include "algorithms/feature_lines/skeleton.hpp"
 #include "experiments/001-features/feature_field.hpp"
 #include "experiments/close_up.hpp"
+#include "experiments/program.hpp"
 #include "io/curvature/curvature_picture.hpp"
 #include "io/features/feature_writer.hpp"
 #include "io/read/mesh_reader.hpp"
@@ -154,15 +153,9 @@ int run(const std::string& file, const std::string& folder, Index centre) {
 int main(int argc, char** argv) {
   std::string file = "../shared/data/meshes/fandisk.off", folder = "figures-001-features";
   crest::kernel::Index centre = 4037;
-  CLI::App app{"Figures 3.15 to 3.19 of paper 001"};
-  app.add_option("--mesh", file, "(default ../shared/data/meshes/fandisk.off)");
-  app.add_option("--pictures", folder, "folder for the pictures (default figures-001-features)");
-  app.add_option("--centre", centre, "vertex in the middle of the close-ups (default 4037)");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return crest::run(file, folder, centre);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  crest::experiments::Program program("Figures 3.15 to 3.19 of paper 001");
+  program.option("--mesh", file, "(default ../shared/data/meshes/fandisk.off)");
+  program.option("--pictures", folder, "folder for the pictures (default figures-001-features)");
+  program.option("--centre", centre, "vertex in the middle of the close-ups (default 4037)");
+  return program.run(argc, argv, [&] { return crest::run(file, folder, centre); });
 }

@@ -2,11 +2,10 @@
 // Feature lines beside CGAL's sharp edges: do arcs run along them, how many ends dangle?
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 
 #include "experiments/001-features/feature_field.hpp"
+#include "experiments/program.hpp"
 #include "io/read/mesh_reader.hpp"
 
 namespace crest {
@@ -127,21 +126,15 @@ int main(int argc, char** argv) {
   std::string method = "ne";
   fandisk.quantile = 0.885;
   fandisk.prune = 4;
-  CLI::App app{"Feature lines beside CGAL's sharp edges"};
-  app.add_option("--folder", folder, "of meshes (default ../shared/data/meshes)");
-  app.add_option("--threshold", fandisk.quantile, "quantile for fandisk");
-  app.add_option("--method", method, "of fandisk's curvature (default ne)");
-  app.add_option("--close", fandisk.close, "rings, for fandisk");
-  app.add_option("--open", fandisk.open, "rings, for fandisk");
-  app.add_option("--dilate", fandisk.dilate, "rings, for fandisk");
-  app.add_option("--prune", fandisk.prune, "vertices, for fandisk");
-  app.add_option("--min-patch", fandisk.min_patch, "vertices, for fandisk");
-  app.add_option("--close-branches", fandisk.close_branches, "edges, for fandisk");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return crest::run(folder, method, fandisk);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  crest::experiments::Program program("Feature lines beside CGAL's sharp edges");
+  program.option("--folder", folder, "of meshes (default ../shared/data/meshes)");
+  program.option("--threshold", fandisk.quantile, "quantile for fandisk");
+  program.option("--method", method, "of fandisk's curvature (default ne)");
+  program.option("--close", fandisk.close, "rings, for fandisk");
+  program.option("--open", fandisk.open, "rings, for fandisk");
+  program.option("--dilate", fandisk.dilate, "rings, for fandisk");
+  program.option("--prune", fandisk.prune, "vertices, for fandisk");
+  program.option("--min-patch", fandisk.min_patch, "vertices, for fandisk");
+  program.option("--close-branches", fandisk.close_branches, "edges, for fandisk");
+  return program.run(argc, argv, [&] { return crest::run(folder, method, fandisk); });
 }

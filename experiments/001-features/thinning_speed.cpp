@@ -2,11 +2,11 @@
 // Thinning a million vertices: seconds of each step, beside one pass over the same arrays.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 
 #include "algorithms/feature_lines/feature_lines.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -80,10 +80,10 @@ void run(kernel::Index side) {
 
 int main(int argc, char** argv) {
   unsigned side = 1000;
-  CLI::App app{"Thinning speed"};
-  app.add_option("--side", side, "vertices a side of the torus (default 1000)")
-      ->check(CLI::Range(3, 10000));
-  CLI11_PARSE(app, argc, argv);
-  crest::run(side);
-  return 0;
+  crest::experiments::Program program("Thinning speed");
+  program.option("--side", side, "vertices a side of the torus (default 1000)", {3, 10000});
+  return program.run(argc, argv, [&] {
+    crest::run(side);
+    return 0;
+  });
 }

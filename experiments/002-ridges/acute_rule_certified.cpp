@@ -8,8 +8,6 @@
 // or a face that is not certified, are undecided.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
 
 #include "algorithms/smooth_ridges/directions.hpp"
@@ -17,6 +15,7 @@
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/refinement.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
+#include "experiments/program.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {
@@ -132,7 +131,7 @@ void compare(const Bisections& bisections, Directions& directions, Index a, Inde
     if (!ends) return;
     if (i == 0) first = (*ends)[0];
     // The same line at a vertex shared by two faces: their products are far from zero.
-    const bool turned = i > 0 && smooth_ridges::dot(d, (*ends)[0]) < 0;
+    const bool turned = i > 0 && kernel::dot(d, (*ends)[0]) < 0;
     d = (*ends)[1];
     if (turned)
       for (double& x : d) x = -x;
@@ -140,7 +139,7 @@ void compare(const Bisections& bisections, Directions& directions, Index a, Inde
   ++c.decided;
   c.whole += chain.size() == 1;
   // By continuity `first` goes with d: the acute rule errs if their product is not positive.
-  c.failed += !(smooth_ridges::dot(first, d) > 0);
+  c.failed += !(kernel::dot(first, d) > 0);
 }
 
 void row(const experiments::SmoothSurface& s, int faces) {
@@ -177,20 +176,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Failures of the acute rule against certified orientations"};
-  app.add_option("--surfaces", o.surfaces, "implicit ones, by name");
-  app.add_option("--faces", o.faces, "of the even triangulations")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/acute_rule_certified" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Failures of the acute rule against certified orientations");
+  program.option("--surfaces", o.surfaces, "implicit ones, by name");
+  program.list("--faces", o.faces, "of the even triangulations");
+  program.echo("experiments/002-ridges/acute_rule_certified");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -9,18 +9,18 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "algorithms/sampling/umbilics.hpp"
+#include "experiments/program.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest {
 namespace {
 
-using kernel::MongeForm;
+using kernel::distance, kernel::dot, kernel::MongeForm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 using sampling::Surface;
 using sampling::Vec3;
 
@@ -33,19 +33,10 @@ struct Options {
 constexpr std::array<double, 8> kBins = {0.05, 0.1, 0.2, 0.5, 1, 2, 5, 1e300};
 
 Vec3 between(const Vec3& a, const Vec3& b, double t) {
-  Vec3 p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = a[i] + t * (b[i] - a[i]);
-  return p;
-}
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return a + t * (b - a);
 }
 double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-             w = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+  const Vec3 u = b - a, w = p - a;
   return distance(p, between(a, b, std::clamp(dot(u, w) / dot(u, u), 0.0, 1.0)));
 }
 
@@ -178,19 +169,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Failures of the acute rule against orientation by continuity"};
-  app.add_option("--surfaces", o.surfaces, "names of crest sample")->delimiter(',');
-  app.add_option("--vertices", o.vertices, "mesh sizes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/acute_rule_failures" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program(
+      "Failures of the acute rule against orientation by continuity");
+  program.list("--surfaces", o.surfaces, "names of crest sample");
+  program.list("--vertices", o.vertices, "mesh sizes");
+  program.echo("experiments/002-ridges/acute_rule_failures");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

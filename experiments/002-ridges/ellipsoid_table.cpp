@@ -6,17 +6,17 @@
 // there: both ways, from the ridges' points and from 4096 points of the ellipse.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "algorithms/sampling/umbilics.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
 
+using kernel::distance;
 using sampling::Surface;
 using sampling::Vec3;
 using Polyline = std::vector<Vec3>;
@@ -28,9 +28,6 @@ struct Options {
 
 constexpr int kEllipsePoints = 4096;
 
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   double uu = 0, uw = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -177,19 +174,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Ridges and umbilics of ellipsoids against the principal ellipses"};
-  app.add_option("--axes", o.axes, "triples A,B,C");
-  app.add_option("--vertices", o.vertices, "mesh sizes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/ellipsoid_table" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program(
+      "Ridges and umbilics of ellipsoids against the principal ellipses");
+  program.option("--axes", o.axes, "triples A,B,C");
+  program.list("--vertices", o.vertices, "mesh sizes");
+  program.echo("experiments/002-ridges/ellipsoid_table");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -2,7 +2,6 @@
 // Figures 1, 25, 26 and 27 of paper 002: pictures and the counts behind them.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +9,7 @@
 
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "io/ridges/ridge_picture.hpp"
 
@@ -91,19 +91,15 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Figures 1, 25, 26 and 27 of paper 002"};
-  app.add_option("--data", o.data,
+  crest::experiments::Program program("Figures 1, 25, 26 and 27 of paper 002");
+  program.option("--data", o.data,
                  "folder of fandisk.off and horse.ply (default "
                  "../shared/data/meshes)");
-  app.add_option("--out", o.out, "folder for the pictures (default out/figures)");
-  app.add_option("--min-strength", o.strength, "of figure 26b");
-  app.add_option("--min-sharpness", o.sharpness, "of figures 26c and 27");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  program.option("--out", o.out, "folder for the pictures (default out/figures)");
+  program.option("--min-strength", o.strength, "of figure 26b");
+  program.option("--min-sharpness", o.sharpness, "of figures 26c and 27");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -3,7 +3,6 @@
 // ridge ends stay unjoined, Crest beside CGAL.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "certify/verify.hpp"
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -106,15 +106,10 @@ int run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Index sum and Euler characteristic of closed meshes, Crest beside CGAL"};
-  app.add_option("--folder", o.folder, "of meshes (default ../shared/data/meshes)");
-  app.add_option("--cgal-limit", o.cgal_limit,
+  crest::experiments::Program program(
+      "Index sum and Euler characteristic of closed meshes, Crest beside CGAL");
+  program.option("--folder", o.folder, "of meshes (default ../shared/data/meshes)");
+  program.option("--cgal-limit", o.cgal_limit,
                  "largest mesh given to CGAL, vertices (default 20000)");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  return program.run(argc, argv, [&] { return crest::run(o); });
 }

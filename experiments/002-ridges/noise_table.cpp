@@ -3,12 +3,10 @@
 // The right answer is 4 umbilics of index +1/2, index sum 2, 1 loop + 2 segments a colour.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <iostream>
-
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -113,25 +111,19 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Ridges of a noisy ellipsoid: CGAL, Crest, Crest with automatic scale"};
-  app.add_option("--vertices", o.vertices, "of the mesh (default 10000)");
-  app.add_option("--noise", o.percent, "percents of the mean edge length")->delimiter(',');
-  app.add_option("--seeds", o.seeds, "noisy meshes a level (default 3)");
-  app.add_option("--smooth", o.smooth, "smoothing steps with --scale auto (default 0)");
-  app.add_option("--min-sharpness", o.sharpness,
+  crest::experiments::Program program(
+      "Ridges of a noisy ellipsoid: CGAL, Crest, Crest with automatic scale");
+  program.option("--vertices", o.vertices, "of the mesh (default 10000)");
+  program.list("--noise", o.percent, "percents of the mean edge length");
+  program.option("--seeds", o.seeds, "noisy meshes a level (default 3)");
+  program.option("--smooth", o.smooth, "smoothing steps with --scale auto (default 0)");
+  program.option("--min-sharpness", o.sharpness,
                  "also count Crest's ridges above it (default off)");
-  app.add_option("--umbilic-size", o.umbilic_size, "CGAL's umbilic patch size (default 3)");
-  app.add_flag("--without-cgal", o.without_cgal, "Crest only");
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/noise_table" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  program.option("--umbilic-size", o.umbilic_size, "CGAL's umbilic patch size (default 3)");
+  program.flag("--without-cgal", o.without_cgal, "Crest only");
+  program.echo("experiments/002-ridges/noise_table");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

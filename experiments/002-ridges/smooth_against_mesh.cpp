@@ -4,19 +4,20 @@
 // Monge forms, and with those of the surface itself (what is left then is the mesh's doing).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {
 namespace {
 
+using kernel::cross, kernel::dot, kernel::norm;
+using kernel::operator+, kernel::operator-, kernel::operator*;
 using experiments::SmoothSurface;
 using kernel::MongeForm;
 using kernel::TriangleMesh;
@@ -38,7 +39,8 @@ struct Counts {
 Counts counts_of(const SmoothRidges& r) {
   Counts c;
   for (const auto& u : r.umbilics) ++(u.twice_index > 0 ? c.plus : c.minus);
-  for (const auto& ridge : r.ridges) ++(ridge.loop ? c.loops : c.paths)[ridge.colour];
+  for (const auto& ridge : r.ridges)
+    ++(ridge.loop ? c.loops : c.paths)[static_cast<std::size_t>(ridge.colour)];
   return c;
 }
 
@@ -63,14 +65,13 @@ class MongeForms {
     // Any tangent frame, then the one of II's axes.
     const auto& n = form.n;
     const Vec3 axis = std::abs(n[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    Vec3 p = smooth_ridges::step(axis, -smooth_ridges::dot(axis, n), n);
-    p = smooth_ridges::step({}, 1 / smooth_ridges::length(p), p);
+    Vec3 p = axis - dot(axis, n) * n;
+    p = 1 / norm(p) * p;
     const auto rough = graph(x, p, n);
     const double xx = rough.coefficient(2, 0), xy = rough.coefficient(1, 1),
                  yy = rough.coefficient(0, 2);
     const double angle = 0.5 * std::atan2(xy, xx - yy);
-    form.d1 = smooth_ridges::step(smooth_ridges::step({}, std::cos(angle), p), std::sin(angle),
-                                  smooth_ridges::cross(n, p));
+    form.d1 = std::cos(angle) * p + std::sin(angle) * cross(n, p);
     const auto h = graph(x, form.d1, n);
     form.k1 = 2 * h.coefficient(2, 0), form.k2 = 2 * h.coefficient(0, 2);
     form.b0 = 6 * h.coefficient(3, 0), form.b1 = 2 * h.coefficient(2, 1);
@@ -85,11 +86,10 @@ class MongeForms {
   Vec3 normal(const Vec3& x) {
     const auto f = f_(x);
     const Vec3 g{f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
-    return smooth_ridges::step({}, 1 / smooth_ridges::length(g), g);
+    return 1 / norm(g) * g;
   }
   kernel::Jet<double, 2, 4> graph(const Vec3& x, const Vec3& p, const Vec3& n) {
-    return smooth_ridges::GraphJet<double, 4>::of(f_.along(x, {p, smooth_ridges::cross(n, p), n}),
-                                                  2);
+    return smooth_ridges::GraphJet<double, 4>::of(f_.along(x, {p, cross(n, p), n}), 2);
   }
 
   smooth_ridges::ImplicitMap<double, 4> f_;
@@ -158,20 +158,13 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Ridges of meshes against certified ones"};
-  app.add_option("--only", o.only, "surfaces whose name contains one of these");
-  app.add_option("--faces", o.faces, "of the even meshes")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/smooth_against_mesh" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Ridges of meshes against certified ones");
+  program.option("--only", o.only, "surfaces whose name contains one of these");
+  program.list("--faces", o.faces, "of the even meshes");
+  program.echo("experiments/002-ridges/smooth_against_mesh");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

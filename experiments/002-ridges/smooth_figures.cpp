@@ -3,13 +3,12 @@
 // colour and type, turning and purple points.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cctype>
 #include <filesystem>
-#include <iostream>
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
+#include "experiments/program.hpp"
 #include "io/ridges/smooth_ridge_picture.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
@@ -45,15 +44,11 @@ void run(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   std::string folder = "smooth-figures";
-  CLI::App app{"Pictures of certified ridges"};
-  app.add_option("--folder", folder, "where to");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  crest::experiments::Program program("Pictures of certified ridges");
+  program.option("--folder", folder, "where to");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(folder);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

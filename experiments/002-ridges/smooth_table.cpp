@@ -6,16 +6,15 @@
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <iostream>
 
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "certify/ridges_smooth/encode.hpp"
 #include "certify/verify.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
+#include "experiments/program.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace crest {
@@ -143,7 +142,7 @@ std::string counts(const SmoothRidges& r) {
   const auto kind = [&](int branches) {
     return count(r.umbilics, [&](const auto& u) { return u.branches[0] == branches; });
   };
-  const auto ridges = [&](std::size_t colour) {
+  const auto ridges = [&](kernel::Colour colour) {
     const auto of = [&](bool loop) {
       return count(r.ridges, [&](const auto& x) { return x.colour == colour && x.loop == loop; });
     };
@@ -151,7 +150,8 @@ std::string counts(const SmoothRidges& r) {
     return fmt::format("{} + {}, {}", of(true), of(false), turning);
   };
   return fmt::format("{} | {}, {}; {}, {} | {} | {} | {}", r.euler_characteristic, index(1),
-                     index(-1), kind(1), kind(3), ridges(0), ridges(1), r.purple_points.size());
+                     index(-1), kind(1), kind(3), ridges(kernel::Colour::blue),
+                     ridges(kernel::Colour::red), r.purple_points.size());
 }
 
 void surface_row(const SmoothSurface& surface, const Options& o) {
@@ -272,24 +272,17 @@ void run_table(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Certified ridges of smooth surfaces"};
-  app.add_option("--table", o.table, "surfaces, refusals, growth or phases")
-      ->check(CLI::IsMember({"surfaces", "refusals", "growth", "phases"}));
-  app.add_option("--only", o.only, "surfaces whose name contains one of these");
-  app.add_option("--faces", o.faces, "a surface's budget");
-  app.add_option("--seconds", o.seconds, "a surface's time");
-  app.add_option("--runs", o.runs, "whose median is shown")->check(CLI::Range(1, 100));
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command:");
-  for (int i = 0; i < argc; ++i)
-    fmt::print(" {}", i == 0 ? "experiments/002-ridges/smooth_table" : argv[i]);
-  fmt::print("\n\n");
-  try {
+  crest::experiments::Program program("Certified ridges of smooth surfaces");
+  program.option("--table", o.table, "surfaces, refusals, growth or phases",
+                 {"surfaces", "refusals", "growth", "phases"});
+  program.option("--only", o.only, "surfaces whose name contains one of these");
+  program.option("--faces", o.faces, "a surface's budget");
+  program.option("--seconds", o.seconds, "a surface's time");
+  program.option("--runs", o.runs, "whose median is shown", {1, 100});
+  program.echo("experiments/002-ridges/smooth_table");
+  return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run_table(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -15,13 +15,12 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 
 #include "experiments/003-reeb/plate_functions.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -157,18 +156,14 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"What checking a Reeb graph costs"};
-  app.add_option("--triangles", o.triangles, "nearly (default a million)");
-  app.add_option("--runs", o.runs, "of each (default 5)")->check(CLI::Range(1, 100));
-  app.add_option("--programs", o.programs, "the folder of crest and crest-verify");
-  app.add_option("--folder", o.folder, "for the files, removed in the end");
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("Command: experiments/003-reeb/checker_cost\n\n");
-  try {
+  crest::experiments::Program program("What checking a Reeb graph costs");
+  program.option("--triangles", o.triangles, "nearly (default a million)");
+  program.option("--runs", o.runs, "of each (default 5)", {1, 100});
+  program.option("--programs", o.programs, "the folder of crest and crest-verify");
+  program.option("--folder", o.folder, "for the files, removed in the end");
+  return program.run(argc, argv, [&] {
+    fmt::print("Command: experiments/003-reeb/checker_cost\n\n");
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

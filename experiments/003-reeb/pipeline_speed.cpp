@@ -6,16 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 
 #include "algorithms/reeb/certificate.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 #include "certify/verify.hpp"
 #include "experiments/003-reeb/plate_functions.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -123,15 +122,11 @@ void run(double triangles, int repetitions) {
 int main(int argc, char** argv) {
   double triangles = 1e6;
   int repetitions = 5;
-  CLI::App app{"From nodal values to a verified Reeb graph"};
-  app.add_option("--triangles", triangles, "nearly (default a million)");
-  app.add_option("--repetitions", repetitions, "of each (default 5)");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  crest::experiments::Program program("From nodal values to a verified Reeb graph");
+  program.option("--triangles", triangles, "nearly (default a million)");
+  program.option("--repetitions", repetitions, "of each (default 5)");
+  return program.run(argc, argv, [&] {
     crest::run(triangles, repetitions);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -3,10 +3,8 @@
 // relation, an accepted certificate, and which stage decided.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <bit>
 #include <cmath>
-#include <iostream>
 #include <random>
 
 #include "algorithms/reeb/certificate.hpp"
@@ -15,6 +13,7 @@
 #include "algorithms/sampling/handles.hpp"
 #include "certify/verify.hpp"
 #include "experiments/003-reeb/smooth_field.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -116,15 +115,12 @@ void run(int trials, int vertices) {
 
 int main(int argc, char** argv) {
   int trials = 1000, vertices = 600;
-  CLI::App app{"Loops and Euler's relation of random piecewise quadratic functions"};
-  app.add_option("--trials", trials, "functions a row (default 1000)");
-  app.add_option("--vertices", vertices, "of each mesh, nearly (default 600)");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  crest::experiments::Program program(
+      "Loops and Euler's relation of random piecewise quadratic functions");
+  program.option("--trials", trials, "functions a row (default 1000)");
+  program.option("--vertices", vertices, "of each mesh, nearly (default 600)");
+  return program.run(argc, argv, [&] {
     crest::run(trials, vertices);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -2,16 +2,15 @@
 // How finely must a linear method cut each quadratic triangle to see the same Reeb graph?
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <map>
 
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/003-reeb/smooth_field.hpp"
+#include "experiments/program.hpp"
 
 namespace crest {
 namespace {
@@ -118,8 +117,7 @@ Difference difference(const Answer& a, const Answer& b, double reach) {
   for (std::size_t i = 0; i < a.places.size(); ++i)
     for (std::size_t j = 0; j < b.places.size(); ++j) {
       if (a.graph.nodes[i].kind != b.graph.nodes[j].kind) continue;
-      const Vec3 &p = a.places[i], &q = b.places[j];
-      const double d = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      const double d = kernel::distance(a.places[i], b.places[j]);
       if (d <= reach) pairs.push_back({d, i, j});
     }
   std::sort(pairs.begin(), pairs.end());
@@ -207,16 +205,12 @@ void run(const Options& o) {
 
 int main(int argc, char** argv) {
   crest::Options o;
-  CLI::App app{"Linear subdivision against the quadratic Reeb graph"};
-  app.add_option("--vertices", o.vertices, "of each mesh (default 2500)");
-  app.add_option("--seeds", o.seeds, "functions a row (default 20)");
-  app.add_option("--waves", o.wave_lengths, "shortest wave lengths in mean edges")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  try {
+  crest::experiments::Program program("Linear subdivision against the quadratic Reeb graph");
+  program.option("--vertices", o.vertices, "of each mesh (default 2500)");
+  program.option("--seeds", o.seeds, "functions a row (default 20)");
+  program.list("--waves", o.wave_lengths, "shortest wave lengths in mean edges");
+  return program.run(argc, argv, [&] {
     crest::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
-  return 0;
+    return 0;
+  });
 }

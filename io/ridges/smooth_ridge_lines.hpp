@@ -13,19 +13,20 @@ namespace crest::io {
 /// The types of a ridge's segments, also in patches: the piece of a ridge in a patch has no turning
 /// point (certify/SPEC.md, claim 4, theorem 10), so its type is the one in which the face beside it
 /// ends, and types flip at faces with a turning point. none: where no face tells.
-inline std::vector<smooth_ridges::ArcType> drawn_types(const smooth_ridges::SmoothRidge& ridge) {
-  using smooth_ridges::ArcType;
-  std::vector<ArcType> types = ridge.types;
-  const auto flip = [](ArcType t) {
-    return t == ArcType::elliptic ? ArcType::hyperbolic : ArcType::elliptic;
+inline std::vector<smooth_ridges::RidgeType> drawn_types(const smooth_ridges::SmoothRidge& ridge) {
+  using smooth_ridges::RidgeType;
+  std::vector<RidgeType> types = ridge.types;
+  const auto flip = [](RidgeType t) {
+    return t == RidgeType::elliptic ? RidgeType::hyperbolic : RidgeType::elliptic;
   };
   const auto fill = [&](auto first, auto last) {
-    if (first == last || *first != ArcType::none) return;
-    const auto outside = std::find_if(first, last, [](ArcType t) { return t != ArcType::none; });
-    const auto typed = std::find_if(outside, last, [](ArcType t) {
-      return t == ArcType::elliptic || t == ArcType::hyperbolic;
+    if (first == last || *first != RidgeType::none) return;
+    const auto outside =
+        std::find_if(first, last, [](RidgeType t) { return t != RidgeType::none; });
+    const auto typed = std::find_if(outside, last, [](RidgeType t) {
+      return t == RidgeType::elliptic || t == RidgeType::hyperbolic;
     });
-    if (typed == last || std::find(outside, typed, ArcType::none) != typed) return;
+    if (typed == last || std::find(outside, typed, RidgeType::none) != typed) return;
     std::fill(first, outside, (typed - outside) % 2 == 0 ? *typed : flip(*typed));
   };
   if (ridge.loop) return types;
@@ -36,14 +37,14 @@ inline std::vector<smooth_ridges::ArcType> drawn_types(const smooth_ridges::Smoo
 
 /// A part of a ridge of one type: numbers of the ridge's points, in order.
 struct RidgeRun {
-  smooth_ridges::ArcType type;
+  smooth_ridges::RidgeType type;
   std::vector<std::size_t> points;
 };
 
 /// As few as possible: those of a loop start where its type changes; a loop of one type is one run
 /// that ends with the point it starts with.
 inline std::vector<RidgeRun> runs_of(const smooth_ridges::SmoothRidge& ridge) {
-  const std::vector<smooth_ridges::ArcType> types = drawn_types(ridge);
+  const std::vector<smooth_ridges::RidgeType> types = drawn_types(ridge);
   const std::size_t segments = types.size(), n = ridge.points.size();
   std::size_t start = 0;
   for (std::size_t i = 0; ridge.loop && i < segments; ++i) {

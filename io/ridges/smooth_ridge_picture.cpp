@@ -10,7 +10,7 @@ namespace crest::io {
 namespace {
 
 using kernel::Vec3;
-using smooth_ridges::ArcType;
+using smooth_ridges::RidgeType;
 using smooth_ridges::SmoothRidge;
 using smooth_ridges::SmoothRidges;
 using smooth_ridges::UmbilicPoint;
@@ -35,8 +35,8 @@ Dot umbilic_dot(const Vec3& pixel, int twice_index, int branches) {
   return {pixel, colour, Mark::triangle, 1.45};
 }
 
-Dot turning_dot(const Vec3& pixel, std::size_t colour) {
-  const Colour c = ridge_classes()[ridge_class(colour, 3)].colour;
+Dot turning_dot(const Vec3& pixel, smooth_ridges::Colour colour) {
+  const Colour c = ridge_classes()[ridge_class(static_cast<std::size_t>(colour), 3)].colour;
   return {pixel, c, Mark::diamond, kDiamond};
 }
 
@@ -47,7 +47,8 @@ Dot purple_dot(const Vec3& pixel) {
 void add_lines(const SmoothRidges& result, StrokeMaker& maker, Drawing& drawing) {
   for (const SmoothRidge& ridge : result.ridges) {
     for (const RidgeRun& run : runs_of(ridge)) {
-      const std::size_t to = ridge_class(ridge.colour, static_cast<std::size_t>(run.type));
+      const std::size_t to =
+          ridge_class(static_cast<std::size_t>(ridge.colour), static_cast<std::size_t>(run.type));
       drawing.classes[to].in_graph = true;
       for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
         maker.add(ridge.points[run.points[i]], ridge.points[run.points[i + 1]], to);
@@ -84,11 +85,13 @@ void add_legend(const SmoothRidges& result, Drawing& drawing) {
         });
     if (present) add(m.label, umbilic_dot({}, m.twice_index, m.branches));
   }
-  for (const std::size_t colour : {0u, 1u}) {
+  for (const smooth_ridges::Colour colour :
+       {smooth_ridges::Colour::blue, smooth_ridges::Colour::red}) {
     const bool present = std::any_of(result.turning_points.begin(), result.turning_points.end(),
                                      [&](const auto& p) { return p.colour == colour; });
     if (present)
-      add(colour == 0 ? "blue turning point" : "red turning point", turning_dot({}, colour));
+      add(colour == smooth_ridges::Colour::blue ? "blue turning point" : "red turning point",
+          turning_dot({}, colour));
   }
   if (!result.purple_points.empty()) add("purple point", purple_dot({}));
   if (!result.undecided.empty()) add("face not certified", Dot{{}, kNotCertified});

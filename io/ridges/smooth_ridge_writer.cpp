@@ -25,7 +25,7 @@ namespace crest::io {
 namespace {
 
 using kernel::Index;
-using smooth_ridges::ArcType;
+using smooth_ridges::RidgeType;
 using smooth_ridges::SmoothRidge;
 using smooth_ridges::SmoothRidges;
 
@@ -57,7 +57,7 @@ struct Table {
   std::vector<Index> first;               ///< of each ridge's points
 };
 
-Row ridge_row(const SmoothRidge& ridge, ArcType type) {
+Row ridge_row(const SmoothRidge& ridge, RidgeType type) {
   return {{kRidgePart, static_cast<int>(ridge.colour), static_cast<int>(type), 0, 0, 0}, {}};
 }
 
@@ -84,9 +84,9 @@ Table table_of(const SmoothRidges& result) {
   add_vertices(result, table);
   for (const SmoothRidge& ridge : result.ridges) {
     table.first.push_back(static_cast<Index>(table.points.size()));
-    const std::vector<ArcType> types = drawn_types(ridge);
+    const std::vector<RidgeType> types = drawn_types(ridge);
     for (std::size_t i = 0; i < ridge.points.size(); ++i) {
-      const ArcType type = types.empty() ? ArcType::none : types[std::min(i, types.size() - 1)];
+      const RidgeType type = types.empty() ? RidgeType::none : types[std::min(i, types.size() - 1)];
       table.points.push_back({ridge.points[i], ridge_row(ridge, type)});
     }
   }
@@ -199,8 +199,9 @@ std::string obj_of(const Table& table, const SmoothRidges& result, const std::st
     if (table.vertices[g] > 0) fmt::format_to(out, "g {}\n", groups[g]);
     for (std::size_t i = 0; i < table.vertices[g]; ++i) fmt::format_to(out, "p {}\n", next++);
   }
-  for (const std::size_t colour : {0u, 1u}) {
-    fmt::format_to(out, "g {}\n", colour == 0 ? "blue" : "red");
+  for (const smooth_ridges::Colour colour :
+       {smooth_ridges::Colour::blue, smooth_ridges::Colour::red}) {
+    fmt::format_to(out, "g {}\n", colour == smooth_ridges::Colour::blue ? "blue" : "red");
     for (std::size_t r = 0; r < result.ridges.size(); ++r) {
       const std::vector<std::size_t> line = line_of(table, result, r);
       // A polyline of one point is not a line for other programs.

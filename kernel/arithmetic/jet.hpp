@@ -23,6 +23,7 @@
 // A coefficient beyond the value may be undefined alone (sqrt at 0): the function is defined there,
 // that derivative is not, or not known.
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/arithmetic/jet_tables.hpp"
@@ -30,7 +31,8 @@
 
 namespace crest::kernel {
 
-/// T: + - * / among themselves and * / with doubles. Coefficients in the order of Monomials.
+/// T: + - * / among themselves and * / with scalars, which are doubles, or T if it is built in.
+/// Coefficients in the order of Monomials.
 template <class T, int Variables, int Order>
 class Jet {
   static_assert(1 <= Variables && Variables <= 3 && 0 <= Order && Order <= 5);
@@ -38,6 +40,7 @@ class Jet {
  public:
   static constexpr JetTables<Variables, Order> kTables{};
   static constexpr int kCount = kTables.kCount;
+  using Scalar = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
   Jet() = default;  ///< identically zero
   static Jet constant(T value) {
@@ -97,18 +100,18 @@ class Jet {
   }
   friend bool is_defined(const Jet& f) { return !f.c_.has(0) || is_defined(f.c_[0]); }
   friend Jet operator/(const Jet& a, const Jet& b) { return a.over(b); }
-  friend Jet operator+(Jet a, double s) { return a.shift(s), std::move(a).settled(); }
-  friend Jet operator+(double s, Jet a) { return std::move(a) + s; }
-  friend Jet operator-(Jet a, double s) { return std::move(a) + -s; }
-  friend Jet operator-(double s, const Jet& a) { return -a + s; }
-  friend Jet operator*(double s, const Jet& a) { return a * s; }
-  friend Jet operator*(const Jet& a, double s) {
+  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), std::move(a).settled(); }
+  friend Jet operator+(Scalar s, Jet a) { return std::move(a) + s; }
+  friend Jet operator-(Jet a, Scalar s) { return std::move(a) + -s; }
+  friend Jet operator-(Scalar s, const Jet& a) { return -a + s; }
+  friend Jet operator*(Scalar s, const Jet& a) { return a * s; }
+  friend Jet operator*(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x * s); });
   }
-  friend Jet operator/(const Jet& a, double s) {
+  friend Jet operator/(const Jet& a, Scalar s) {
     return a.each([&](const T& x) { return T(x / s); });
   }
-  friend Jet operator/(double s, const Jet& a) { return constant(number_like(s, &a[0])).over(a); }
+  friend Jet operator/(Scalar s, const Jet& a) { return constant(number(s, &a[0])).over(a); }
 
   friend Jet inverse(const Jet& f) { return 1.0 / f; }
   friend Jet sqrt(const Jet& f) { return f.square_root(); }
@@ -130,7 +133,13 @@ class Jet {
     for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
     return std::move(r).settled();
   }
-  void shift(double s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number_like(s, &(*this)[0])); }
+  static T number(Scalar s, const T* like) {
+    if constexpr (std::is_same_v<Scalar, T>)
+      return s;
+    else
+      return number_like(s, like);
+  }
+  void shift(Scalar s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number(s, &(*this)[0])); }
   Jet plus(const Jet& b, bool negative) const;
   /// Makes all coefficients `value`, an undefined one.
   void settle(const T& value);

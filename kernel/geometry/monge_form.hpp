@@ -22,8 +22,7 @@ struct MongeForm {
 
 /// d2 = n x d1 in plain double (for output; decisions use the exact product).
 inline Vec3 minimal_direction(const MongeForm& m) {
-  return {m.n[1] * m.d1[2] - m.n[2] * m.d1[1], m.n[2] * m.d1[0] - m.n[0] * m.d1[2],
-          m.n[0] * m.d1[1] - m.n[1] * m.d1[0]};
+  return cross(m.n, m.d1);
 }
 
 inline RidgeEndData blue_end(const MongeForm& f) {

@@ -7,18 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/mesh_checks.hpp"
 
 namespace crest::kernel {
 namespace {
-
-std::string name(const char* what, Index i) {
-  return std::string(what) + " " + std::to_string(i);
-}
-
-std::string edge_name(Index v, Index w) {
-  return "edge " + std::to_string(v) + "-" + std::to_string(w);
-}
 
 void require_proper_vertices(const std::vector<Vec3>& points, const std::vector<double>& values) {
   if (points.size() >= kNone) throw InputError("mesh: it has too many vertices for 32-bit numbers");
@@ -26,10 +18,7 @@ void require_proper_vertices(const std::vector<Vec3>& points, const std::vector<
     throw InputError("field: it has " + std::to_string(values.size()) + " values for " +
                      std::to_string(points.size()) + " vertices; give one value a vertex");
   for (Index v = 0; v < points.size(); ++v) {
-    for (double x : points[v])
-      if (!std::isfinite(x))
-        throw InputError(name("vertex", v) +
-                         ": a coordinate is not a finite number; remove the vertex and its faces");
+    require_finite(v, points[v]);
     if (!std::isfinite(values[v]))
       throw InputError(name("vertex", v) +
                        ": its value is not a finite number; repair the field or remove the vertex");
@@ -39,13 +28,7 @@ void require_proper_vertices(const std::vector<Vec3>& points, const std::vector<
 void require_proper_faces(Index vertices, const std::vector<Triangle>& faces) {
   if (faces.empty()) throw InputError("mesh: it has no faces; give a triangle mesh");
   if (faces.size() >= kNone / 3) throw InputError("mesh: it has too many faces for 32-bit numbers");
-  for (Index f = 0; f < faces.size(); ++f) {
-    const auto [a, b, c] = faces[f];
-    if (std::max({a, b, c}) >= vertices)
-      throw InputError(name("face", f) + ": a vertex number is out of range; repair the file");
-    if (a == b || b == c || c == a)
-      throw InputError(name("face", f) + ": it repeats a vertex; remove degenerate faces");
-  }
+  for (Index f = 0; f < faces.size(); ++f) require_three_vertices(f, faces[f], vertices);
 }
 
 void require_proper_midsides(Index faces, const std::vector<std::array<double, 3>>& midside) {
@@ -103,9 +86,7 @@ HalfBuckets bucket_halves(Index vertices, const std::vector<Triangle>& faces) {
 }
 
 void require_different(const std::vector<Triangle>& faces, Index f, Index g) {
-  // The two share two corners, so the third ones decide.
-  const Triangle &s = faces[f], &t = faces[g];
-  if ((s[0] ^ s[1] ^ s[2]) == (t[0] ^ t[1] ^ t[2]))
+  if (same_corners(faces[f], faces[g]))
     throw InputError(name("face", std::max(f, g)) + ": it duplicates face " +
                      std::to_string(std::min(f, g)) + "; remove one of them");
 }

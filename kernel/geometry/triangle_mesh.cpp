@@ -2,37 +2,22 @@
 #include "kernel/geometry/triangle_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
 
-#include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
+#include "kernel/geometry/mesh_checks.hpp"
 #include "kernel/predicates/collinear.hpp"
 
 namespace crest::kernel {
 namespace {
 
-std::string name(const char* what, Index i) {
-  return std::string(what) + " " + std::to_string(i);
-}
-
-void require_finite(const std::vector<Vec3>& points) {
-  for (Index v = 0; v < points.size(); ++v)
-    for (double x : points[v])
-      if (!std::isfinite(x))
-        throw InputError(name("vertex", v) +
-                         ": a coordinate is not a finite number; remove the vertex and its faces");
-}
-
 void require_proper_faces(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {
   if (faces.empty()) throw InputError("mesh: it has no faces; give a triangle mesh");
   for (Index f = 0; f < faces.size(); ++f) {
+    require_three_vertices(f, faces[f], points.size());
     const auto [a, b, c] = faces[f];
-    if (std::max({a, b, c}) >= points.size())
-      throw InputError(name("face", f) + ": a vertex number is out of range; repair the file");
-    if (a == b || b == c || c == a)
-      throw InputError(name("face", f) + ": it repeats a vertex; remove degenerate faces");
     if (collinear(points[a], points[b], points[c]))
       throw InputError(name("face", f) + ": its area is exactly zero; remove degenerate faces");
   }
@@ -76,7 +61,7 @@ HalfBuckets bucket_halves(Index vertices, const std::vector<Triangle>& faces) {
 
 TriangleMesh::TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> faces)
     : points_(std::move(points)), faces_(std::move(faces)) {
-  require_finite(points_);
+  for (Index v = 0; v < points_.size(); ++v) require_finite(v, points_[v]);
   require_proper_faces(points_, faces_);
   build_edges();
   build_rings();
@@ -95,22 +80,22 @@ void TriangleMesh::build_edges() {
       for (; n < b.begin[v + 1] && b.halves[n].other == w; ++n) {
         const Half& h = b.halves[n];
         Index& slot = h.direct ? e.f0 : e.f1;
-        const std::string edge = "edge " + std::to_string(v) + "-" + std::to_string(w);
-        if (n - i >= 2) throw InputError(edge + ": it has more than two faces; make it manifold");
+        if (n - i >= 2)
+          throw InputError(edge_name(v, w) + ": it has more than two faces; make it manifold");
         if (slot != kNone) {
           const Triangle &s = faces_[slot], &t = faces_[h.face];
-          auto third = [&](const Triangle& u) { return u[0] ^ u[1] ^ u[2]; };
-          if (third(s) == third(t))
+          if (same_corners(s, t))
             throw InputError(name("face", h.face) + ": it duplicates face " + std::to_string(slot) +
                              "; remove duplicate faces");
-          throw InputError(edge + ": its two faces are oriented inconsistently; orient the mesh");
+          throw InputError(edge_name(v, w) +
+                           ": its two faces are oriented inconsistently; orient the mesh");
         }
         slot = h.face;
         face_edges_[h.face][h.side] = edge_count();
       }
       if (e.f0 != kNone && e.f1 != kNone) {
         const Triangle &s = faces_[e.f0], &t = faces_[e.f1];
-        if ((s[0] ^ s[1] ^ s[2]) == (t[0] ^ t[1] ^ t[2]))
+        if (same_corners(s, t))
           throw InputError(name("face", std::max(e.f0, e.f1)) + ": it duplicates face " +
                            std::to_string(std::min(e.f0, e.f1)) + " reversed; remove one of them");
       }
@@ -164,34 +149,16 @@ void TriangleMesh::build_rings() {
 }
 
 void TriangleMesh::count_components_and_loops() {
-  auto count_classes = [](Index n, auto&& for_each_pair) {
-    std::vector<Index> root(n);
-    std::iota(root.begin(), root.end(), 0u);
-    auto find = [&](Index i) {
-      while (root[i] != i) i = root[i] = root[root[i]];
-      return i;
-    };
-    Index merged = 0;
-    for_each_pair([&](Index a, Index b) {
-      a = find(a);
-      b = find(b);
-      if (a != b) {
-        root[std::max(a, b)] = std::min(a, b);
-        ++merged;
-      }
-    });
-    return merged;
-  };
-  components_ = vertex_count() - count_classes(vertex_count(), [&](auto&& unite) {
-                  for (const Edge& e : edges_) unite(e.v0, e.v1);
-                });
-  // A boundary vertex has exactly two boundary edges, so boundary components are loops.
-  Index boundary_vertices = 0;
-  for (std::uint8_t b : boundary_vertex_) boundary_vertices += b;
-  boundary_loops_ = boundary_vertices - count_classes(vertex_count(), [&](auto&& unite) {
-                      for (const Edge& e : edges_)
-                        if (e.f0 == kNone || e.f1 == kNone) unite(e.v0, e.v1);
-                    });
+  DisjointSets parts(vertex_count()), borders(vertex_count());
+  for (const Edge& e : edges_) {
+    parts.unite(e.v0, e.v1);
+    if (e.f0 == kNone || e.f1 == kNone) borders.unite(e.v0, e.v1);
+  }
+  components_ = parts.count();
+  // A boundary vertex has exactly two boundary edges, so boundary components are loops; every other
+  // vertex is a set of its own.
+  boundary_loops_ = borders.count();
+  for (std::uint8_t b : boundary_vertex_) boundary_loops_ -= b == 0 ? 1 : 0;
 }
 
 }  // namespace crest::kernel

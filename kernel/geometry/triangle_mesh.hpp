@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/index.hpp"
 
 namespace crest::kernel {
-
-using Index = std::uint32_t;
-using Triangle = std::array<Index, 3>;
-inline constexpr Index kNone = 0xffffffffu;
 
 /// Undirected edge: v0 < v1. f0 is the face in which v0 precedes v1, f1 the face in which v1
 /// precedes v0; one of them is kNone on the boundary.

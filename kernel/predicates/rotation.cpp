@@ -15,34 +15,15 @@ namespace {
 constexpr mpfr_prec_t kBits = 256;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-template <class T>
-using V = std::array<T, 3>;
-
-template <class T>
-V<T> cross(const V<T>& a, const V<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class T>
-T dot(const V<T>& a, const V<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // (x, y) of certify/SPEC.md: the direction d1 seen from the edge e in the plane across n.
 template <class T>
-std::pair<T, T> seen_from(const V<T>& e, const V<T>& n, const V<T>& d1) {
-  const V<T> ne = cross(n, e);
+std::pair<T, T> seen_from(const Vector3<T>& e, const Vector3<T>& n, const Vector3<T>& d1) {
+  const Vector3<T> ne = cross(n, e);
   return {dot(ne, cross(n, d1)), dot(ne, d1)};
 }
 
-V<double> difference(const Vec3& a, const Vec3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-V<Rational> exact_difference(const Vec3& a, const Vec3& b) {
-  return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]),
-          Rational(a[2]) - Rational(b[2])};
-}
-V<Rational> exact(const Vec3& a) {
-  return {Rational(a[0]), Rational(a[1]), Rational(a[2])};
+Vector3<Rational> exact(const Vec3& a) {
+  return lift<Rational>(a);
 }
 
 // Lengths whose fourth powers neither overflow nor underflow.
@@ -54,7 +35,7 @@ bool comfortable(double x) {
 // comfortable: cross and dot product err by at most 6 u times the product of the lengths.
 double corner_angle(const Vec3& a, const Vec3& b) {
   const Vec3 c = cross(a, b);
-  return argument(std::sqrt(dot(c, c)), dot(a, b));
+  return argument(norm(c), dot(a, b));
 }
 
 // The reference neighbour of phi and its angle to d1, in double; error kUnknown if not certain.
@@ -63,10 +44,10 @@ struct Reference {
   double angle = 0, error = 0;
 };
 Reference triage_reference(const Star& star) {
-  const Vec3 e = difference(star.ring[0], star.centre);
+  const Vec3 e = star.ring[0] - star.centre;
   const auto [x, y] = seen_from<double>(e, star.n, star.d1);
-  const double n = std::sqrt(dot(star.n, star.n)), d = std::sqrt(dot(star.d1, star.d1));
-  const double size = std::sqrt(dot(e, e));
+  const double n = norm(star.n), d = norm(star.d1);
+  const double size = norm(e);
   const double length = std::sqrt(x * x + y * y);
   if (!comfortable(n) || !comfortable(d) || !comfortable(size)) return {0, 0, kUnknown};
   // x and y are sums of products of at most |n|^2 |e| |d1| and |n| |e| |d1|.
@@ -79,9 +60,9 @@ Reference triage_reference(const Star& star) {
 
 // The first neighbour with (x, y) != (0, 0), decided exactly; ring.size() if there is none.
 std::size_t exact_reference(const Star& star) {
-  const V<Rational> n = exact(star.n), d1 = exact(star.d1);
+  const Vector3<Rational> n = exact(star.n), d1 = exact(star.d1);
   for (std::size_t k = 0; k < star.ring.size(); ++k) {
-    const auto [x, y] = seen_from(exact_difference(star.ring[k], star.centre), n, d1);
+    const auto [x, y] = seen_from(exact(star.ring[k]) - exact(star.centre), n, d1);
     if (x != 0 || y != 0) return k;
   }
   return star.ring.size();
@@ -101,9 +82,9 @@ MpStar mp_star(const Star& star) {
   MpStar result;
   MpInterval sum(0.0, kBits);
   for (std::size_t j = 0; j < faces; ++j) {
-    const V<Rational> a = exact_difference(star.ring[j], star.centre);
-    const V<Rational> b = exact_difference(star.ring[(j + 1) % n], star.centre);
-    const V<Rational> c = cross(a, b);
+    const Vector3<Rational> a = exact(star.ring[j]) - exact(star.centre);
+    const Vector3<Rational> b = exact(star.ring[(j + 1) % n]) - exact(star.centre);
+    const Vector3<Rational> c = cross(a, b);
     result.corner.push_back(atan2(sqrt(mp(dot(c, c))), mp(dot(a, b))));
     sum = sum + result.corner.back();
   }
@@ -124,7 +105,7 @@ MpStar mp_star(const Star& star) {
     return result;
   }
   const auto [x, y] =
-      seen_from(exact_difference(star.ring[k], star.centre), exact(star.n), exact(star.d1));
+      seen_from(exact(star.ring[k]) - exact(star.centre), exact(star.n), exact(star.d1));
   result.phi = result.position[k] + atan2(mp(y), mp(x));
   return result;
 }
@@ -146,10 +127,10 @@ StarAngles interval_star_angles(const Star& star, std::span<double> position,
 StarAngles star_angles(const Star& star, std::span<double> position, std::span<double> corner) {
   const std::size_t n = star.ring.size(), faces = star.closed ? n : n - 1;
   double sum = 0, shortest = HUGE_VAL, longest = 0;
-  Vec3 a = difference(star.ring[0], star.centre);
+  Vec3 a = star.ring[0] - star.centre;
   const Vec3 first = a;
   for (std::size_t j = 0; j < n; ++j) {
-    const Vec3 b = j + 1 < n ? difference(star.ring[j + 1], star.centre) : first;
+    const Vec3 b = j + 1 < n ? star.ring[j + 1] - star.centre : first;
     const double l = dot(a, a);
     shortest = std::min(shortest, l);
     longest = std::max(longest, l);

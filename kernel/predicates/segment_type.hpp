@@ -34,32 +34,19 @@ struct SegmentSide {
   static constexpr int depth = 23;
 
   template <class T>
-  using V = std::array<T, 3>;
-  template <class T>
-  static T dot(const V<T>& a, const V<T>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  template <class T>
-  static V<T> difference(const Vec3& a, const Vec3& b) {
-    return {T(a[0]) - T(b[0]), T(a[1]) - T(b[1]), T(a[2]) - T(b[2])};
-  }
-  template <class T>
-  V<T> vector() const {
-    const V<T> d = {T(d1[0]), T(d1[1]), T(d1[2])};
-    if (!red) return d;
-    const V<T> m = {T(n[0]), T(n[1]), T(n[2])};
-    return {m[1] * d[2] - m[2] * d[1], m[2] * d[0] - m[0] * d[2], m[0] * d[1] - m[1] * d[0]};
+  Vector3<T> vector() const {
+    return red ? cross(lift<T>(n), lift<T>(d1)) : lift<T>(d1);
   }
   template <class T>
   T value() const {
-    const V<T> e2 = difference<T>(t.v2, t.v1), e3 = difference<T>(t.v3, t.v1);
+    const Vector3<T> v1 = lift<T>(t.v1), e2 = lift<T>(t.v2) - v1, e3 = lift<T>(t.v3) - v1;
     // r = v1 + (|b1| / (|b1| + |b_far|)) e, weights 1, 1 when both b are zero.
     const bool zero2 = t.b1 == 0 && t.b2 == 0, zero3 = t.b1 == 0 && t.b3 == 0;
     const T near2(zero2 ? 1.0 : std::fabs(t.b1)), near3(zero3 ? 1.0 : std::fabs(t.b1));
     const T sum2 = near2 + T(zero2 ? 1.0 : std::fabs(t.b2));
     const T sum3 = near3 + T(zero3 ? 1.0 : std::fabs(t.b3));
-    const V<T> u = vector<T>();
-    V<T> x;  // (r2 - r1) sum2 sum3
+    const Vector3<T> u = vector<T>();
+    Vector3<T> x;  // (r2 - r1) sum2 sum3
     for (std::size_t k = 0; k < 3; ++k) x[k] = sum2 * near3 * e3[k] - sum3 * near2 * e2[k];
     // (u x x).(e2 x e3)
     return dot(u, e2) * dot(x, e3) - dot(u, e3) * dot(x, e2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// 1-ridge (hyperbolic) or 3-ridge (elliptic) umbilic: the number of real roots of the cubic form
-// b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3 (paper 002, section 8.2; papers/README: the index does
-// not decide it).
+// Umbilic kind: 1-ridge (hyperbolic) or 3-ridge (elliptic), the number of real roots of the cubic
+// form b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3 (paper 002, section 8.2; the index does not decide
+// it).
 //
 // D = (b0 b3 - b1 b2)^2 - 4 (b0 b2 - b1^2)(b1 b3 - b2^2). Positive: one real root, 1-ridge.
 // Negative: three, 3-ridge. Zero: a multiple root, degenerate.

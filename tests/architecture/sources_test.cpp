@@ -2,7 +2,6 @@
 // What every source file of the project has in common.
 #include <catch2/catch.hpp>
 #include <cctype>
-#include <set>
 
 #include "tests/architecture/source_tree.hpp"
 
@@ -31,16 +30,6 @@ TEST_CASE("every source names its licence in the first two lines") {
     ++sources;
   }
   CHECK(sources > 40);
-}
-
-TEST_CASE("no source is longer than 700 lines, no header of a library longer than 150") {
-  for (const std::string& path : project_files()) {
-    if (!is_cpp(path)) continue;
-    const std::size_t lines = lines_of(path).size();
-    INFO(path << " has " << lines << " lines");
-    const bool program = has_prefix(path, "experiments/") || has_prefix(path, "tests/");
-    CHECK(lines <= (has_suffix(path, ".hpp") && !program ? 150u : 700u));
-  }
 }
 
 TEST_CASE("names of source files are snake_case") {
@@ -98,30 +87,5 @@ TEST_CASE("no source depends on where somebody's copy lives") {
         CHECK(line.find(place) == std::string::npos);
       }
     }
-  }
-}
-
-TEST_CASE("the kernel's index names files that exist and every header of the kernel") {
-  const std::string text = read_text(fs::path(CREST_SOURCE_DIR) / "kernel/README.md");
-  std::set<std::string> named;
-  // A path is a run of path characters that ends in .hpp or .cpp.
-  std::string word;
-  for (const char c : text + " ") {
-    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/' || c == '.') {
-      word += c;
-      continue;
-    }
-    if (is_cpp(word)) named.insert(has_prefix(word, "kernel/") ? word.substr(7) : word);
-    word.clear();
-  }
-  CHECK(named.size() >= 5);
-  for (const std::string& path : named) {
-    INFO("kernel/README.md names " << path);
-    CHECK(fs::exists(fs::path(CREST_SOURCE_DIR) / "kernel" / path));
-  }
-  for (const std::string& path : project_files()) {
-    if (!has_prefix(path, "kernel/") || !has_suffix(path, ".hpp")) continue;
-    INFO(path << " is not in kernel/README.md");
-    CHECK(named.count(path.substr(7)) == 1);
   }
 }

@@ -10,6 +10,7 @@
 #include "tests/support/failures.hpp"
 
 using namespace crest::curvature;
+using crest::kernel::norm;
 using crest::kernel::Rational;
 using crest::kernel::TriangleMesh;
 
@@ -52,24 +53,24 @@ struct Forms {
 };
 Forms forms_of(const NormalTriangle<Rational>& t, const Exact& lambda) {
   const Exact n = interpolated_normal(t, lambda);
-  const Rational nn = inner(n, n);
+  const Rational nn = dot(n, n);
   const auto tangential = [&](const Exact& a) {
-    const Rational s = inner(a, n) / nn;
+    const Rational s = dot(a, n) / nn;
     return Exact{a[0] - s * n[0], a[1] - s * n[1], a[2] - s * n[2]};
   };
-  const Exact xu = tangential(difference(t.x[1], t.x[0]));
-  const Exact xv = tangential(difference(t.x[2], t.x[0]));
+  const Exact xu = tangential(t.x[1] - t.x[0]);
+  const Exact xv = tangential(t.x[2] - t.x[0]);
   // sqrt(n~ n~) times the derivative of n = n~ / |n~| is the tangential part of n~'s.
-  const Exact nu = tangential(difference(t.n[1], t.n[0]));
-  const Exact nv = tangential(difference(t.n[2], t.n[0]));
-  return {inner(xu, xu),  inner(xu, xv),  inner(xv, xv), -inner(nu, xu),
-          -inner(nu, xv), -inner(nv, xu), -inner(nv, xv)};
+  const Exact nu = tangential(t.n[1] - t.n[0]);
+  const Exact nv = tangential(t.n[2] - t.n[0]);
+  return {dot(xu, xu),  dot(xu, xv),  dot(xv, xv), -dot(nu, xu),
+          -dot(nu, xv), -dot(nv, xu), -dot(nv, xv)};
 }
 
 bool regular(const Case& c) {
   const auto n = interpolated_normal(c.t, c.lambda);
   const auto m = triangle_normal(c.t);
-  return std::abs(inner(n, m)) > 0.01 * std::sqrt(inner(n, n) * inner(m, m));
+  return std::abs(dot(n, m)) > 0.01 * std::sqrt(dot(n, n) * dot(m, m));
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ TEST_CASE("K and H of 3.13 and 3.14 equal the forms' and the determinant form's,
     const auto t = exact(c.t);
     const Exact lambda = exact(c.lambda);
     const Exact n = interpolated_normal(t, lambda);
-    const Rational nn = inner(n, n);
+    const Rational nn = dot(n, n);
     const Rational K = gaussian_curvature(t, lambda), H = scaled_mean_curvature(t, lambda);
     const auto w = scaled_weingarten(t, lambda);
     CHECK(K * nn == w.w11 * w.w22 - w.w12 * w.w21);
@@ -96,7 +97,7 @@ TEST_CASE("K and H of 3.13 and 3.14 equal the forms' and the determinant form's,
     CHECK(2 * H * det == f.e * f.G - f.f1 * f.F + f.g * f.E - f.f2 * f.F);
     const Rational a = asymmetry(t, lambda);
     CHECK(a * a * det * nn == (f.f1 - f.f2) * (f.f1 - f.f2));
-    CHECK((f.f1 - f.f2) * a * inner(n, triangle_normal(t)) >= 0);
+    CHECK((f.f1 - f.f2) * a * dot(n, triangle_normal(t)) >= 0);
   }
 }
 
@@ -110,15 +111,15 @@ TEST_CASE("the determinant form is the matrix of -dn on the sides of the triangl
     const Exact lambda = exact(c.lambda);
     const Exact n = interpolated_normal(t, lambda);
     const auto w = scaled_weingarten(t, lambda);
-    const Exact xu = difference(t.x[1], t.x[0]), xv = difference(t.x[2], t.x[0]);
-    const Exact nu = difference(t.n[1], t.n[0]), nv = difference(t.n[2], t.n[0]);
+    const Exact xu = t.x[1] - t.x[0], xv = t.x[2] - t.x[0];
+    const Exact nu = t.n[1] - t.n[0], nv = t.n[2] - t.n[0];
     // Equal up to a multiple of n~: crossed with it they agree.
     const auto map = [&](const Rational& p, const Rational& q) {
       return Exact{p * xu[0] + q * xv[0], p * xu[1] + q * xv[1], p * xu[2] + q * xv[2]};
     };
     const Exact zero{Rational(0), Rational(0), Rational(0)};
-    CHECK(outer(map(w.w11, w.w21), n) == outer(difference(zero, nu), n));
-    CHECK(outer(map(w.w12, w.w22), n) == outer(difference(zero, nv), n));
+    CHECK(cross(map(w.w11, w.w21), n) == cross(zero - nu, n));
+    CHECK(cross(map(w.w12, w.w22), n) == cross(zero - nv, n));
   }
 }
 
@@ -133,7 +134,7 @@ TEST_CASE("curvature in doubles agrees with exact rationals, any point of a tria
     const auto got = curvature_at(mesh, {c.t.n[0], c.t.n[1], c.t.n[2]}, 0, c.lambda);
     const auto t = exact(c.t);
     const Exact lambda = exact(c.lambda), n = interpolated_normal(t, lambda);
-    const Rational nn = inner(n, n), K = gaussian_curvature(t, lambda),
+    const Rational nn = dot(n, n), K = gaussian_curvature(t, lambda),
                    H = scaled_mean_curvature(t, lambda), A = asymmetry(t, lambda);
     const auto w = scaled_weingarten(t, lambda);
     const double size = std::sqrt(static_cast<double>(nn));
@@ -167,23 +168,23 @@ TEST_CASE("principal directions are eigenvectors of the tensor and tangent") {
     const TriangleMesh mesh({c.t.x[0], c.t.x[1], c.t.x[2]}, {{0, 1, 2}});
     const auto got = curvature_at(mesh, {c.t.n[0], c.t.n[1], c.t.n[2]}, 0, c.lambda);
     const auto n = interpolated_normal(c.t, c.lambda);
-    const double length = std::sqrt(inner(n, n));
-    CHECK(std::abs(inner(got.d1, got.d1) - 1) < 1e-12);
-    CHECK(std::abs(inner(got.d2, got.d2) - 1) < 1e-12);
-    CHECK(std::abs(inner(got.d1, n)) < 1e-12 * length);
+    const double length = norm(n);
+    CHECK(std::abs(dot(got.d1, got.d1) - 1) < 1e-12);
+    CHECK(std::abs(dot(got.d2, got.d2) - 1) < 1e-12);
+    CHECK(std::abs(dot(got.d1, n)) < 1e-12 * length);
     if (!(got.k1 - got.k2 > 1e-3 * (std::abs(got.k1) + std::abs(got.k2)))) continue;
     ++real;
     // dn along d = a x_u + b x_v (tangential parts) is (a n_u + b n_v) / |n~|, tangential part.
-    const auto xu = difference(c.t.x[1], c.t.x[0]), xv = difference(c.t.x[2], c.t.x[0]);
-    const auto nu = difference(c.t.n[1], c.t.n[0]), nv = difference(c.t.n[2], c.t.n[0]);
+    const auto xu = c.t.x[1] - c.t.x[0], xv = c.t.x[2] - c.t.x[0];
+    const auto nu = c.t.n[1] - c.t.n[0], nv = c.t.n[2] - c.t.n[0];
     for (const auto& [k, d] : {std::pair{got.k1, got.d1}, std::pair{got.k2, got.d2}}) {
       const double det = determinant(xu, xv, n);
       const double a = determinant(d, xv, n) / det, b = determinant(xu, d, n) / det;
       Vector<double> rest;
       for (std::size_t j = 0; j < 3; ++j) rest[j] = (a * nu[j] + b * nv[j]) / length + k * d[j];
-      const auto off = outer(rest, n);  // must vanish: rest is along n~
+      const auto off = cross(rest, n);  // must vanish: rest is along n~
       const double scale = 1 + std::abs(got.k1) + std::abs(got.k2) + got.asymmetry;
-      CHECK(std::sqrt(inner(off, off)) < 1e-8 * scale * length * (1 + std::abs(a) + std::abs(b)));
+      CHECK(norm(off) < 1e-8 * scale * length * (1 + std::abs(a) + std::abs(b)));
     }
   }
   CHECK(real > 20);

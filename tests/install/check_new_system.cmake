@@ -19,22 +19,32 @@ endforeach()
 file(COPY ${SOURCE}/certify DESTINATION ${WORK}/tree)
 file(GLOB sources ${WORK}/tree/certify/ridges_smooth/*.cpp)
 file(REMOVE ${sources})
-run(${WORK}/tree/scripts/new-system.sh shape_census)
+run(${WORK}/tree/scripts/new-system.sh shape_census --input mesh)
+run(${WORK}/tree/scripts/new-system.sh field_census --input field)
 run(${CMAKE_COMMAND} -S ${WORK}/tree -B ${WORK}/build -G Ninja -D CMAKE_BUILD_TYPE=Debug
   -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_CXX_COMPILER=${COMPILER})
-# Its library and test, its command and its experiment; nothing of the other systems.
-run(${CMAKE_COMMAND} --build ${WORK}/build --target test_shape_census
+# Their libraries, rooms and tests, commands and experiments; nothing of the other systems.
+run(${CMAKE_COMMAND} --build ${WORK}/build --target test_shape_census test_field_census
   cli/CMakeFiles/crest.dir/shape_census_command.cpp.o
+  cli/CMakeFiles/crest.dir/field_census_command.cpp.o
   experiments/CMakeFiles/experiment_shape_census_table.dir/shape_census/shape_census_table.cpp.o)
-run(${WORK}/build/tests/test_shape_census)
 file(READ ${WORK}/build/cli/command_table.cpp table)
-if(NOT table MATCHES "shape_census_command")
-  message(FATAL_ERROR "the command is not in the table:\n${table}")
-endif()
-# A second run must not overwrite anything.
-execute_process(COMMAND ${WORK}/tree/scripts/new-system.sh shape_census RESULT_VARIABLE code
-  OUTPUT_QUIET ERROR_QUIET)
-if(code EQUAL 0)
-  message(FATAL_ERROR "new-system.sh overwrote an existing system")
-endif()
+file(READ ${WORK}/tree/certify/SPEC.md spec)
+foreach(name shape field)
+  run(${WORK}/build/tests/test_${name}_census)
+  if(NOT table MATCHES "${name}_census_command")
+    message(FATAL_ERROR "the command is not in the table:\n${table}")
+  endif()
+  if(NOT spec MATCHES "[5-9] ${name}-census . .${name}_census/SPEC.md")
+    message(FATAL_ERROR "the claim has no row in certify/SPEC.md:\n${spec}")
+  endif()
+endforeach()
+# A second run must not overwrite anything; without a known input there is nothing to make.
+foreach(arguments "shape_census;--input;mesh" "other_census" "other_census;--input;pictures")
+  execute_process(COMMAND ${WORK}/tree/scripts/new-system.sh ${arguments} RESULT_VARIABLE code
+    INPUT_FILE /dev/null OUTPUT_QUIET ERROR_QUIET)
+  if(code EQUAL 0 OR EXISTS ${WORK}/tree/certify/other_census)
+    message(FATAL_ERROR "new-system.sh ${arguments} made something")
+  endif()
+endforeach()
 file(REMOVE_RECURSE ${WORK})

@@ -33,8 +33,8 @@ using crest::kernel::InputError;
 using crest::tests::contents;
 using crest::tests::TemporaryFolder;
 
-constexpr ArcType kNo = ArcType::none, kE = ArcType::elliptic, kH = ArcType::hyperbolic,
-                  kT = ArcType::turning;
+constexpr RidgeType kNo = RidgeType::none, kE = RidgeType::elliptic, kH = RidgeType::hyperbolic,
+                    kT = RidgeType::turning;
 
 /// The square [-1, 1]^2 on z = 0 in 2 n^2 triangles, facing up; two are in a patch.
 SmoothRidges square(Index n) {
@@ -62,23 +62,23 @@ SmoothRidges scene() {
   SmoothRidges r = square(8);
   r.umbilics = {{{-0.9, -0.9, 0}, 1, {1, 1}}, {{0.9, 0.9, 0}, -1, {3, 3}}};
   SmoothRidge path;
-  path.colour = 0;
+  path.colour = Colour::blue;
   path.ends = {0, kNone};
   path.points = {{-0.9, -0.9, 0}, {-0.7, -0.9, 0}, {-0.5, -0.9, 0}, {0, -0.9, 0}, {1, -0.9, 0}};
   path.types = {kNo, kH, kT, kE};
   SmoothRidge two;
-  two.colour = 0;
+  two.colour = Colour::blue;
   two.loop = true;
   two.points = {{-0.5, 0, 0}, {0, 0, 0}, {0, 0.5, 0}, {-0.5, 0.5, 0}};
   two.types = {kE, kH, kH, kE};
   SmoothRidge one;
-  one.colour = 1;
+  one.colour = Colour::red;
   one.loop = true;
   one.points = {{0.2, 0, 0}, {0.7, 0, 0}, {0.7, 0.5, 0}};
   one.types = {kE, kE, kE};
   r.ridges = {path, two, one};
-  r.turning_points = {{{-0.25, -0.9, 0}, 0}};
-  r.purple_points = {{{0.3, -0.5, 0}, 0}};
+  r.turning_points = {{{-0.25, -0.9, 0}, Colour::blue}};
+  r.purple_points = {{{0.3, -0.5, 0}}};
   return r;
 }
 
@@ -117,7 +117,7 @@ std::size_t lines_starting(const std::string& text, const std::string& start) {
   return count;
 }
 
-SmoothRidge ridge_of(std::vector<ArcType> types, bool loop) {
+SmoothRidge ridge_of(std::vector<RidgeType> types, bool loop) {
   SmoothRidge r;
   r.loop = loop;
   r.types = std::move(types);
@@ -129,7 +129,7 @@ SmoothRidge ridge_of(std::vector<ArcType> types, bool loop) {
 
 TEST_CASE("types in patches follow from the faces beside them", "[io]") {
   using crest::io::drawn_types;
-  const auto drawn = [](std::vector<ArcType> t) { return drawn_types(ridge_of(t, false)); };
+  const auto drawn = [](std::vector<RidgeType> t) { return drawn_types(ridge_of(t, false)); };
   CHECK(drawn({kNo, kE, kE, kNo}) == std::vector{kE, kE, kE, kE});
   CHECK(drawn({kNo, kT, kE}) == std::vector{kH, kT, kE});
   CHECK(drawn({kNo, kT, kT, kE}) == std::vector{kE, kT, kT, kE});

@@ -162,10 +162,10 @@ TEST_CASE("lines are the same for any order of the faces", "[reeb]") {
 TEST_CASE("an arc between two points of a conic stays on it", "[reeb]") {
   const FaceFunction f = face_function({0, 1, 1}, {0.25, 0.5, 0.25});  // s^2 + t^2
   CHECK(f.at({0.3, 0.4}) == Approx(0.25));
-  std::vector<Point2> arc;
+  std::vector<Vec2> arc;
   sample_arc(f, 0.25, {0.5, 0}, {0, 0.5}, 4, arc);
   CHECK(arc.size() == 15);
-  for (const Point2& p : arc) {
+  for (const Vec2& p : arc) {
     CHECK(std::hypot(p[0], p[1]) == Approx(0.5));
     CHECK(p[0] > 0);
     CHECK(p[1] > 0);

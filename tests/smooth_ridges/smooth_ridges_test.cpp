@@ -19,7 +19,8 @@ struct Counts {
 Counts counts(const SmoothRidges& r) {
   Counts c;
   for (const UmbilicPoint& u : r.umbilics) ++(u.twice_index > 0 ? c.plus : c.minus);
-  for (const SmoothRidge& ridge : r.ridges) ++c.ridges[2 * ridge.colour + (ridge.loop ? 0 : 1)];
+  for (const SmoothRidge& ridge : r.ridges)
+    ++c.ridges[2 * static_cast<std::size_t>(ridge.colour) + (ridge.loop ? 0 : 1)];
   return c;
 }
 Options small() {

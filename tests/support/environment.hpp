@@ -12,7 +12,11 @@ inline double multiplier() {
   const char* text = std::getenv("CREST_TEST_MULTIPLIER");
   return text ? std::atof(text) : 1.0;
 }
+/// Whether this thread's test case has random numbers.
+inline thread_local bool is_random = false;
+
 inline std::uint64_t scaled(std::uint64_t n) {
+  is_random = true;
   const double m = static_cast<double>(n) * multiplier();
   return m < 1 ? 1 : static_cast<std::uint64_t>(m);
 }

@@ -21,12 +21,14 @@ class Explain : public Catch::TestEventListenerBase {
     TestEventListenerBase::testCaseStarting(info);
     printed_.clear();
     latest_generator.clear();
+    is_random = false;
   }
   bool assertionEnded(const Catch::AssertionStats& stats) override {
     if (stats.assertionResult.isOk()) return false;
-    std::string text = "\nRandom numbers of the failure below: " + random_origin() + "\n";
+    std::string text;
+    if (is_random) text = "Random numbers of the next failure: " + random_origin() + "\n";
     for (const auto& words : said_on_failure) text += "  " + words() + "\n";
-    if (text != printed_) Catch::cout() << text << std::flush;
+    if (text != printed_) Catch::cout() << "\n" << text << std::flush;
     printed_ = text;
     return false;
   }

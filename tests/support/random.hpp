@@ -17,6 +17,7 @@ inline thread_local std::string latest_generator;
 class Random : public std::mt19937_64 {
  public:
   explicit Random(std::uint64_t seed) : std::mt19937_64(seed) {
+    is_random = true;
     latest_generator = "Random(" + std::to_string(seed) + ")";
   }
 };

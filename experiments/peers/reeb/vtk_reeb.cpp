@@ -13,13 +13,13 @@
 #include <vtkPolyData.h>
 #include <vtkReebGraph.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/sampling/plain_surfaces.hpp"
+#include "experiments/program.hpp"
 
 namespace {
 
@@ -100,15 +100,7 @@ Result median(std::vector<Result> results) {
   return results[results.size() / 2];
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app("Reeb graphs: Crest beside VTK");
-  std::vector<double> sizes = {5e3, 2e4, 8e4};
-  int repetitions = 3;
-  app.add_option("--triangles", sizes, "numbers of triangles");
-  app.add_option("--repetitions", repetitions, "runs of each, medians are reported");
-  CLI11_PARSE(app, argc, argv);
+void run(const std::vector<double>& sizes, int repetitions) {
   fmt::print(
       "| surface | values | triangles | VTK s | Crest s | ratio | VTK MB | Crest MB | "
       "VTK nodes/arcs | Crest nodes/arcs |\n|---|---|---|---|---|---|---|---|---|---|\n");
@@ -132,5 +124,18 @@ int main(int argc, char** argv) {
       }
     }
   }
-  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  crest::experiments::Program program("Reeb graphs: Crest beside VTK");
+  std::vector<double> sizes = {5e3, 2e4, 8e4};
+  int repetitions = 3;
+  program.option("--triangles", sizes, "numbers of triangles");
+  program.option("--repetitions", repetitions, "runs of each, medians are reported");
+  return program.run(argc, argv, [&] {
+    run(sizes, repetitions);
+    return 0;
+  });
 }

@@ -10,17 +10,16 @@
 #include <tbb/global_control.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
+#include "experiments/program.hpp"
 #include "io/read/mesh_reader.hpp"
 
 namespace crest::peers {
@@ -273,17 +272,11 @@ int main(int argc, char** argv) {
   o.certificate =
       (std::filesystem::temp_directory_path() / fmt::format("cgal_ridges_{}.crest", getpid()))
           .string();
-  CLI::App app{"Ridges and umbilics of a mesh: Crest beside CGAL"};
-  app.add_option("MESH", o.mesh, "triangle mesh (.off)")->required();
-  app.add_option("--json", o.json, "also write every run to this file");
-  app.add_option("--repetitions", o.repetitions, "of each Crest setting (default 5)");
-  app.add_option("--cgal-repetitions", o.cgal_repetitions, "of CGAL (default 1; 0: leave it out)");
-  app.add_option("--umbilic-size", o.cgal.umbilic_size, "CGAL's umbilic patch size (default 2)");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return crest::peers::run(o);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  crest::experiments::Program program("Ridges and umbilics of a mesh: Crest beside CGAL");
+  program.option("MESH", o.mesh, "triangle mesh (.off)");
+  program.option("--json", o.json, "also write every run to this file");
+  program.option("--repetitions", o.repetitions, "of each Crest setting (default 5)");
+  program.option("--cgal-repetitions", o.cgal_repetitions, "of CGAL (default 1; 0: leave it out)");
+  program.option("--umbilic-size", o.cgal.umbilic_size, "CGAL's umbilic patch size (default 2)");
+  return program.run(argc, argv, [&] { return crest::peers::run(o); });
 }
