@@ -35,7 +35,7 @@ Interval range_of(const AlgebraicNumber& x) {
   if (!x.rational()) return {x.low().lower(), x.high().upper()};
   // The conversion truncates towards zero.
   const double near = x.rational()->convert_to<double>();
-  if (!std::isfinite(near)) return Interval::largest();
+  if (!std::isfinite(near)) return Interval::undefined();
   if (Rational(near) == *x.rational()) return near;
   const double infinity = std::numeric_limits<double>::infinity();
   return {std::nextafter(near, -infinity), std::nextafter(near, infinity)};
