@@ -13,7 +13,7 @@
 namespace crest::smooth_ridges {
 namespace {
 
-std::string likely_reason(FaceStatus status) {
+const char* likely_reason(FaceStatus status) {
   switch (status) {
     case FaceStatus::chart:
       return "the map to the surface is not proven: the surface may be singular here";
@@ -21,8 +21,7 @@ std::string likely_reason(FaceStatus status) {
       return "k1 - k2 is zero within its enclosure: an umbilic that is not generic, or many";
     case FaceStatus::ridge:
       return "an extremality and its derivative are zero within their enclosures: ridges that "
-             "touch "
-             "or end, or a surface of revolution";
+             "touch or end, or a surface of revolution";
     case FaceStatus::type:
       return "the type of a ridge is not decided: a turning point that is not generic";
     case FaceStatus::purple:
@@ -46,8 +45,12 @@ class Run {
     out_.tests = refined_.tests;
     describe_mesh();
     timed(out_.seconds.graph, [&] { assemble_graph(surface_, refined_, out_); });
-    for (const UncertifiedCell& cell : refined_.uncertified)
-      out_.undecided.push_back({cell.centre, cell.size, likely_reason(cell.status)});
+    for (const UncertifiedCell& cell : refined_.uncertified) {
+      UndecidedCell& open = out_.undecided.emplace_back();  // push_back makes GCC 12 warn of bounds
+      open.centre = cell.centre;
+      open.size = cell.size;
+      open.reason = likely_reason(cell.status);
+    }
     if (!out_.undecided.empty()) {
       out_.obstacles.push_back(std::to_string(out_.undecided.size()) + " of " +
                                std::to_string(refined_.mesh.faces().size()) +
@@ -91,9 +94,9 @@ class Run {
     if (surface_.is_implicit())
       if (const auto box = place_vertices(cover_, mesh_)) {
         const Vec3& x = cover_.critical_points[*box];
-        out_.obstacles.push_back("the triangulation lacks the component at (" +
-                                 std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " +
-                                 std::to_string(x[2]) + "): start with more faces");
+        out_.obstacles.emplace_back("the triangulation lacks the component at (" +
+                                    std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " +
+                                    std::to_string(x[2]) + "): start with more faces");
         return false;
       }
     return true;
@@ -125,14 +128,14 @@ class Run {
       sheets_ = timed(out_.seconds.completeness,
                       [&] { return one_sheet(surface_, refined_.mesh, skip); });
       if (sheets_.failed) {
-        out_.obstacles.push_back("no face shows that its component is covered once");
+        out_.obstacles.emplace_back("no face shows that its component is covered once");
         return false;
       }
     }
     int sum = 0;
     for (const UmbilicPoint& u : out_.umbilics) sum += u.twice_index;
     if (out_.boundary_loops == 0 && sum != 2 * out_.euler_characteristic) {
-      out_.obstacles.push_back("the umbilics' indices do not sum to the Euler characteristic");
+      out_.obstacles.emplace_back("the umbilics' indices do not sum to the Euler characteristic");
       return false;
     }
     return true;
