@@ -35,10 +35,10 @@ template <int K, int Order, class M, class Jet>
 Tangents<Local<M, K>> fill_immersion(const Triple<Jet>& x, FirstSecond<M, K>& f) {
   using F = Local<M, K>;
   Tangents<F> t{derivative<F, Order>(x, 1, 0), derivative<F, Order>(x, 0, 1), {}};
-  t.n = cross(t.x1, t.x2);
-  f.i = {dot(t.x1, t.x1), dot(t.x1, t.x2), dot(t.x2, t.x2)};
+  t.n = smooth::cross(t.x1, t.x2);
+  f.i = {smooth::dot(t.x1, t.x1), smooth::dot(t.x1, t.x2), smooth::dot(t.x2, t.x2)};
   for (int k = 0; k < 3; ++k)
-    f.l[static_cast<std::size_t>(k)] = dot(t.n, derivative<F, Order>(x, 2 - k, k));
+    f.l[static_cast<std::size_t>(k)] = smooth::dot(t.n, derivative<F, Order>(x, 2 - k, k));
   return t;
 }
 
@@ -48,11 +48,11 @@ Forms<M, K> immersion_forms(const Triple<Jet>& x) {
   Forms<M, K> f;
   const auto [x1, x2, n] = fill_immersion<K, Order>(x, f);
   for (int k = 0; k < 4; ++k)
-    f.t[static_cast<std::size_t>(k)] = dot(n, derivative<F, Order>(x, 3 - k, k));
+    f.t[static_cast<std::size_t>(k)] = smooth::dot(n, derivative<F, Order>(x, 3 - k, k));
   const auto x11 = derivative<F, Order>(x, 2, 0), x12 = derivative<F, Order>(x, 1, 1),
              x22 = derivative<F, Order>(x, 0, 2);
-  f.c = {dot(x1, x11), dot(x1, x12) * 2.0 + dot(x2, x11), dot(x1, x22) + dot(x2, x12) * 2.0,
-         dot(x2, x22)};
+  f.c = {smooth::dot(x1, x11), smooth::dot(x1, x12) * 2.0 + smooth::dot(x2, x11),
+         smooth::dot(x1, x22) + smooth::dot(x2, x12) * 2.0, smooth::dot(x2, x22)};
   return f;
 }
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <random>
 #include <set>
+
+#include "tests/support/random.hpp"
 
 namespace {
 
@@ -34,7 +35,7 @@ class Labels {
 }  // namespace
 
 TEST_CASE("disjoint sets: named by their smallest elements, whatever the order of joins") {
-  std::mt19937_64 random(7);
+  crest::tests::Random random(7);
   for (int trial = 0; trial < 200; ++trial) {
     const auto n = static_cast<Index>(1 + random() % 60);
     INFO("trial " << trial << ", " << n << " elements");

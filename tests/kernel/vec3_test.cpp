@@ -5,9 +5,9 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <random>
 
 #include "kernel/arithmetic/rational.hpp"
+#include "tests/support/random.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ class Vectors {
   double number() { return std::ldexp(static_cast<double>(random_() >> 11), -53) - 0.5; }
 
  private:
-  std::mt19937_64 random_{20};
+  crest::tests::Random random_{20};
 };
 
 }  // namespace
