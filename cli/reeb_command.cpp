@@ -288,7 +288,8 @@ Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
                        shown.written.changed ? shown.written.graph : x.graph,
                        shown.trees,
                        x.file.function,
-                       counts};
+                       counts,
+                       run.wanted("--certificate")};
   fill_report(run.report(), result);
   std::vector<std::string> references = {"dillard2006tessellation", "edelsbrunner1990simulation"};
   if (run.wanted("--certificate"))

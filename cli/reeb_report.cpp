@@ -7,6 +7,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "algorithms/reeb/contraction.hpp"
+
 namespace crest::cli {
 namespace {
 
@@ -61,6 +63,11 @@ Json graph_json(const ReebGraph& graph) {
           {"components", graph.components}};
 }
 
+/// Nodes whose value is that of the one before in the order.
+std::int64_t tied_values(const ReebRun& run) {
+  return std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
+}
+
 const char* tree_name(int kind) {
   if (kind == io::kJoinTreeKind) return "join_tree";
   return kind == io::kSplitTreeKind ? "split_tree" : "contour_tree";
@@ -95,12 +102,15 @@ void fill_report(Report& report, const ReebRun& run) {
   report["line_critical"] = run.tiles.critical_edges.size();
   report["face_critical"] = run.tiles.critical_faces.size();
   report["tiles"] = run.tiles.tiles.size();
-  report["ties"] = std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
+  report["ties"] = tied_values(run);
   report["critical_points"] = {{"minima", counts.minima},
                                {"saddles", counts.saddles},
                                {"maxima", counts.maxima},
                                {"index_sum", counts.index_sum}};
   report["graph"] = graph_json(run.graph);
+  report["tied_arcs"] = reeb::count_ties(run.graph, run.tiles.rank, run.tiles.tied).arcs;
+  // "graph", the tie-broken one, whatever is written.
+  report["certificate_is_of"] = run.certified ? Json("graph") : Json();
   report["written"] = graph_json(run.written);
   for (const io::TreeLines& tree : run.trees)
     report[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
@@ -131,6 +141,15 @@ std::string summary_text(const ReebRun& run) {
                         leaves(tree));
   }
   if (&run.written != &run.graph) text += line("written", run.written);
+  if (const auto ties = tied_values(run); ties > 0) {
+    text += fmt::format(
+        "ties: {} values equal the one before; the Reeb graph orders them by number, {} of its "
+        "arcs "
+        "join equal values; --contract gives the graph of the function itself\n",
+        ties, reeb::count_ties(run.graph, run.tiles.rank, run.tiles.tied).arcs);
+  }
+  if (run.certified && &run.written != &run.graph)
+    text += "certified: the Reeb graph, not the written one\n";
   for (const LevelCount& level : run.levels)
     text += fmt::format("level {}: {} paths, {} cycles\n", level.level, level.paths, level.cycles);
   return text;

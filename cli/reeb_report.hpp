@@ -27,6 +27,7 @@ struct ReebRun {
   const std::vector<io::TreeLines>& trees;
   const std::string& function;
   const std::vector<LevelCount>& levels;
+  bool certified;  ///< `graph` has a certificate
 };
 
 void fill_report(Report& report, const ReebRun& run);

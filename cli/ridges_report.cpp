@@ -112,6 +112,9 @@ void fill_report(Report& report, const RidgesRun& run) {
   report["open_ends"] = ridges::open_ends(run.graph);
   report["conflict_triangles"] = run.graph.conflict_triangles;
   report["ambiguous_edges"] = run.graph.ambiguous_edges;
+  report["frames"] = {{"n_against_faces", run.graph.against_faces},
+                      {"k1_equals_k2", run.graph.equal_curvatures},
+                      {"d1_parallel_to_n", run.graph.parallel_frames}};
   report["zero_extremalities"] = {{"b0", run.graph.zero_extremalities[0]},
                                   {"b3", run.graph.zero_extremalities[1]}};
   report["data_digest"] = run.data_digest;
@@ -134,7 +137,7 @@ std::string summary_text(const RidgesRun& run) {
                   run.mesh.vertex_count(), run.mesh.face_count(), run.mesh.euler_characteristic(),
                   run.mesh.boundary_loops());
   text +=
-      fmt::format("umbilics: {} ({} 1-ridge, {} 3-ridge), index sum {}\n",
+      fmt::format("umbilics: {} patches ({} 1-ridge, {} 3-ridge), index sum {}\n",
                   run.graph.umbilics.size(), count_kind(ridges::UmbilicKind::one_ridge),
                   count_kind(ridges::UmbilicKind::three_ridge), 0.5 * run.graph.twice_index_sum);
   for (const Colour colour : {Colour::blue, Colour::red}) {

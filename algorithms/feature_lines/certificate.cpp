@@ -24,6 +24,7 @@ certify::FeaturesMeshCertificate make_certificate(const kernel::TriangleMesh& me
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (thinning.after[v]) c.marked_after.push_back(v);
   c.dropped = thinning.dropped;
+  c.components = thinning.topology_after.marked.b0 - static_cast<Index>(thinning.dropped.size());
   c.betti = {
       record_of(thinning.topology_before.marked), record_of(thinning.topology_before.complement),
       record_of(thinning.topology_after.marked), record_of(thinning.topology_after.complement)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/reeb/certificate.hpp"
 
+#include "algorithms/reeb/contraction.hpp"
 #include "algorithms/reeb/cuts.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
 
@@ -55,6 +56,9 @@ certify::ReebCertificate make_certificate(const kernel::QuadraticMesh& mesh,
   }
   c.arcs.reserve(graph.arcs.size());
   for (const ReebArc& arc : graph.arcs) c.arcs.push_back({arc.lower, arc.upper});
+  const TieCounts ties = count_ties(graph, tiles.rank, tiles.tied);
+  c.tied_arcs = ties.arcs;
+  c.contracted_nodes = ties.groups;
   for (const Index arc : choose_cuts(graph)) c.cuts.push_back({arc, graph.arcs[arc].strand});
   return c;
 }

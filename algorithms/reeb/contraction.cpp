@@ -10,24 +10,6 @@
 namespace crest::reeb {
 namespace {
 
-/// The nodes joined by arcs between equal values, each group named by its first node.
-std::vector<Index> groups_of(const ReebGraph& graph, std::span<const Index> rank,
-                             std::span<const std::uint8_t> tied) {
-  std::vector<Index> plateau(rank.size());
-  for (std::size_t r = 0, p = 0; r < rank.size(); ++r) {
-    p += r > 0 && tied[r] == 0;
-    plateau[r] = static_cast<Index>(p);
-  }
-  kernel::DisjointSets groups(static_cast<Index>(graph.nodes.size()));
-  for (const ReebArc& arc : graph.arcs) {
-    const auto value = [&](Index node) { return plateau[rank[graph.nodes[node].vertex]]; };
-    if (value(arc.lower) == value(arc.upper)) groups.unite(arc.lower, arc.upper);
-  }
-  std::vector<Index> group(groups.size());
-  for (Index i = 0; i < group.size(); ++i) group[i] = groups.find(i);
-  return group;
-}
-
 struct Group {
   Index below = 0, above = 0;
   Index arc_below = kNone, arc_above = kNone;
@@ -140,9 +122,35 @@ void Contraction::number_arcs() {
 
 }  // namespace
 
+std::vector<Index> tied_groups(const ReebGraph& graph, std::span<const Index> rank,
+                               std::span<const std::uint8_t> tied) {
+  std::vector<Index> plateau(rank.size());
+  for (std::size_t r = 0, p = 0; r < rank.size(); ++r) {
+    p += r > 0 && tied[r] == 0;
+    plateau[r] = static_cast<Index>(p);
+  }
+  kernel::DisjointSets groups(static_cast<Index>(graph.nodes.size()));
+  for (const ReebArc& arc : graph.arcs) {
+    const auto value = [&](Index node) { return plateau[rank[graph.nodes[node].vertex]]; };
+    if (value(arc.lower) == value(arc.upper)) groups.unite(arc.lower, arc.upper);
+  }
+  std::vector<Index> group(groups.size());
+  for (Index i = 0; i < group.size(); ++i) group[i] = groups.find(i);
+  return group;
+}
+
+TieCounts count_ties(const ReebGraph& graph, std::span<const Index> rank,
+                     std::span<const std::uint8_t> tied) {
+  const std::vector<Index> group = tied_groups(graph, rank, tied);
+  TieCounts counts;
+  for (Index i = 0; i < group.size(); ++i) counts.groups += group[i] == i;
+  for (const ReebArc& arc : graph.arcs) counts.arcs += group[arc.lower] == group[arc.upper];
+  return counts;
+}
+
 ContractedGraph contract(const ReebGraph& graph, std::span<const Index> rank,
                          std::span<const std::uint8_t> tied) {
-  return Contraction(graph, groups_of(graph, rank, tied)).run();
+  return Contraction(graph, tied_groups(graph, rank, tied)).run();
 }
 
 }  // namespace crest::reeb

@@ -9,6 +9,17 @@
 
 namespace crest::reeb {
 
+/// The nodes joined by arcs between equal values, each group named by one of its nodes.
+std::vector<Index> tied_groups(const ReebGraph& graph, std::span<const Index> rank,
+                               std::span<const std::uint8_t> tied);
+
+/// Arcs between equal values (certify/reeb/SPEC.md, "Ties") and the groups they join.
+struct TieCounts {
+  Index arcs = 0, groups = 0;
+};
+TieCounts count_ties(const ReebGraph& graph, std::span<const Index> rank,
+                     std::span<const std::uint8_t> tied);
+
 struct ContractedGraph {
   /// A node stands for all nodes joined by arcs between equal values (its vertex: the one of least
   /// number; its index: the sum of theirs; on_boundary: of any). Kinds are those of the degrees: no

@@ -50,6 +50,9 @@ certify::RidgesMeshCertificate claims_of(const kernel::TriangleMesh& mesh,
   c.conflict_triangles = graph.conflict_triangles;
   c.ambiguous_edges = graph.ambiguous_edges;
   c.zero_extremalities = {graph.zero_extremalities[0], graph.zero_extremalities[1]};
+  c.against_faces = graph.against_faces;
+  c.equal_curvatures = graph.equal_curvatures;
+  c.parallel_frames = graph.parallel_frames;
   for (const FaceIndex& i : graph.face_indices)
     c.face_indices.push_back({i.face, static_cast<std::int8_t>(i.twice_index)});
   for (const Umbilic& u : graph.umbilics)

@@ -7,6 +7,8 @@
 #include "algorithms/ridges/ridge_types.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/umbilics.hpp"
+#include "kernel/predicates/against_faces.hpp"
+#include "kernel/predicates/collinear.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -51,6 +53,23 @@ Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
   return ridge;
 }
 
+/// The three counts of frames that no surface has.
+void count_frames(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+                  RidgeGraph& graph) {
+  std::vector<std::array<Vec3, 2>> sides;
+  const auto count = [&](Index v) {
+    const std::span<const Index> ring = mesh.ring(v);
+    const std::size_t faces = ring.size() - (mesh.on_boundary(v) ? 1 : 0);
+    sides.clear();
+    for (std::size_t k = 0; k < faces; ++k)
+      sides.push_back({mesh.points()[ring[k]], mesh.points()[ring[(k + 1) % ring.size()]]});
+    graph.against_faces += kernel::against_faces(forms[v].n, mesh.points()[v], sides);
+    graph.equal_curvatures += forms[v].k1 == forms[v].k2;
+    graph.parallel_frames += kernel::collinear({0, 0, 0}, forms[v].n, forms[v].d1);
+  };
+  for (Index v = 0; v < mesh.vertex_count(); ++v) count(v);
+}
+
 }  // namespace
 
 RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
@@ -63,6 +82,7 @@ RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
   RidgeGraph graph;
   graph.model_size = model_size(mesh);
   graph.ambiguous_edges = states.ambiguous_edges;
+  count_frames(mesh, forms, graph);
   std::copy(states.zero_extremalities, states.zero_extremalities + 2, graph.zero_extremalities);
   graph.twice_index_sum = indices.twice_sum;
   for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -76,7 +76,7 @@ struct Ridge {
 
 /// An umbilic: a disk of triangles whose contour the principal directions wind around.
 struct Umbilic {
-  Index face;           ///< the triangle holding it
+  Index face;           ///< the central triangle (certify/ridges_mesh/SPEC.md)
   Vec3 point;           ///< its centroid
   int twice_index = 0;  ///< +1 and -1 are the generic ones; the sum over a closed mesh is 2 chi
   UmbilicKind kind = UmbilicKind::degenerate;
@@ -99,6 +99,8 @@ struct RidgeGraph {
   Index conflict_triangles = 0;          ///< triangles with 1 or 3 crossings (section 7.1)
   Index ambiguous_edges = 0;             ///< principal pairs at exactly 90 degrees
   Index zero_extremalities[2] = {0, 0};  ///< vertices with b0 (b3) exactly zero
+  /// Vertices with n against the faces around them, with k1 = k2, with n x d1 = 0.
+  Index against_faces = 0, equal_curvatures = 0, parallel_frames = 0;
   int twice_index_sum = 0;
 };
 

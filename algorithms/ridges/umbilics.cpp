@@ -16,14 +16,22 @@ double mean_gap(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& 
   return sum / 3;
 }
 
+bool less_gap(const MongeForm& m, const MongeForm& b) {
+  return kernel::compare_gaps({m.k1, m.k2, b.k1, b.k2}).sign == kernel::Sign::negative;
+}
+
+/// The corner with the least k1 - k2, exactly; ties: the first.
+Index least_gap_corner(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+                       Index f) {
+  Index best = mesh.faces()[f][0];
+  for (Index v : mesh.faces()[f])
+    if (less_gap(forms[v], forms[best])) best = v;
+  return best;
+}
+
 UmbilicKind kind_of(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms, Index f,
                     StageCounts& counts) {
-  Index best = mesh.faces()[f][0];
-  for (Index v : mesh.faces()[f]) {
-    const MongeForm &m = forms[v], &b = forms[best];
-    if (kernel::compare_gaps({m.k1, m.k2, b.k1, b.k2}).sign == kernel::Sign::negative) best = v;
-  }
-  const MongeForm& m = forms[best];
+  const MongeForm& m = forms[least_gap_corner(mesh, forms, f)];
   const kernel::Decision d = kernel::umbilic_kind({m.b0, m.b1, m.b2, m.b3});
   counts.add(d.stage);
   if (d.sign == kernel::Sign::zero) return UmbilicKind::degenerate;
@@ -69,14 +77,27 @@ class Finder {
 
   void add(Index seed) {
     Umbilic u;
-    u.face = seed;
-    u.point = grower_.centroid(seed);
     const std::vector<Index>& faces = grower_.grow(seed, size_, result_.owner);
     u.patch.assign(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(choose(faces, u)));
     std::sort(u.patch.begin(), u.patch.end());
     for (Index f : u.patch) result_.owner[f] = static_cast<Index>(result_.umbilics.size());
-    u.kind = kind_of(mesh_, forms_, seed, result_.kind_counts);
+    u.face = central_face(u.patch);
+    u.point = grower_.centroid(u.face);
+    u.kind = kind_of(mesh_, forms_, u.face, result_.kind_counts);
     result_.umbilics.push_back(std::move(u));
+  }
+
+  // Of non-zero index, with the least k1 - k2 at a corner; ties: the least number.
+  Index central_face(const std::vector<Index>& patch) const {
+    Index central = kernel::kNone, least = kernel::kNone;
+    for (Index f : patch) {
+      if (indices_.twice[f] == 0) continue;
+      const Index corner = least_gap_corner(mesh_, forms_, f);
+      if (central != kernel::kNone && !less_gap(forms_[corner], forms_[least])) continue;
+      central = f;
+      least = corner;
+    }
+    return central;
   }
 
   // Every prefix of the faces in order of joining is a disk: takes the longest coherent one, else

@@ -11,15 +11,18 @@ void check_all(std::span<const ClaimChecker* const> known,
                std::span<const std::uint8_t> certificate, const VerifyOptions& options,
                Verdict& verdict) {
   const Container container = open_container(certificate);
-  require(container.version == kVersion, "version {} is not known", container.version);
   verdict.data = container.data_digest();
   require(*verdict.data == container.stated_data_digest,
           "the data are not those the certificate was made for (data digest)");
   require(container.seal() == container.stated_seal, "the file is damaged (seal)");
   std::string names;
   for (const ClaimChecker* checker : known) {
-    if (checker->number == container.claim)
+    if (checker->number == container.claim) {
+      require(container.version == checker->version,
+              "version {} of {} is not known here (known: {})", container.version, checker->name,
+              checker->version);
       return checker->check(container.data, container.claims, options, verdict);
+    }
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", checker->number, checker->name);
   }
   throw Reject(fmt::format("claim {} is not known here (known: {})", container.claim, names));

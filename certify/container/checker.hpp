@@ -10,7 +10,7 @@
 namespace crest::certify {
 
 struct ClaimChecker {
-  std::uint32_t number;  ///< in the header of certificates
+  std::uint32_t number, version;  ///< in the header of certificates
   const char* name;
   /// Appends a line to the verdict for each step proved. Throws Reject, Malformed, TieUnavailable,
   /// InputUnreadable.

@@ -8,12 +8,12 @@
 
 namespace crest::certify {
 
-EncodedData begin(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data) {
+EncodedData begin(ClaimFormat format, std::size_t data_size, const WriteSection& write_data) {
   ByteWriter out;
   out.reserve(kHeaderSize + data_size + data_size / 8);
   out.bytes(kMagic);
-  out.integer(kVersion);
-  out.integer(claim);
+  out.integer(format.version);
+  out.integer(format.claim);
   out.bytes(Digest{});
   out.integer(std::uint64_t{data_size});
   out.integer(std::uint64_t{0});
@@ -37,9 +37,9 @@ Bytes finish(EncodedData data, const WriteSection& write_claims) {
   return bytes;
 }
 
-Bytes compose(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data,
+Bytes compose(ClaimFormat format, std::size_t data_size, const WriteSection& write_data,
               const WriteSection& write_claims) {
-  return finish(begin(claim, data_size, write_data), write_claims);
+  return finish(begin(format, data_size, write_data), write_claims);
 }
 
 }  // namespace crest::certify

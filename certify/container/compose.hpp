@@ -10,13 +10,18 @@ namespace crest::certify {
 
 using WriteSection = std::function<void(ByteWriter&)>;
 
+/// What a header says of its claim: each room's records.hpp has its own.
+struct ClaimFormat {
+  std::uint32_t claim, version;
+};
+
 /// Header and data section; the claim section's length is still open. Requires: write_data writes
 /// data_size bytes.
-EncodedData begin(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data);
+EncodedData begin(ClaimFormat format, std::size_t data_size, const WriteSection& write_data);
 /// Claim section and seal.
 Bytes finish(EncodedData data, const WriteSection& write_claims);
 /// Both.
-Bytes compose(std::uint32_t claim, std::size_t data_size, const WriteSection& write_data,
+Bytes compose(ClaimFormat format, std::size_t data_size, const WriteSection& write_data,
               const WriteSection& write_claims);
 
 }  // namespace crest::certify

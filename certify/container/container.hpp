@@ -11,7 +11,6 @@
 namespace crest::certify {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {'C', 'R', 'E', 'S', 'T', 'C', 'R', 'T'};
-inline constexpr std::uint32_t kVersion = 1;
 inline constexpr std::size_t kDigestOffset = 16, kLengthsOffset = 48, kHeaderSize = 64,
                              kSealSize = 32;
 /// Bytes of a triangle.

@@ -21,20 +21,19 @@ class SignLadder {
 
   template <class Formula>
   kernel::Sign operator()(const Formula& formula) {
-    using kernel::certain_sign;
     ++counts_.calls;
     if (arithmetic_ == Arithmetic::doubles) {
       if (const auto sign = certify::certain_sign(formula([](double x) { return filtered(x); })))
         return *sign;
-      ++counts_.interval;
-      if (const auto sign = by_interval(formula)) return *sign;
-    } else {
-      ++counts_.interval;
-      const auto lift = [](double x) { return kernel::MpInterval(x, 128); };
-      if (const auto sign = certain_sign(formula(lift))) return *sign;
     }
-    ++counts_.exact;
-    return kernel::sign_of(formula([](double x) { return kernel::Rational(x); }));
+    return climb(formula);
+  }
+
+  /// For formulas with sums of any length, which the first stage's numbers cannot carry.
+  template <class Formula>
+  kernel::Sign without_triage(const Formula& formula) {
+    ++counts_.calls;
+    return climb(formula);
   }
 
   /// The first stage alone, for a number that several decisions share. Empty with mpfr.
@@ -49,6 +48,19 @@ class SignLadder {
   const SignCounts& counts() const { return counts_; }
 
  private:
+  template <class Formula>
+  kernel::Sign climb(const Formula& formula) {
+    ++counts_.interval;
+    if (const auto sign =
+            arithmetic_ == Arithmetic::doubles ? by_interval(formula) : by_mpfr(formula))
+      return *sign;
+    ++counts_.exact;
+    return kernel::sign_of(formula([](double x) { return kernel::Rational(x); }));
+  }
+  template <class Formula>
+  static kernel::MaybeSign by_mpfr(const Formula& formula) {
+    return certain_sign(formula([](double x) { return kernel::MpInterval(x, 128); }));
+  }
   template <class Formula>
   static kernel::MaybeSign by_interval(const Formula& formula) {
     const kernel::RoundUpward guard;

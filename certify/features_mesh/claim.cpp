@@ -131,8 +131,9 @@ void verify_features_mesh(std::span<const std::uint8_t> data, std::span<const st
   prove(verdict, "data: an oriented manifold of {} vertices, {} faces; digests match",
         c.positions.size(), c.faces.size());
   if (options.input) {
-    check_input(*options.input, c.positions, c.faces);
-    prove(verdict, "input: {} holds the same positions and faces", *options.input);
+    const std::string oriented = check_input(*options.input, c.positions, c.faces);
+    prove(verdict, "input: {} holds the same positions and faces, {}; nothing ties the marks to it",
+          *options.input, oriented);
   }
   require_equal(c.euler_characteristic, t.euler_characteristic, "Euler characteristic");
   require_equal(c.boundary_loops, t.boundary_loops, "boundary loops");
@@ -154,14 +155,21 @@ void verify_features_mesh(std::span<const std::uint8_t> data, std::span<const st
   // Simple removals keep them (lemma 3): a difference is an error of the checker.
   require_betti(c.betti[0], marked, "marked, before and after");
   require_betti(c.betti[1], other, "complement, before and after");
+  std::vector<u8> lines = after;
+  for (const u32 v : c.dropped) lines[v] = 0;
+  require_equal(c.components, count_betti(c.faces, t, lines, 1).components,
+                "components without the dropped vertices");
   prove(verdict,
-        "kept: marked {} components, {} loops, Euler characteristic {}; complement {}, {}, {}",
-        marked.components, marked.loops, marked.euler, other.components, other.loops, other.euler);
+        "kept: marked {} components, {} loops, Euler characteristic {}; complement {}, {}, {}; "
+        "without the dropped vertices {} components are left",
+        marked.components, marked.loops, marked.euler, other.components, other.loops, other.euler,
+        c.components);
 }
 
 }  // namespace
 
 extern const ClaimChecker features_mesh_claim;
-const ClaimChecker features_mesh_claim = {kFeaturesMesh, "features-mesh", verify_features_mesh};
+const ClaimChecker features_mesh_claim = {kFeaturesMesh, kFeaturesMeshVersion, "features-mesh",
+                                          verify_features_mesh};
 
 }  // namespace crest::certify

@@ -39,6 +39,7 @@ FeaturesMeshCertificate decode_features_mesh(std::span<const std::uint8_t> data,
   read_list(reader, c.removed, "removed vertices");
   read_list(reader, c.marked_after, "marked vertices");
   read_list(reader, c.dropped, "dropped vertices");
+  c.components = reader.integer<std::uint32_t>();
   for (BettiRecord& b : c.betti) {
     b.euler = reader.integer<std::int32_t>();
     b.components = reader.integer<std::uint32_t>();

@@ -22,6 +22,7 @@ void write_features_claims(ByteWriter& out, const FeaturesMeshCertificate& c) {
     out.count(list->size());
     for (const auto v : *list) out.integer(v);
   }
+  out.integer(c.components);
   for (const BettiRecord& b : c.betti) {
     out.integer(b.euler);
     out.integer(b.components);
@@ -38,7 +39,8 @@ Bytes encode(const FeaturesMeshCertificate& certificate) {
   const std::size_t data_size = 8 + certificate.faces.size() * kFaceSize +
                                 certificate.positions.size() * (3 * sizeof(double) + 1);
   return compose(
-      kFeaturesMesh, data_size, [&](ByteWriter& out) { write_features_data(out, certificate); },
+      {kFeaturesMesh, kFeaturesMeshVersion}, data_size,
+      [&](ByteWriter& out) { write_features_data(out, certificate); },
       [&](ByteWriter& out) { write_features_claims(out, certificate); });
 }
 

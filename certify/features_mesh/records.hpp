@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kFeaturesMesh = 2;
+inline constexpr std::uint32_t kFeaturesMesh = 2, kFeaturesMeshVersion = 2;
 
 /// Of a subcomplex: euler = components - loops + closed surfaces.
 struct BettiRecord {
@@ -26,6 +26,7 @@ struct FeaturesMeshCertificate {
   std::vector<std::uint32_t> removed;       ///< in the order of removal
   std::vector<std::uint32_t> marked_after;  ///< ascending
   std::vector<std::uint32_t> dropped;       ///< ascending
+  std::uint32_t components = 0;             ///< of what is marked after without the dropped
   std::array<BettiRecord, 4> betti{};       ///< before: marked, complement; after: the same
 };
 

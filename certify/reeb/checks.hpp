@@ -35,10 +35,15 @@ struct Tiling {
 };
 Tiling tessellate(const ReebContents& c, const Gluing& mesh, SignLadder& sign);
 
-/// Step 4. Returns the rank of every node. Throws Reject unless c.order is a permutation in which
+/// What step 4 establishes.
+struct NodeOrder {
+  Buffer<u32> rank;           ///< N
+  Buffer<std::uint8_t> tied;  ///< N: the node at a place has the value of the one before
+};
+/// Step 4. Throws Reject unless c.order is a permutation in which
 /// successive nodes ascend by value, then number. `tiling` and `mesh` are read with degree 2 only.
-Buffer<u32> check_order(const ReebContents& c, const Gluing& mesh, const Tiling& tiling,
-                        Arithmetic arithmetic, SignCounts& counts);
+NodeOrder check_order(const ReebContents& c, const Gluing& mesh, const Tiling& tiling,
+                      Arithmetic arithmetic, SignCounts& counts);
 
 /// K with the ranks of its nodes.
 struct Complex {
@@ -109,6 +114,13 @@ struct Cuts {
 };
 /// Throws Reject also for arcs or cuts that name nothing or are out of order.
 Cuts check_cuts(const ReebContents& c, const Complex& k);
+
+/// Arcs between nodes of equal value, and the classes of nodes that they join.
+struct Contraction {
+  u32 tied_arcs = 0, nodes = 0;
+};
+/// Step 8. Requires: the arcs name critical nodes (check_cuts), which ascend (check_types).
+Contraction count_ties(const ReebContents& c, const NodeOrder& order);
 
 /// Step 7. Throws Reject unless theorem 6 applies and gives the stated graph.
 void check_trees(const ReebContents& c, const Complex& k, const NodeTypes& types, const Cuts& cuts);

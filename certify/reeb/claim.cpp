@@ -47,7 +47,9 @@ std::int64_t loops_of(const ReebContents& c) {
 }
 
 void prove_graph(const ReebContents& c, const reeb::SurfaceFacts& facts, bool simple,
-                 Verdict& verdict) {
+                 const reeb::Contraction& ties, Verdict& verdict) {
+  require_equal(c.tied_arcs, ties.tied_arcs, "arcs that join equal values");
+  require_equal(c.contracted_nodes, ties.nodes, "nodes of the contracted graph");
   std::string beside;
   if (facts.boundary_loops == 0 && facts.orientable) {
     const std::int64_t genus = facts.components - facts.euler_characteristic / 2;
@@ -56,8 +58,11 @@ void prove_graph(const ReebContents& c, const reeb::SurfaceFacts& facts, bool si
       throw std::logic_error("loops and genus contradict theorem 7");
     beside = fmt::format(", genus {}", genus);
   }
-  prove(verdict, "graph: {} nodes, {} arcs, {} loops{}: the Reeb graph", c.critical_nodes.size(),
-        c.arcs.size(), loops_of(c), beside);
+  prove(verdict,
+        "graph: {} nodes, {} arcs, {} loops{}: the Reeb graph of the values ordered by number at "
+        "ties; {} arcs join equal values; contracted: {} nodes, {} arcs",
+        c.critical_nodes.size(), c.arcs.size(), loops_of(c), beside, ties.tied_arcs, ties.nodes,
+        c.arcs.size() - ties.tied_arcs);
 }
 
 /// Cost: near-linear in faces and crossed edges of the cuts; 0.3 microseconds a linear face, 1 when
@@ -76,14 +81,14 @@ void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_
   const reeb::Tiling tiling = prove_tiles(c, mesh, sign, verdict);
 
   SignCounts comparisons;
-  const auto rank = reeb::check_order(c, mesh, tiling, options.arithmetic, comparisons);
-  prove(verdict, "order: {} nodes ascend", rank.size());
+  const reeb::NodeOrder order = reeb::check_order(c, mesh, tiling, options.arithmetic, comparisons);
+  prove(verdict, "order: {} nodes ascend", order.rank.size());
   verdict.signs = sign.counts();
   verdict.signs.calls += comparisons.calls;
   verdict.signs.interval += comparisons.interval;
   verdict.signs.exact += comparisons.exact;
 
-  const reeb::Complex k{c.faces, mesh, facts, tiling, rank};
+  const reeb::Complex k{c.faces, mesh, facts, tiling, order.rank};
   const reeb::NodeTypes types = reeb::check_types(c, k);
   prove(verdict,
         "nodes: {} minima, {} saddles with multiplicity, {} maxima; indices sum to the Euler "
@@ -93,12 +98,12 @@ void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_
   prove(verdict, "cuts: {} contours across {} edges, none twice", c.cuts.size(),
         cuts.crossings.size());
   reeb::check_trees(c, k, types, cuts);
-  prove_graph(c, facts, types.simple, verdict);
+  prove_graph(c, facts, types.simple, reeb::count_ties(c, order), verdict);
 }
 
 }  // namespace
 
 extern const ClaimChecker reeb_claim;
-const ClaimChecker reeb_claim = {kReeb, "reeb", verify_reeb};
+const ClaimChecker reeb_claim = {kReeb, kReebVersion, "reeb", verify_reeb};
 
 }  // namespace crest::certify

@@ -73,6 +73,8 @@ ReebContents open_reeb(std::span<const std::uint8_t> data, std::span<const std::
   reader.words(c.critical_nodes, reader.integer<std::uint32_t>());
   read_pairs(reader, c.arcs, "arcs: longer than their bytes");
   read_pairs(reader, c.cuts, "cuts: longer than their bytes");
+  c.tied_arcs = reader.integer<std::uint32_t>();
+  c.contracted_nodes = reader.integer<std::uint32_t>();
   if (reader.left() != 0) throw Malformed("claim section: bytes left over");
   return c;
 }
@@ -95,6 +97,7 @@ ReebCertificate decode_reeb(std::span<const std::uint8_t> data,
   copy(from.critical_nodes, c.critical_nodes);
   copy(from.arcs, c.arcs);
   copy(from.cuts, c.cuts);
+  c.tied_arcs = from.tied_arcs, c.contracted_nodes = from.contracted_nodes;
   return c;
 }
 

@@ -22,6 +22,7 @@ struct ReebContents {
   Buffer<std::uint32_t> order, critical_nodes;
   Buffer<ArcRecord> arcs;
   Buffer<CutRecord> cuts;
+  std::uint32_t tied_arcs = 0, contracted_nodes = 0;
 };
 
 /// Both sections. Throws Malformed. The number of midpoint values is what the data

@@ -35,6 +35,8 @@ void write_reeb_claims(ByteWriter& out, const ReebCertificate& c) {
     out.integer(cut.arc);
     out.integer(cut.node);
   }
+  out.integer(c.tied_arcs);
+  out.integer(c.contracted_nodes);
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ Bytes encode(const ReebCertificate& certificate) {
                                 vertices * 4 * sizeof(double) +
                                 certificate.edge_values.size() * sizeof(double);
   return compose(
-      kReeb, data_size, [&](ByteWriter& out) { write_reeb_data(out, certificate); },
+      {kReeb, kReebVersion}, data_size, [&](ByteWriter& out) { write_reeb_data(out, certificate); },
       [&](ByteWriter& out) { write_reeb_claims(out, certificate); });
 }
 

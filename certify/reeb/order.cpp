@@ -177,17 +177,18 @@ Buffer<u32> ranks(const Buffer<u32>& order) {
 
 }  // namespace
 
-Buffer<u32> check_order(const ReebContents& c, const Gluing& mesh, const Tiling& tiling,
-                        Arithmetic arithmetic, SignCounts& counts) {
-  Buffer<u32> rank = ranks(c.order);
+NodeOrder check_order(const ReebContents& c, const Gluing& mesh, const Tiling& tiling,
+                      Arithmetic arithmetic, SignCounts& counts) {
+  NodeOrder order{ranks(c.order), Buffer<std::uint8_t>(c.order.size(), 0)};
   if (c.edge_values.empty()) {
     counts.calls += c.order.size() - 1;
     for (std::size_t i = 1; i < c.order.size(); ++i) {
       const u32 x = c.order[i - 1], y = c.order[i];
       require(c.values[x] < c.values[y] || (c.values[x] == c.values[y] && x < y),
               "order: node {} is not above node {}", y, x);
+      order.tied[i] = c.values[x] == c.values[y];
     }
-    return rank;
+    return order;
   }
   NodeValues values(c, mesh, tiling, arithmetic, counts);
   constexpr std::size_t kAhead = 16;
@@ -197,8 +198,35 @@ Buffer<u32> check_order(const ReebContents& c, const Gluing& mesh, const Tiling&
     const Sign sign = values.difference(x, y);
     require(sign == Sign::positive || (sign == Sign::zero && x < y),
             "order: node {} is not above node {}", y, x);
+    order.tied[i] = sign == Sign::zero;
   }
-  return rank;
+  return order;
+}
+
+Contraction count_ties(const ReebContents& c, const NodeOrder& order) {
+  const std::size_t nodes = c.critical_nodes.size();
+  Buffer<u32> value(nodes, 0), parent(nodes);
+  for (u32 i = 0, rank = 0; i < nodes; ++i) {
+    // The value of the critical node before iff all between them are tied.
+    bool equal = i > 0;
+    for (; rank < order.rank[c.critical_nodes[i]]; ++rank)
+      equal = equal && order.tied[rank + 1] != 0;
+    value[i] = i == 0 ? 0 : value[i - 1] + (equal ? 0 : 1);
+    parent[i] = i;
+  }
+  const auto find = [&](u32 i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  Contraction found{0, static_cast<u32>(nodes)};
+  for (const ArcRecord& arc : c.arcs) {
+    if (value[arc.lower] != value[arc.upper]) continue;
+    ++found.tied_arcs;
+    const u32 low = find(arc.lower), high = find(arc.upper);
+    found.nodes -= low != high;
+    parent[high] = low;
+  }
+  return found;
 }
 
 }  // namespace crest::certify::reeb

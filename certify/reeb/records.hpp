@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kReeb = 3;
+inline constexpr std::uint32_t kReeb = 3, kReebVersion = 2;
 
 struct ArcRecord {
   std::uint32_t lower, upper;  ///< positions in critical_nodes
@@ -31,6 +31,7 @@ struct ReebCertificate {
   std::vector<std::uint32_t> critical_nodes;          ///< ascending in the order
   std::vector<ArcRecord> arcs;                        ///< by (lower, upper)
   std::vector<CutRecord> cuts;                        ///< by arc
+  std::uint32_t tied_arcs = 0, contracted_nodes = 0;  ///< arcs between equal values, classes
 };
 
 }  // namespace crest::certify

@@ -45,6 +45,21 @@ void check_counts(const RidgesMeshCertificate& c, const MeshSigns& signs) {
   require_equal(c.zero_extremalities[red], signs.zero_extremalities[red], "zeros of b3");
 }
 
+/// In words: what frames of a surface would not have.
+std::string check_frames(const RidgesMeshCertificate& c, const FrameCounts& found) {
+  require_equal(c.against_faces, found.against_faces, "vertices with n against the faces");
+  require_equal(c.equal_curvatures, found.equal_curvatures, "vertices with k1 = k2");
+  require_equal(c.parallel_frames, found.parallel_frames, "vertices with n x d1 = 0");
+  std::string words;
+  const auto add = [&](const char* what, std::uint32_t count) {
+    if (count > 0) words += fmt::format("; {} at {}", what, count);
+  };
+  add("n against the faces", found.against_faces);
+  add("k1 = k2", found.equal_curvatures);
+  add("n x d1 = 0", found.parallel_frames);
+  return words;
+}
+
 std::string half(std::int64_t twice) {
   return twice % 2 == 0 ? fmt::format("{}", twice / 2) : fmt::format("{}/2", twice);
 }
@@ -61,8 +76,10 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
   prove(verdict, "data: an oriented manifold of {} vertices, {} faces; digests match",
         c.data.positions.size(), c.data.faces.size());
   if (options.input) {
-    check_input(*options.input, c.data.positions, c.data.faces);
-    prove(verdict, "input: {} holds the same positions and faces", *options.input);
+    const std::string oriented = check_input(*options.input, c.data.positions, c.data.faces);
+    prove(verdict,
+          "input: {} holds the same positions and faces, {}; nothing ties the Monge data to it",
+          *options.input, oriented);
   }
   require_equal(c.euler_characteristic, topology.euler_characteristic, "Euler characteristic");
   require_equal(c.boundary_loops, topology.boundary_loops, "boundary loops");
@@ -71,11 +88,12 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
 
   const MeshSigns signs = decide_signs(c.data, topology, sign);
   check_counts(c, signs);
+  const std::string frames = check_frames(c, count_frames(c.data, topology, sign));
   prove(verdict,
         "signs: acute rule on {} edges, {} ambiguous; {} conflict triangles; b0 = 0 at {}, b3 = 0 "
-        "at {} vertices",
+        "at {} vertices{}",
         topology.edges.size(), signs.ambiguous_edges, signs.conflict_triangles,
-        signs.zero_extremalities[blue], signs.zero_extremalities[red]);
+        signs.zero_extremalities[blue], signs.zero_extremalities[red], frames);
 
   const auto twice_index =
       face_indices(c.data, topology, signs, options.arithmetic, verdict.angles);
@@ -86,7 +104,8 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
   const CheckedMesh mesh{c.data, topology, signs, twice_index};
   const auto patch_of = check_patches(mesh, c.patches, sign);
   prove(verdict,
-        "umbilics: {} disjoint disks of non-zero index, {} coherent, hold every conflict triangle",
+        "umbilics (for the stated patches): {} disjoint disks of non-zero index, {} coherent, hold "
+        "every conflict triangle",
         c.patches.size(),
         std::count_if(c.patches.begin(), c.patches.end(),
                       [](const PatchRecord& p) { return p.coherent == 1; }));
@@ -100,6 +119,7 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
 }  // namespace
 
 extern const ClaimChecker ridges_mesh_claim;
-const ClaimChecker ridges_mesh_claim = {kRidgesMesh, "ridges-mesh", verify_ridges_mesh};
+const ClaimChecker ridges_mesh_claim = {kRidgesMesh, kRidgesMeshVersion, "ridges-mesh",
+                                        verify_ridges_mesh};
 
 }  // namespace crest::certify

@@ -64,6 +64,9 @@ void decode_claims(std::span<const std::uint8_t> bytes, RidgesMeshCertificate& c
   certificate.conflict_triangles = reader.integer<std::uint32_t>();
   certificate.ambiguous_edges = reader.integer<std::uint32_t>();
   for (auto& zeros : certificate.zero_extremalities) zeros = reader.integer<std::uint32_t>();
+  for (auto* number :
+       {&certificate.against_faces, &certificate.equal_curvatures, &certificate.parallel_frames})
+    *number = reader.integer<std::uint32_t>();
   const std::size_t indices = reader.integer<std::uint32_t>();
   if (indices > reader.left() / 5) throw Malformed("face indices: more records than bytes");
   certificate.face_indices.resize(indices);

@@ -38,6 +38,8 @@ void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
   out.integer(c.conflict_triangles);
   out.integer(c.ambiguous_edges);
   for (const auto zeros : c.zero_extremalities) out.integer(zeros);
+  for (const auto number : {c.against_faces, c.equal_curvatures, c.parallel_frames})
+    out.integer(number);
   out.count(c.face_indices.size());
   for (const auto& record : c.face_indices) {
     out.integer(record.face);
@@ -60,7 +62,8 @@ void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
 
 EncodedData encode_data(const MeshData& data) {
   const std::size_t size = 8 + data.faces.size() * kFaceSize + data.positions.size() * kVertexSize;
-  return begin(kRidgesMesh, size, [&](ByteWriter& out) { write_data(out, data); });
+  return begin({kRidgesMesh, kRidgesMeshVersion}, size,
+               [&](ByteWriter& out) { write_data(out, data); });
 }
 
 Bytes encode_as_is(const RidgesMeshCertificate& certificate) {

@@ -50,6 +50,21 @@ class PatchChecker {
     require(patch.centre < patch_of_.size() && patch_of_[patch.centre] == p,
             "patch {}: its central face is outside", p);
     require(mesh_.twice_index[patch.centre] != 0, "patch {}: its central face has index zero", p);
+    require(patch.centre == central_face(patch), "patch {}: face {} is not the central one", p,
+            patch.centre);
+  }
+
+  /// Requires: a face of non-zero index.
+  u32 central_face(const PatchRecord& patch) {
+    u32 central = kNone, least = kNone;
+    for (const u32 f : patch.faces) {
+      if (mesh_.twice_index[f] == 0) continue;
+      const u32 corner = least_gap_corner(mesh_.data, f, sign_);
+      if (central != kNone && !less_gap(mesh_.data, corner, least, sign_)) continue;
+      central = f;
+      least = corner;
+    }
+    return central;
   }
 
   /// Faces reached from the first one through shared sides.

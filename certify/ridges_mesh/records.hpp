@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kRidgesMesh = 1;
+inline constexpr std::uint32_t kRidgesMesh = 1, kRidgesMeshVersion = 2;
 
 /// Data section: V vertices, F faces.
 struct MeshData {
@@ -52,6 +52,8 @@ struct RidgesMeshCertificate {
   std::uint32_t conflict_triangles = 0;
   std::uint32_t ambiguous_edges = 0;
   std::array<std::uint32_t, 2> zero_extremalities{};
+  /// Vertices with n against the faces, with k1 = k2, with n x d1 = 0.
+  std::uint32_t against_faces = 0, equal_curvatures = 0, parallel_frames = 0;
   std::vector<FaceIndexRecord> face_indices;
   std::vector<PatchRecord> patches;
   std::array<std::uint32_t, 4> counts{};  ///< blue loops, blue paths, red loops, red paths

@@ -176,19 +176,24 @@ unsigned segment_type(const MeshData& data, const MeshSigns& signs, std::uint32_
   return (sum > 0) == (colour == blue) ? 1 : 2;
 }
 
-unsigned umbilic_kind(const MeshData& data, std::uint32_t face, SignLadder& sign) {
+bool less_gap(const MeshData& data, std::uint32_t p, std::uint32_t q, SignLadder& sign) {
+  return sign([&](auto lift) {
+           const Monge &m = data.monge[p], &k = data.monge[q];
+           return (lift(m[field::k1]) - lift(m[field::k2])) -
+                  (lift(k[field::k1]) - lift(k[field::k2]));
+         }) == Sign::negative;
+}
+
+std::uint32_t least_gap_corner(const MeshData& data, std::uint32_t face, SignLadder& sign) {
   const auto& corners = data.faces[face];
-  const auto closer = [&](std::uint32_t p, std::uint32_t q) {
-    return sign([&](auto lift) {
-             const Monge &m = data.monge[p], &k = data.monge[q];
-             return (lift(m[field::k1]) - lift(m[field::k2])) -
-                    (lift(k[field::k1]) - lift(k[field::k2]));
-           }) == Sign::negative;
-  };
   std::uint32_t least = corners[0];
-  if (closer(corners[1], least)) least = corners[1];
-  if (closer(corners[2], least)) least = corners[2];
-  const Monge& m = data.monge[least];
+  if (less_gap(data, corners[1], least, sign)) least = corners[1];
+  if (less_gap(data, corners[2], least, sign)) least = corners[2];
+  return least;
+}
+
+unsigned umbilic_kind(const MeshData& data, std::uint32_t face, SignLadder& sign) {
+  const Monge& m = data.monge[least_gap_corner(data, face, sign)];
   const Sign s = sign([&](auto lift) {
     const auto b0 = lift(m[field::b0]), b1 = lift(m[field::b1]), b2 = lift(m[field::b2]),
                b3 = lift(m[field::b3]);

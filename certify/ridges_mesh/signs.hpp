@@ -36,6 +36,11 @@ unsigned crossing_type(const MeshData& data, const Edge& edge, Colour colour, Si
 unsigned segment_type(const MeshData& data, const MeshSigns& signs, std::uint32_t corner,
                       Colour colour, SignLadder& sign);
 
+/// The corner of a face with the least k1 - k2; ties: the first.
+std::uint32_t least_gap_corner(const MeshData& data, std::uint32_t face, SignLadder& sign);
+/// Is k1 - k2 less at p than at q?
+bool less_gap(const MeshData& data, std::uint32_t p, std::uint32_t q, SignLadder& sign);
+
 /// 1 for a 1-ridge, 3 for a 3-ridge umbilic, 0 degenerate.
 unsigned umbilic_kind(const MeshData& data, std::uint32_t face, SignLadder& sign);
 

@@ -87,6 +87,7 @@ void verify_ridges_smooth(std::span<const std::uint8_t> data, std::span<const st
 }  // namespace
 
 extern const ClaimChecker ridges_smooth_claim;
-const ClaimChecker ridges_smooth_claim = {kRidgesSmooth, "ridges-smooth", verify_ridges_smooth};
+const ClaimChecker ridges_smooth_claim = {kRidgesSmooth, kRidgesSmoothVersion, "ridges-smooth",
+                                          verify_ridges_smooth};
 
 }  // namespace crest::certify

@@ -89,7 +89,8 @@ Bytes encode(const RidgesSmoothCertificate& c) {
   ByteWriter data;
   write_surface(data, c.surface);
   return compose(
-      kRidgesSmooth, data.size(), [&](ByteWriter& out) { out.bytes(data.result()); },
+      {kRidgesSmooth, kRidgesSmoothVersion}, data.size(),
+      [&](ByteWriter& out) { out.bytes(data.result()); },
       [&](ByteWriter& out) { write_claims(out, c); });
 }
 

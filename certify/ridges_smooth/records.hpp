@@ -6,7 +6,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kRidgesSmooth = 4;
+inline constexpr std::uint32_t kRidgesSmooth = 4, kRidgesSmoothVersion = 1;
 /// Bytes of an expression.
 inline constexpr std::size_t kLongestText = 65535;
 

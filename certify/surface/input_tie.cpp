@@ -98,15 +98,71 @@ Soup read_input(const std::string& path) {
   return soup;
 }
 
-/// The corners in the order of the rotation and orientation that is least.
-std::array<std::size_t, 3> unoriented(std::array<std::size_t, 3> face) {
-  std::sort(face.begin(), face.end());  // three corners: rotations and reflections are all orders
-  return face;
+using Triangle = std::array<std::size_t, 3>;
+
+enum class Match { other, same, opposite };
+
+/// How `face` runs around the corners of `stated`.
+Match match(const std::vector<std::size_t>& face, const Triangle& stated) {
+  if (face.size() != 3) return Match::other;
+  Triangle turned = {face[0], face[1], face[2]};
+  for (int i = 0; i < 3; ++i) {
+    if (turned == stated) return Match::same;
+    if (Triangle{turned[0], turned[2], turned[1]} == stated) return Match::opposite;
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  }
+  return Match::other;
+}
+
+/// The least vertex of every vertex's component.
+std::vector<std::size_t> components(std::size_t vertices, Faces faces) {
+  std::vector<std::size_t> parent(vertices);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto find = [&](std::size_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& f : faces)
+    for (const std::size_t i : {1, 2}) {
+      const auto [low, high] = std::minmax({find(f[0]), find(f[i])});
+      parent[high] = low;
+    }
+  for (std::size_t v = 0; v < vertices; ++v) parent[v] = parent[parent[v]];
+  return parent;
+}
+
+/// The faces are matched one by one: what that says of each component, in words.
+std::string orientations(std::size_t vertices, Faces faces, const std::vector<Match>& matches) {
+  struct Count {
+    std::size_t faces = 0, opposite = 0;
+  };
+  const auto component = components(vertices, faces);
+  std::vector<Count> counts(vertices);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    Count& count = counts[component[faces[f][0]]];
+    ++count.faces;
+    count.opposite += matches[f] == Match::opposite;
+  }
+  std::size_t all = 0, turned = 0, mixed = 0, flipped = 0;
+  for (const auto& [size, opposite] : counts) {
+    all += size > 0;
+    turned += size > 0 && opposite == size;
+    if (opposite == 0 || opposite == size) continue;
+    ++mixed;
+    flipped += opposite;
+  }
+  if (turned == 0 && mixed == 0) return "oriented as in the file";
+  std::string words = "re-oriented";
+  if (turned > 0) words += fmt::format(" {} of {} components", turned, all);
+  if (mixed > 0)
+    words += fmt::format("{} {} faces of {} components that the file does not orient alike",
+                         turned > 0 ? " and" : "", flipped, mixed);
+  return words;
 }
 
 }  // namespace
 
-void check_input(const std::string& path, std::span<const Position> positions, Faces faces) {
+std::string check_input(const std::string& path, std::span<const Position> positions, Faces faces) {
   const Soup soup = read_input(path);
   require(soup.positions.size() == positions.size(), "{}: {} vertices, {} in the certificate", path,
           soup.positions.size(), positions.size());
@@ -117,12 +173,14 @@ void check_input(const std::string& path, std::span<const Position> positions, F
       require(std::bit_cast<std::uint64_t>(soup.positions[v][i]) ==
                   std::bit_cast<std::uint64_t>(positions[v][i]),
               "{}: vertex {} is elsewhere", path, v);
+  std::vector<Match> matches;
+  matches.reserve(faces.size());
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
-    const auto& face = soup.faces[f];
     const auto& [a, b, c] = faces[f];
-    require(face.size() == 3 && unoriented({face[0], face[1], face[2]}) == unoriented({a, b, c}),
-            "{}: face {} has other corners", path, f);
+    matches.push_back(match(soup.faces[f], {a, b, c}));
+    require(matches.back() != Match::other, "{}: face {} has other corners", path, f);
   }
+  return orientations(positions.size(), faces, matches);
 }
 
 }  // namespace crest::certify

@@ -9,10 +9,12 @@
 
 namespace crest::certify {
 
-/// Reads OFF, OBJ, PLY or STL with CGAL's readers, merges exactly equal vertices of STL, drops
-/// unreferenced vertices. Throws Reject if positions or faces differ (faces up to rotation and
-/// orientation), TieUnavailable for other formats, InputUnreadable.
-void check_input(const std::string& path, std::span<const std::array<double, 3>> positions,
-                 Faces faces);
+/// Reads OFF, OBJ, PLY or STL with CGAL's readers, merges equal vertices of STL, drops unreferenced
+/// vertices. Requires: the faces are an oriented manifold. Returns whether its components are
+/// oriented as in the file, in words that go on "the same positions and faces, ...". Throws Reject
+/// if positions or faces differ (faces up to rotation and orientation), TieUnavailable for other
+/// formats, InputUnreadable.
+std::string check_input(const std::string& path, std::span<const std::array<double, 3>> positions,
+                        Faces faces);
 
 }  // namespace crest::certify

@@ -38,8 +38,8 @@ struct Options {
 void write_raw(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file) {
   writer.SetInputDataObject(&data);
   writer.SetFileName(file.c_str());
+  writer.SetDataModeToBinary();
   writer.SetCompressorTypeToNone();
-  writer.EncodeAppendedDataOff();
   if (writer.Write() != 1) throw std::runtime_error(file.string() + ": cannot be written");
 }
 

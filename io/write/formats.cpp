@@ -25,9 +25,9 @@ std::string bytes_of(Data& data) {
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
+  // Never appended data: ParaView 5.11 with Debian 12's libexpat 2.5.0-1+deb12u5 reads none of it.
+  writer->SetDataModeToBinary();
+  writer->SetCompressorTypeToZLib();
   writer->SetByteOrderToLittleEndian();
   if (writer->Write() != 1 || quiet.failed()) throw std::runtime_error("VTK cannot write the data");
   return writer->GetOutputString();

@@ -9,7 +9,8 @@ class vtkUnstructuredGrid;
 
 namespace crest::io {
 
-/// A .vtp file's bytes: appended raw binary, not compressed: the bytes depend on the data alone.
+/// A .vtp file's bytes: arrays in their places, in base64, compressed by zlib. They
+/// depend on nothing but the data and zlib.
 /// Throws: std::runtime_error when VTK fails.
 std::string vtp_bytes(vtkPolyData& data);
 /// A .vtu file's, likewise.

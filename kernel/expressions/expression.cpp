@@ -107,7 +107,9 @@ class Parser {
   /// The step that ends the part of the text from `begin` to here.
   void emit(Code code, std::size_t begin, std::int64_t argument = 0) {
     program_.push_back({code, static_cast<std::int32_t>(argument)});
-    places_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)});
+    std::size_t end = at_;
+    while (is_blank(text_[end - 1])) --end;  // looked past for the next operator
+    places_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
   }
   /// Of what comes next.
   std::size_t begin() {

@@ -41,7 +41,7 @@ TEST_CASE("every claim has a number, a name, a room and a row in SPEC.md of its 
 
 TEST_CASE("a claim that the program is not linked with is named, beside those it knows") {
   const auto nothing = [](ByteWriter&) {};
-  const Verdict all = verify(compose(99, 0, nothing, nothing));
+  const Verdict all = verify(compose({99, 1}, 0, nothing, nothing));
   CHECK_FALSE(all.accepted);
   CHECK(all.reason.rfind("claim 99 is not known here (known: ", 0) == 0);
   for (const ClaimChecker* claim : known_claims()) {
@@ -49,9 +49,28 @@ TEST_CASE("a claim that the program is not linked with is named, beside those it
     const auto entry = std::to_string(claim->number) + " " + claim->name;
     CHECK(all.reason.find(entry) != std::string::npos);
     const std::array others = {claim};
-    const Bytes bytes = compose(claim->number + 1, 0, nothing, nothing);
+    const Bytes bytes = compose({claim->number + 1, claim->version}, 0, nothing, nothing);
     const Verdict one = verify_among(others, bytes, {});
     CHECK(one.reason == "claim " + std::to_string(claim->number + 1) +
                             " is not known here (known: " + entry + ")");
+  }
+}
+
+TEST_CASE("each claim has a version of its own, the one that its SPEC.md states") {
+  const fs::path folder = fs::path(CREST_SOURCE_DIR) / "certify";
+  const auto nothing = [](ByteWriter&) {};
+  for (const ClaimChecker* claim : known_claims()) {
+    const std::string name = claim->name;
+    INFO(name);
+    std::string room = name;
+    std::replace(room.begin(), room.end(), '-', '_');
+    const std::string spec = crest::tests::read_text(folder / room / "SPEC.md");
+    CHECK(spec.find("Version " + std::to_string(claim->version) + ". ") != std::string::npos);
+    for (const std::uint32_t version : {claim->version - 1, claim->version + 1}) {
+      const Verdict verdict = verify(compose({claim->number, version}, 0, nothing, nothing));
+      CHECK(verdict.reason == "version " + std::to_string(version) + " of " + name +
+                                  " is not known here (known: " + std::to_string(claim->version) +
+                                  ")");
+    }
   }
 }

@@ -203,6 +203,13 @@ std::string mutate_claim(Certificate& c, Random& random) {
       {"sum", [&] { edit_number(c.twice_index_sum, random); }},
       {"conflicts", [&] { edit_number(c.conflict_triangles, random); }},
       {"ambiguous", [&] { edit_number(c.ambiguous_edges, random); }},
+      {"frames",
+       [&] {
+         std::uint32_t* const numbers[] = {&c.against_faces, &c.equal_curvatures,
+                                           &c.parallel_frames};
+         std::uint32_t &x = *numbers[random() % 3], &y = *numbers[random() % 3];
+         random() % 2 ? std::swap(x, y) : edit_number(x, random);
+       }},
       {"zeros", [&] { edit_number(c.zero_extremalities[random() % 2], random); }},
       {"count", [&] { c.counts[random() % 4] += random() % 2 ? 1U : 0xffffffffU; }},
       {"index list", [&] { edit_list(c.face_indices, random); }},

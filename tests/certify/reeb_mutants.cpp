@@ -85,6 +85,8 @@ std::string mutate_reeb_claim(ReebCertificate& c, Random& random) {
   const Edit edits[] = {
       {"euler", [&] { edit_number(c.euler_characteristic, random); }},
       {"count", [&] { edit_number(*counts[random() % 6], random); }},
+      {"ties", [&] { edit_number(random() % 2 ? c.tied_arcs : c.contracted_nodes, random); }},
+      {"ties swapped", [&] { std::swap(c.tied_arcs, c.contracted_nodes); }},
       {"kinds of nodes",
        [&] {
          const u32 moved = c.line_critical > 0 ? 1 : 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Small surfaces of many kinds with functions on them, for the tests of claim 3.
-#include "certify/reeb/encode.hpp"
+#include "certify/reeb/records.hpp"
 #include "tests/certify/sample_meshes.hpp"
 
 namespace crest::tests {

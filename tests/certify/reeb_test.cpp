@@ -170,3 +170,27 @@ TEST_CASE("data that are no surface or miss values are rejected") {
   few.edge_values = {0, 0, 0, 0};
   refused(few, "4 midpoint values for 5 edges");
 }
+
+TEST_CASE("ties are counted: a constant's graph is that of the numbering, contracted to points") {
+  Random random(kSeed + 5);
+  for (const ReebSurface& surface : reeb_surfaces(random))
+    for (const int degree : {1, 2}) {
+      INFO(surface.name << ", degree " << degree);
+      const ReferenceReeb reference(reeb_data(surface, degree, Values::constant, random));
+      const ReebCertificate c = reference.certificate(random);
+      CHECK(c.tied_arcs == c.arcs.size());
+      CHECK(c.contracted_nodes == c.components);
+      const Verdict verdict = check(encode(c), Arithmetic::doubles);
+      const std::string words =
+          ": the Reeb graph of the values ordered by number at ties; " +
+          std::to_string(c.arcs.size()) +
+          " arcs join equal values; contracted: " + std::to_string(c.components) + " nodes, 0 arcs";
+      CHECK(verdict.lines.back().find(words) != std::string::npos);
+      for (const std::uint32_t step : {1U, 0xffffffffU, 0x80000000U})
+        for (auto number : {&ReebCertificate::tied_arcs, &ReebCertificate::contracted_nodes}) {
+          ReebCertificate wrong = c;
+          wrong.*number += step;
+          CHECK_FALSE(verify(encode(wrong)).accepted);
+        }
+    }
+}

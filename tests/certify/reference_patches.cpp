@@ -186,6 +186,7 @@ std::optional<certify::RidgesMeshCertificate> ReferenceRidges::certificate(
     out.zero_extremalities[0] += m[8] == 0;
     out.zero_extremalities[1] += m[11] == 0;
   }
+  count_frames(out);
   std::vector<int> patch_of(data_.faces.size(), -1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const auto& [centre, faces] = patches[p];
@@ -197,7 +198,7 @@ std::optional<certify::RidgesMeshCertificate> ReferenceRidges::certificate(
       patch_of[f] = static_cast<int>(p);
       twice += twice_index_[f];
     }
-    if (twice == 0 || twice_index_[centre] == 0 || !is_disk(faces)) return std::nullopt;
+    if (twice == 0 || centre != central_face(faces) || !is_disk(faces)) return std::nullopt;
     record.twice_index = static_cast<std::int8_t>(twice);
     record.kind = static_cast<std::uint8_t>(kind(centre));
     record.coherent = is_coherent(faces);

@@ -423,6 +423,14 @@ certify::ReebCertificate ReferenceReeb::certificate(Random& random, double extra
     c.arcs.push_back({arcs_[a].lower, arcs_[a].upper});
     if (cut[a]) c.cuts.push_back({a, arcs_[a].node});
   }
+  Groups classes(critical_.size());
+  c.tied_arcs = 0;
+  for (const Arc& arc : arcs_) {
+    if (value_[critical_[arc.lower]] != value_[critical_[arc.upper]]) continue;
+    classes.join(arc.lower, arc.upper);
+    ++c.tied_arcs;
+  }
+  c.contracted_nodes = static_cast<u32>(classes.count);
   return c;
 }
 

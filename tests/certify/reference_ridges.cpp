@@ -273,12 +273,41 @@ unsigned ReferenceRidges::segment_type(std::size_t colour, u32 face) const {
   return sum < 0 ? 1 : 2;
 }
 
-unsigned ReferenceRidges::kind(u32 face) const {
+u32 ReferenceRidges::least_gap_corner(u32 face) const {
   const auto gap = [&](u32 v) { return Q(Q(data_.monge[v][6]) - Q(data_.monge[v][7])); };
   u32 best = data_.faces[face][0];
   for (const u32 v : data_.faces[face])
     if (gap(v) < gap(best)) best = v;
-  const auto& m = data_.monge[best];
+  return best;
+}
+
+u32 ReferenceRidges::central_face(const std::vector<u32>& faces) const {
+  std::set<std::pair<Q, u32>> order;
+  for (const u32 f : faces) {
+    const auto& m = data_.monge[least_gap_corner(f)];
+    if (twice_index_[f] != 0) order.emplace(Q(Q(m[6]) - Q(m[7])), f);
+  }
+  return order.empty() ? static_cast<u32>(data_.faces.size()) : order.begin()->second;
+}
+
+void ReferenceRidges::count_frames(certify::RidgesMeshCertificate& out) const {
+  std::vector<V3> sum(data_.positions.size(), V3{0, 0, 0});
+  for (const auto& f : data_.faces) {
+    const auto at = [&](std::size_t i) { return vec(data_.positions[f[i]].data()); };
+    const V3 normal = cross(sub(at(1), at(0)), sub(at(2), at(0)));
+    for (const u32 v : f)
+      for (std::size_t i = 0; i < 3; ++i) sum[v][i] += normal[i];
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) {
+    const V3 d = vec(&data_.monge[v][0]), n = vec(&data_.monge[v][3]);
+    out.against_faces += dot(n, sum[v]) <= 0;
+    out.equal_curvatures += Q(data_.monge[v][6]) == Q(data_.monge[v][7]);
+    out.parallel_frames += is_zero(cross(n, d));
+  }
+}
+
+unsigned ReferenceRidges::kind(u32 face) const {
+  const auto& m = data_.monge[least_gap_corner(face)];
   const Q b0 = m[8], b1 = m[9], b2 = m[10], b3 = m[11], a = b0 * b3 - b1 * b2;
   const int s = sgn(Q(a * a - 4 * (b0 * b2 - b1 * b1) * (b1 * b3 - b2 * b2)));
   return s > 0 ? 1 : s < 0 ? 3 : 0;

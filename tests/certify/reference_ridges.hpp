@@ -59,7 +59,10 @@ class ReferenceRidges {
   std::array<Side, 3> sides(std::uint32_t face) const;
   unsigned crossing_type(std::size_t colour, std::size_t edge) const;
   unsigned segment_type(std::size_t colour, std::uint32_t face) const;
+  std::uint32_t least_gap_corner(std::uint32_t face) const;
   unsigned kind(std::uint32_t face) const;
+  std::uint32_t central_face(const std::vector<std::uint32_t>& faces) const;
+  void count_frames(certify::RidgesMeshCertificate& out) const;
   bool is_disk(const std::vector<std::uint32_t>& faces) const;
   bool is_coherent(const std::vector<std::uint32_t>& faces) const;
   void trace(std::size_t colour, const std::vector<int>& patch_of,

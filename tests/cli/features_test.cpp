@@ -143,7 +143,7 @@ TEST_CASE("crest features takes the values of vertices, and refuses those that a
   };
   write_text(folder / "good.vtp", vtp("", "1 2 3 4"));
   write_text(folder / "nan.vtp", vtp("", "1 2 nan 4"));
-  write_text(folder / "loose.vtp", vtp("5 5 5", "1 2 3 4 nan"));
+  write_text(folder / "loose.vtp", vtp("5 5 5", "1 2 3 4 -9"));
   for (const char* file : {"good.vtp", "loose.vtp"}) {
     const auto run = run_crest(
         std::string("crest features ") + file + " --field a --threshold 0.5 --report r.json",

@@ -48,6 +48,7 @@ TEST_CASE("crest reeb: outputs, report and an accepted certificate, the same byt
                           "boundary_loops", "line_critical",
                           "face_critical",  "tiles",
                           "ties",           "critical_points",
+                          "tied_arcs",      "certificate_is_of",
                           "graph",          "written",
                           "levels",         "data_digest"}) {
     INFO(key);
@@ -240,6 +241,37 @@ TEST_CASE("crest reeb reads Gmsh files and one-sided surfaces, and takes express
   const auto constant = counts("--expression '0*x'");
   CHECK(constant["ties"].get<int>() == constant["vertices"].get<int>() - 1);
   CHECK(constant["critical_points"]["index_sum"] == 0);
+  CHECK(constant["tied_arcs"] == constant["graph"]["arcs"]);
+  CHECK(quadratic["tied_arcs"] == 0);
+}
+
+TEST_CASE("crest reeb says how many values are tied and which graph is certified") {
+  const TemporaryFolder folder;
+  REQUIRE(
+      run_crest("crest sample sphere --vertices 300 --quiet -o s.off", folder.path()).exit_code ==
+      0);
+  const auto run = [&](const std::string& options) {
+    const auto done = run_crest("crest reeb s.off " + options, folder.path());
+    INFO(done.err);
+    REQUIRE(done.exit_code == 0);
+    return done.out;
+  };
+  const std::string constant =
+      run("--expression '0*x' --contract --certificate c.crest --report c.json");
+  const auto report = read_json(folder / "c.json");
+  CHECK(report["certificate_is_of"] == "graph");
+  CHECK(report["written"]["nodes"] == 1);
+  CHECK(constant.find("ties: " + std::to_string(report["ties"].get<int>()) + " values equal") !=
+        std::string::npos);
+  CHECK(constant.find("--contract gives the graph of the function itself") != std::string::npos);
+  CHECK(constant.find("certified: the Reeb graph, not the written one") != std::string::npos);
+  const auto verdict = run_crest("crest-verify c.crest", folder.path());
+  CHECK(verdict.exit_code == 0);
+  CHECK(verdict.out.find("contracted: 1 nodes, 0 arcs") != std::string::npos);
+  const std::string generic = run("--expression 'x + y/8 + z/64' --linear --report g.json");
+  CHECK(generic.find("ties: ") == std::string::npos);
+  CHECK(generic.find("certified: ") == std::string::npos);
+  CHECK(read_json(folder / "g.json")["certificate_is_of"].is_null());
 }
 
 TEST_CASE("crest reeb refuses wrong options with exit code 2 and bad input with 3") {

@@ -61,6 +61,8 @@ TEST_CASE("ridges of an ellipsoid: known answers, files, a certificate that veri
     INFO(verdict.out << verdict.err);
     CHECK(verdict.exit_code == 0);
     CHECK(verdict.out.find("ACCEPTED") != std::string::npos);
+    CHECK(verdict.out.find("positions and faces, oriented as in the file") != std::string::npos);
+    CHECK(verdict.out.find("against the faces") == std::string::npos);
     CHECK(verdict.out.find(report["data_digest"].get<std::string>()) != std::string::npos);
   }
   CHECK(read_text(folder / "e.vtp").find("<VTKFile") != std::string::npos);

@@ -93,7 +93,10 @@ bool is_true(const cert::FeaturesMeshCertificate& c) {
     if (v >= marks.size() || !marks[v] || marked_around(mesh, marks, v) != 0) return false;
     if (i > 0 && c.dropped[i - 1] >= v) return false;
   }
-  return same(c.betti[0], betti_by_ranks(mesh, c.marked_before, 1)) &&
+  Marks lines = marks;
+  for (const Index v : c.dropped) lines[v] = 0;
+  return c.components == betti_by_ranks(mesh, lines, 1).b0 &&
+         same(c.betti[0], betti_by_ranks(mesh, c.marked_before, 1)) &&
          same(c.betti[1], betti_by_ranks(mesh, c.marked_before, 0)) &&
          same(c.betti[2], betti_by_ranks(mesh, marks, 1)) &&
          same(c.betti[3], betti_by_ranks(mesh, marks, 0));
@@ -116,7 +119,10 @@ std::vector<cert::Bytes> originals() {
 void mutate(cert::FeaturesMeshCertificate& c, Random& random) {
   auto& list = random() % 2 ? c.removed : random() % 2 ? c.marked_after : c.dropped;
   const auto vertex = static_cast<Index>(random() % c.positions.size());
-  switch (random() % 8) {
+  switch (random() % 9) {
+    case 8:
+      random() % 2 ? ++c.components : --c.components;
+      break;
     case 0:
       if (!list.empty()) list.erase(list.begin() + static_cast<long>(random() % list.size()));
       break;

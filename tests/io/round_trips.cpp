@@ -63,6 +63,23 @@ TEST_CASE("meshes read back exactly in every format that is written", "[io]") {
   CHECK(folder.files() == 6);
 }
 
+TEST_CASE("data sets of many blocks read back, stored in their places and compressed", "[io]") {
+  const Field field = random_field(80);  // VTK compresses blocks of 32 kB
+  const TemporaryFolder folder;
+  crest::io::write_mesh(folder / "a.vtp", field.points, field.faces);
+  const auto file = crest::io::read_mesh(folder / "a.vtp");
+  CHECK(file.mesh.points() == field.points);
+  CHECK(file.mesh.faces() == field.faces);
+  // Equal points compress to almost nothing: no reason to refuse the file.
+  std::vector<Vec3> flat(5000, Vec3{0, 0, 0});
+  flat[0] = {1, 0, 0};
+  flat[1] = {0, 1, 0};
+  crest::io::write_mesh(folder / "b.vtp", flat, {{0, 1, 2}});
+  CHECK_NOTHROW(crest::io::read_mesh(folder / "b.vtp"));
+  for (const char* name : {"a.vtp", "b.vtp"})
+    CHECK(contents(folder / name).find("AppendedData") == std::string::npos);
+}
+
 TEST_CASE("extreme coordinates survive", "[io]") {
   const std::vector<Vec3> points = {
       {0.1, 1e300, 5e-324}, {-0.1, -1e300, 1.0 / 3}, {2.2250738585072014e-308, 7, 1e-200}};

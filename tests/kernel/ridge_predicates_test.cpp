@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/geometry/monge_form.hpp"
+#include "kernel/predicates/against_faces.hpp"
 #include "kernel/predicates/collinear.hpp"
 #include "kernel/predicates/extremality_sign.hpp"
 #include "kernel/predicates/segment_type.hpp"
@@ -150,4 +151,24 @@ TEST_CASE("collinear: exact on thin triangles", "[stress]") {
       REQUIRE(collinear(c, b, a) == answer);
     }
   }
+}
+
+TEST_CASE("normals against the faces: laws, and exact where the terms cancel") {
+  CHECK(AlongNormal::depth >= (AlongNormal{}.value<Depth>().count));
+  // The corner of a cube seen from outside: its three faces, counter-clockwise.
+  const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, o{0, 0, 0};
+  std::vector<std::array<Vec3, 2>> sides = {{x, y}, {y, z}, {z, x}};
+  CHECK_FALSE(against_faces({1, 1, 1}, o, sides));
+  CHECK(against_faces({-1, -1, -1}, o, sides));
+  CHECK_FALSE(against_faces({1e-320, 0, 0}, o, sides));  // one positive term, two of zero
+  // The sum is exactly (1, 1, 1): at right angles to it both ways are against.
+  CHECK(against_faces({1, -1, 0}, o, sides));
+  CHECK(against_faces({-1, 1, 0}, o, sides));
+  // By one unit in the last place.
+  CHECK_FALSE(against_faces({1, -1 + 0x1p-53, 0}, o, sides));
+  CHECK(against_faces({1, -1 - 0x1p-52, 0}, o, sides));
+  CHECK_FALSE(against_faces({1e300, -1e300, 5e-324}, o, sides));
+  CHECK(against_faces({1e300, -1e300, -5e-324}, o, sides));
+  for (auto& [q, r] : sides) std::swap(q, r);
+  CHECK(against_faces({1, 1, 1}, o, sides));
 }

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "algorithms/ridges/certificate.hpp"
 #include "certify/verify.hpp"
@@ -23,6 +24,18 @@ certify::Bytes claim_of(const RidgeCase& c) {
 certify::Bytes certificate_of(const RidgeCase& c) {
   return certify::encode(
       ridges::make_certificate(c.mesh, c.forms, ridges::extract_ridge_graph(c.mesh, c.forms)));
+}
+
+/// An ellipsoid with noise: faces of non-zero index lie close together.
+RidgeCase fitted_noise_case() {
+  RidgeCase c = exact_case("ellipsoid", {1, 1.5, 2}, 1500, true);
+  Draw d(77);
+  std::vector<kernel::Vec3> points = c.mesh.points();
+  for (auto& p : points)
+    for (double& x : p) x += 0.002 * d.uniform();
+  c.mesh = kernel::TriangleMesh(points, c.mesh.faces());
+  c.forms = ridges::fit_monge_forms(c.mesh, {}).forms;
+  return c;
 }
 
 std::vector<RidgeCase> symmetric_cases() {
@@ -109,4 +122,38 @@ TEST_CASE("the checker accepts what is extracted, under both arithmetics") {
     CHECK(slow.accepted);
     CHECK(fast.lines == slow.lines);
   }
+}
+
+TEST_CASE("one set of data has true certificates with other patches, each fixed in its numbers") {
+  const RidgeCase c = fitted_noise_case();
+  std::set<std::size_t> counts;
+  std::size_t moved = 0;
+  certify::Digest data{};
+  for (const double size : {0.0, 1.0, 3.0}) {
+    ridges::GraphOptions options;
+    options.umbilic_patch = size;
+    const auto graph = ridges::extract_ridge_graph(c.mesh, c.forms, options);
+    auto certificate = ridges::make_certificate(c.mesh, c.forms, graph);
+    const certify::Bytes bytes = certify::encode(certificate);
+    const certify::Verdict verdict = certify::verify(bytes);
+    CAPTURE(size, verdict.reason);
+    REQUIRE(verdict.accepted);
+    if (size == 0) data = *verdict.data;
+    CHECK(*verdict.data == data);
+    CHECK(verdict.lines[4].rfind("umbilics (for the stated patches): ", 0) == 0);
+    counts.insert(graph.umbilics.size());
+    std::set<kernel::Index> of_non_zero_index;
+    for (const auto& i : graph.face_indices) of_non_zero_index.insert(i.face);
+    for (auto& patch : certificate.patches)
+      for (const kernel::Index f : patch.faces) {
+        if (f == patch.centre || !of_non_zero_index.count(f)) continue;
+        const kernel::Index centre = patch.centre;
+        patch.centre = f;
+        CHECK_FALSE(certify::verify(certify::encode(certificate)).accepted);
+        patch.centre = centre;
+        ++moved;
+      }
+  }
+  CHECK(counts.size() == 3);
+  CHECK(moved > 0);
 }
