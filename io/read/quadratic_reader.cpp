@@ -31,6 +31,43 @@ std::uint64_t edge_key(Index a, Index b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
 }
 
+/// The claim speaks of values alone; places are computed on straight edges.
+std::size_t curved_sides(const Soup& soup, const std::vector<Triangle>& faces,
+                         const std::vector<std::array<Index, 3>>& midside) {
+  std::size_t curved = 0;
+  for (std::size_t f = 0; f < midside.size(); ++f) {
+    for (std::size_t k = 0; midside[f][0] != kNone && k < 3; ++k) {
+      const Vec3 &a = soup.points[faces[f][k]], &b = soup.points[faces[f][(k + 1) % 3]];
+      const Vec3& m = soup.points[midside[f][k]];
+      double off = 0, length = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        off = std::hypot(off, m[i] - (0.5 * a[i] + 0.5 * b[i]));
+        length = std::hypot(length, b[i] - a[i]);
+      }
+      curved += off > 1e-6 * length;
+    }
+  }
+  return curved;
+}
+
+/// Throws for neighbours with different values in the middle of their edge.
+void require_agreement(const Soup& soup, const SoupFaces& cells, const std::vector<Triangle>& faces,
+                       const std::vector<std::array<double, 3>>& middles) {
+  std::unordered_map<std::uint64_t, std::pair<std::size_t, double>> seen;
+  for (std::size_t f = 0; f < middles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = faces[f][k], b = faces[f][(k + 1) % 3];
+      const auto [other, first] = seen.try_emplace(edge_key(a, b), f, middles[f][k]);
+      if (first || other->second.second == middles[f][k]) continue;
+      fail(fmt::format("edge {}-{}", soup.point_tag(a), soup.point_tag(b)),
+           fmt::format("faces {} and {} have the values {} and {} at its middle",
+                       cells.tag(soup, other->second.first), cells.tag(soup, f),
+                       other->second.second, middles[f][k]),
+           "make the function continuous");
+    }
+  }
+}
+
 class Builder {
  public:
   /// `field`: one of the soup's, unless the source has an expression.
@@ -51,7 +88,12 @@ class Builder {
     number_vertices();
     take_values();
     const std::vector<std::array<double, 3>> middles = middle_values();
-    if (!midside_.empty()) warn_of_curved_sides();
+    if (const std::size_t curved = curved_sides(soup_, faces_, midside_)) {
+      warnings_.push_back(fmt::format(
+          "{} sides are curved: the graph is that of the curved faces, places are given on "
+          "straight ones",
+          curved));
+    }
     const std::size_t unused =
         static_cast<std::size_t>(std::count(number_.begin(), number_.end(), kNone));
     if (unused > 0)
@@ -66,7 +108,7 @@ class Builder {
               std::move(warnings_)};
     } catch (const kernel::InputError&) {
       require_manifold(soup_, cells_, faces_);
-      require_agreement(middles);
+      require_agreement(soup_, cells_, faces_, middles);
       throw;
     }
   }
@@ -158,45 +200,6 @@ class Builder {
         middles[f][k] = side_value(faces_[f][k], faces_[f][(k + 1) % 3], of_quadratic);
     }
     return middles;
-  }
-
-  /// The claim speaks of values alone; places are computed on straight edges.
-  void warn_of_curved_sides() {
-    std::size_t curved = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      for (std::size_t k = 0; quadratic(f) && k < 3; ++k) {
-        const Vec3 a = place(faces_[f][k]), b = place(faces_[f][(k + 1) % 3]);
-        const Vec3 m = place(midside_[f][k]);
-        double off = 0, length = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-          off = std::hypot(off, m[i] - (0.5 * a[i] + 0.5 * b[i]));
-          length = std::hypot(length, b[i] - a[i]);
-        }
-        curved += off > 1e-6 * length;
-      }
-    }
-    if (curved == 0) return;
-    warnings_.push_back(fmt::format(
-        "{} sides are curved: the graph is that of the curved faces, places are given on straight "
-        "ones",
-        curved));
-  }
-
-  /// Neighbours with different values in the middle of their edge.
-  void require_agreement(const std::vector<std::array<double, 3>>& middles) const {
-    std::unordered_map<std::uint64_t, std::pair<std::size_t, double>> seen;
-    for (std::size_t f = 0; f < middles.size(); ++f) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Index a = faces_[f][k], b = faces_[f][(k + 1) % 3];
-        const auto [other, first] = seen.try_emplace(edge_key(a, b), f, middles[f][k]);
-        if (first || other->second.second == middles[f][k]) continue;
-        fail(fmt::format("edge {}-{}", soup_.point_tag(a), soup_.point_tag(b)),
-             fmt::format("faces {} and {} have the values {} and {} at its middle",
-                         cells_.tag(soup_, other->second.first), cells_.tag(soup_, f),
-                         other->second.second, middles[f][k]),
-             "make the function continuous");
-      }
-    }
   }
 
   const Soup& soup_;

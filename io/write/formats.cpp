@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write/formats.hpp"
 
+// vtkSMPTools.h of VTK 9.1 is no C++20.
+#include <SMP/Common/vtkSMPToolsAPI.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -18,6 +20,8 @@ namespace {
 template <class Writer, class Data>
 std::string bytes_of(Data& data) {
   const VtkQuiet quiet;
+  // In several threads it depends on them which of 0 and -0 is the least number of an array.
+  vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();

@@ -21,7 +21,6 @@ const std::map<std::string, std::size_t>& known_bodies() {
       {"blow_up.cpp BlowUp", 240},
       {"read_msh.cpp MshReader", 218},
       {"expression.cpp Parser", 232},
-      {"quadratic_reader.cpp Builder", 179},
       {"trees.cpp Sweep", 174},
       {"slab_oracle.cpp Slabs", 172},
       {"surface_net.cpp Net", 171},
