@@ -215,7 +215,7 @@ class Combinations {
   std::size_t failures() const { return failures_; }
 
  private:
-  static constexpr double kAll = 61;
+  static constexpr double kAll = 101;
 
   void try_one(const Kind& kind, const std::string& added, std::size_t place, Arithmetic arithmetic,
                bool completeness_alone) {
