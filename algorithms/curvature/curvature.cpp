@@ -6,6 +6,7 @@
 
 #include "algorithms/curvature/methods.hpp"
 #include "algorithms/curvature/tangent.hpp"
+#include "kernel/geometry/coordinate_range.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::curvature {
@@ -13,28 +14,6 @@ namespace {
 
 constexpr std::array<const char*, kMethods.size()> kNames = {"np", "ne",  "cf",          "qf",
                                                              "qt", "jet", "normal-cycle"};
-
-/// Products of four lengths and their inverses must stay in range with room for the mesh's size.
-constexpr double kLargest = 1e70, kSmallest = 1e-70;
-
-void require_range(const kernel::TriangleMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& p : mesh.points()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  double extent = 0, reach = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    extent = std::max(extent, 0.5 * high[k] - 0.5 * low[k]);
-    reach = std::max({reach, std::abs(low[k]), std::abs(high[k])});
-  }
-  if (extent < kSmallest || reach > kLargest) {
-    throw kernel::InputError(
-        "points: their coordinates are too small or too large for curvatures; rescale the mesh");
-  }
-}
 
 void require_normals(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals) {
   if (normals.size() != mesh.vertex_count()) {
@@ -136,7 +115,7 @@ Result estimate(const kernel::TriangleMesh& mesh, const Options& options) {
 
 void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& result) {
   if (mesh.vertex_count() == 0) throw kernel::InputError("mesh: it is empty; give a mesh");
-  require_range(mesh);
+  kernel::require_carried(mesh.points());
   result.lowered = result.complex = result.undetermined = 0;
   if (options.normals.empty()) {
     if (options.method == Method::np)

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "kernel/geometry/coordinate_range.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::feature_lines {
@@ -58,6 +59,7 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
                              std::to_string(mesh.vertex_count()) +
                              " vertices; give one number a vertex");
   }
+  kernel::require_carried(mesh.points());
   FeatureLines result;
   result.value = o.value ? *o.value : field_quantile(field, o.quantile);
   Marks region = feature_region(mesh, field, result.value, o);

@@ -47,7 +47,8 @@ Thinning thin(const kernel::TriangleMesh& mesh, Marks region, Index prune,
               const std::vector<double>& field = {});
 
 /// Shapes: one field value a vertex. Deterministic; no threads.
-/// Throws: InputError for another number of values or a value that is not a number.
+/// Throws: InputError for another number of values, a value that is not a number, or coordinates
+///   out of range (kernel::require_carried).
 /// Cost: O(V) besides the operators; about 0.3 microseconds a vertex.
 FeatureLines extract_feature_lines(const kernel::TriangleMesh& mesh,
                                    const std::vector<double>& field, const Options& options);

@@ -11,6 +11,7 @@
 #include "algorithms/ridges/neighbourhood.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/smoothing.hpp"
+#include "kernel/geometry/coordinate_range.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -152,6 +153,7 @@ double choose_scale(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& n
 }  // namespace
 
 FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& given) {
+  kernel::require_carried(mesh.points());
   FitOptions options = given;
   const std::vector<Vec3> normals = vertex_normals(mesh);
   if (options.auto_scale) options.scale = choose_scale(mesh, normals, options);

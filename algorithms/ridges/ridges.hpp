@@ -26,6 +26,7 @@ struct FitOptions {
 };
 
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.
+/// Throws: kernel::InputError for coordinates out of range (kernel::require_carried).
 FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options);
 
 /// Counts of the predicates' stages, by name, in a fixed order.

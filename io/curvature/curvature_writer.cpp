@@ -14,12 +14,12 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <array>
-#include <iterator>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -109,27 +109,23 @@ vtkSmartPointer<vtkCellArray> vtk_triangles(const std::vector<kernel::Triangle>&
 }
 
 std::string ply_of(const kernel::TriangleMesh& mesh, const curvature::Result& result) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "ply\nformat ascii 1.0\nelement vertex {}\n", mesh.vertex_count());
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    fmt::format_to(out, "property double {}\n", name);
-  for (const Scalar& s : kScalars) fmt::format_to(out, "property double {}\n", s.name);
+  Text text;
+  text.add("ply\nformat ascii 1.0\nelement vertex {}\n", mesh.vertex_count());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) text.add("property double {}\n", name);
+  for (const Scalar& s : kScalars) text.add("property double {}\n", s.name);
   for (const Direction& d : kDirections)
-    for (const char axis : {'x', 'y', 'z'})
-      fmt::format_to(out, "property double {}{}\n", d.name, axis);
-  fmt::format_to(out, "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                 mesh.face_count());
+    for (const char axis : {'x', 'y', 'z'}) text.add("property double {}{}\n", d.name, axis);
+  text.add("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+           mesh.face_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const PointCurvature& c = result.vertices[v];
-    fmt::format_to(out, "{} {}", fmt::join(mesh.points()[v], " "),
-                   fmt::join(result.normals[v], " "));
-    for (const Scalar& s : kScalars) fmt::format_to(out, " {}", c.*s.member);
-    for (const Direction& d : kDirections) fmt::format_to(out, " {}", fmt::join(c.*d.member, " "));
-    fmt::format_to(out, "\n");
+    text.add("{} {}", fmt::join(mesh.points()[v], " "), fmt::join(result.normals[v], " "));
+    for (const Scalar& s : kScalars) text.add(" {}", c.*s.member);
+    for (const Direction& d : kDirections) text.add(" {}", fmt::join(c.*d.member, " "));
+    text.add("\n");
   }
-  for (const auto& f : mesh.faces()) fmt::format_to(out, "3 {} {} {}\n", f[0], f[1], f[2]);
-  return fmt::to_string(text);
+  for (const auto& f : mesh.faces()) text.add("3 {} {} {}\n", f[0], f[1], f[2]);
+  return text.text();
 }
 
 std::array<unsigned char, 3> focal_colour(double q) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/features/feature_writer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -90,32 +88,30 @@ std::string vtp_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
 
 std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
                    const std::string& digest) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "# feature lines, data digest {}\n", digest);
+  Text text;
+  text.add("# feature lines, data digest {}\n", digest);
   std::vector<Index> number(mesh.vertex_count(), 0);
   Index used = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (graph.labels[v] == Label::patch) continue;
     number[v] = ++used;
     const auto& p = mesh.points()[v];
-    fmt::format_to(out, "v {} {} {}\n", p[0], p[1], p[2]);
+    text.add("v {} {} {}\n", p[0], p[1], p[2]);
   }
   constexpr std::array names = {"arcs", "branches", "loops", "isolated_lines"};
   for (std::size_t kind = 0; kind < names.size(); ++kind) {
-    fmt::format_to(out, "g {}\n", names[kind]);
+    text.add("g {}\n", names[kind]);
     for (const FeatureLine& line : graph.lines) {
-      if (static_cast<std::size_t>(line.kind) != kind || line.vertices.size() < 2) continue;
-      fmt::format_to(out, "l");
-      for (const Index v : line.vertices) fmt::format_to(out, " {}", number[v]);
-      if (line.kind == LineKind::loop) fmt::format_to(out, " {}", number[line.vertices.front()]);
-      fmt::format_to(out, "\n");
+      if (static_cast<std::size_t>(line.kind) != kind) continue;
+      text.add("{}", line.vertices.size() == 1 ? 'p' : 'l');
+      for (const Index v : line.vertices) text.add(" {}", number[v]);
+      if (line.kind == LineKind::loop) text.add(" {}", number[line.vertices.front()]);
+      text.add("\n");
     }
   }
-  fmt::format_to(out, "g nodes\n");
-  for (const auto& [v, w] : graph.node_edges)
-    fmt::format_to(out, "l {} {}\n", number[v], number[w]);
-  return fmt::to_string(text);
+  text.add("g nodes\n");
+  for (const auto& [v, w] : graph.node_edges) text.add("l {} {}\n", number[v], number[w]);
+  return text.text();
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace crest::io {
 /// Writes .vtp or .obj, by the extension in any case.
 ///
 /// .vtp: the mesh's points in their order; a polyline a feature line (a loop ends with the point it
-/// starts with), a two-point one an edge inside a node, then the mesh's faces.
+/// starts with; one of a single vertex is a vertex cell), a two-point one an edge inside a node,
+/// then the mesh's faces.
 ///   points: label (0 patch, 1 node, 2 arc, 3 branch, 4 loop, 5 isolated line), patch (-1 on
 ///     lines), field (the thresholded number).
 ///   cells: kind (1 node, 2 arc, 3 branch, 4 loop, 5 isolated line; 0 for faces), length (0 for
@@ -20,7 +21,7 @@ namespace crest::io {
 ///     faces and node edges), node_0 and node_1 (number of the node, else -1), patch (of a face: of
 ///     its corners the largest, -1 if all are on lines).
 ///   field: data_digest, the digest a certificate of the run carries.
-/// .obj: v for the points of lines, l lines in groups.
+/// .obj: v for the points of lines; the same lines as l (of a single vertex: p), in groups.
 /// Requires: one label, patch and field value a vertex. Guarantees: the same bytes for the same
 ///   input; no half-written file.
 /// Throws: kernel::InputError for another extension or a place that cannot be written.

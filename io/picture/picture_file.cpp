@@ -10,6 +10,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/finite.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -198,6 +199,19 @@ std::string svg_of(const Canvas& surface, const Drawing& drawing, const Camera& 
   return svg + "</svg>\n";
 }
 
+/// As every output: no number that is not finite.
+void require_sound(const Drawing& drawing) {
+  for (const double x : {drawing.stroke_width, drawing.casing_width, drawing.dot_radius})
+    require_finite(x, "line width");
+  const auto require_point = [](const kernel::Vec3& p) {
+    for (const double x : p) require_finite(x, "picture");
+  };
+  for (const StrokeClass& c : drawing.classes)
+    for (const auto& stroke : c.strokes)
+      for (const kernel::Vec3& p : stroke) require_point(p);
+  for (const Dot& dot : drawing.dots) require_point(dot.centre);
+}
+
 }  // namespace
 
 void check_picture_path(const std::string& path) {
@@ -208,6 +222,7 @@ void check_picture_path(const std::string& path) {
 
 void write_drawing(const std::string& path, const Camera& camera, Canvas& canvas,
                    const Drawing& drawing, bool show_legend) {
+  require_sound(drawing);
   const LegendLayout legend(drawing, camera, show_legend);
   if (lower_extension(path) == ".svg")
     return write_atomically(path, svg_of(canvas, drawing, camera, legend));

@@ -213,7 +213,8 @@ std::string Canvas::png() const {
   writer->SetInputData(image);
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (quiet.failed() || bytes == nullptr) throw std::runtime_error("VTK cannot write a PNG");
+  if (bytes == nullptr || !quiet.complaint().empty())
+    throw std::runtime_error("VTK cannot write a PNG: " + quiet.complaint());
   return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }

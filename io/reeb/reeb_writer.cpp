@@ -10,7 +10,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
@@ -179,12 +179,17 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
   };
   std::vector<std::vector<Mean>> groups(arcs.size());
   for (std::size_t a = 0; a < arcs.size(); ++a) groups[a].resize(std::min(size[a], parts));
+  double reach = 0;
+  for (const NodePlace& place : scene.places)
+    for (const double x : {place.point[0], place.point[1], place.point[2], place.value})
+      reach = std::max(reach, std::fabs(x));
+  const double unit = reach > 1e290 ? 0x1p-40 : 1;  // sums stay in range; exact
   for (const Index v : scene.tiles.order) {
     const Index a = scene.arc_of_node[v];
     if (a == kNone) continue;
     Mean& mean = groups[a][seen[a]++ * groups[a].size() / size[a]];
-    for (std::size_t k = 0; k < 3; ++k) mean.sum.point[k] += scene.places[v].point[k];
-    mean.sum.value += scene.places[v].value;
+    for (std::size_t k = 0; k < 3; ++k) mean.sum.point[k] += unit * scene.places[v].point[k];
+    mean.sum.value += unit * scene.places[v].value;
     ++mean.count;
   }
   std::vector<std::vector<NodePlace>> lines(arcs.size());
@@ -192,8 +197,8 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
     lines[a].push_back(scene.places[scene.graph.nodes[arcs[a].lower].vertex]);
     for (const Mean& mean : groups[a]) {
       NodePlace place = mean.sum;
-      for (double& x : place.point) x /= mean.count;
-      place.value /= mean.count;
+      for (double& x : place.point) x = x / mean.count / unit;
+      place.value = place.value / mean.count / unit;
       lines[a].push_back(place);
     }
     lines[a].push_back(scene.places[scene.graph.nodes[arcs[a].upper].vertex]);

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
 
 #include "io/formats/files.hpp"
 #include "io/ridges/ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -137,51 +137,48 @@ std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::strin
 }
 
 std::string obj_of(const Table& table, const RidgeGraph& graph, const std::string& digest) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "# ridges and umbilics, data digest {}\n", digest);
+  Text text;
+  text.add("# ridges and umbilics, data digest {}\n", digest);
   for (const Row& row : table.rows)
-    fmt::format_to(out, "v {} {} {}\n", row.point[0], row.point[1], row.point[2]);
-  if (!graph.umbilics.empty()) fmt::format_to(out, "g umbilics\n");
-  for (std::size_t i = 0; i < graph.umbilics.size(); ++i) fmt::format_to(out, "p {}\n", i + 1);
+    text.add("v {} {} {}\n", row.point[0], row.point[1], row.point[2]);
+  if (!graph.umbilics.empty()) text.add("g umbilics\n");
+  for (std::size_t i = 0; i < graph.umbilics.size(); ++i) text.add("p {}\n", i + 1);
   for (const auto colour : {ridges::Colour::blue, ridges::Colour::red}) {
-    fmt::format_to(out, "g {}\n", colour == ridges::Colour::blue ? "blue" : "red");
+    text.add("g {}\n", colour == ridges::Colour::blue ? "blue" : "red");
     for (std::size_t i = 0; i < graph.ridges.size(); ++i) {
-      // A polyline of one point is not a line for other programs.
-      if (graph.ridges[i].colour != colour || table.lines[i].size() < 2) continue;
-      fmt::format_to(out, "l");
-      for (Index p : table.lines[i]) fmt::format_to(out, " {}", p + 1);
-      fmt::format_to(out, "\n");
+      if (graph.ridges[i].colour != colour) continue;
+      text.add("{}", table.lines[i].size() == 1 ? 'p' : 'l');
+      for (Index p : table.lines[i]) text.add(" {}", p + 1);
+      text.add("\n");
     }
   }
-  return fmt::to_string(text);
+  return text.text();
 }
 
 std::string ply_of(const Table& table, const std::string& digest) {
   std::size_t edges = 0;
   for (const auto& line : table.lines) edges += line.empty() ? 0 : line.size() - 1;
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "ply\nformat ascii 1.0\ncomment data_digest {}\nelement vertex {}\n", digest,
-                 table.rows.size());
-  for (const char* name : {"x", "y", "z"}) fmt::format_to(out, "property double {}\n", name);
-  for (const char* name : kPointCodes) fmt::format_to(out, "property int {}\n", name);
-  for (const char* name : kPointNumbers) fmt::format_to(out, "property double {}\n", name);
-  fmt::format_to(out, "element edge {}\n", edges);
+  Text text;
+  text.add("ply\nformat ascii 1.0\ncomment data_digest {}\nelement vertex {}\n", digest,
+           table.rows.size());
+  for (const char* name : {"x", "y", "z"}) text.add("property double {}\n", name);
+  for (const char* name : kPointCodes) text.add("property int {}\n", name);
+  for (const char* name : kPointNumbers) text.add("property double {}\n", name);
+  text.add("element edge {}\n", edges);
   for (const char* name : {"vertex1", "vertex2", "colour", "type"})
-    fmt::format_to(out, "property int {}\n", name);
-  fmt::format_to(out, "end_header\n");
+    text.add("property int {}\n", name);
+  text.add("end_header\n");
   for (const Row& row : table.rows) {
-    fmt::format_to(out, "{} {} {} {} {}\n", row.point[0], row.point[1], row.point[2],
-                   fmt::join(row.codes, " "), fmt::join(row.numbers, " "));
+    text.add("{} {} {} {} {}\n", row.point[0], row.point[1], row.point[2],
+             fmt::join(row.codes, " "), fmt::join(row.numbers, " "));
   }
   for (const auto& line : table.lines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const Row& row = table.rows[line[i]];
-      fmt::format_to(out, "{} {} {} {}\n", line[i], line[i + 1], row.codes[0], row.codes[1]);
+      text.add("{} {} {} {}\n", line[i], line[i + 1], row.codes[0], row.codes[1]);
     }
   }
-  return fmt::to_string(text);
+  return text.text();
 }
 
 }  // namespace

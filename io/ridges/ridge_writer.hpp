@@ -22,10 +22,10 @@ namespace crest::io {
 ///     2 boundary), end_umbilic_0, end_umbilic_1 (number of the umbilic), umbilic (number of its
 ///     own), index, kind, coherent.
 ///   field: data_digest, the digest a certificate of the run carries; fit_scale.
-/// .obj: v, p (umbilics) and l lines, a group a colour. .ply: text, vertices with the point data
-/// above, then an edge element with colour and type.
-/// Guarantees: the same bytes for the same graph; no half-written file.
-/// Throws: kernel::InputError for another extension or a place that cannot be written.
+/// .obj: v, p (umbilics, ridges of one point) and l lines, a group a colour. .ply: text, vertices
+/// with the point data above, then an edge element with colour and type. Guarantees: the same bytes
+/// for the same graph; no half-written file. Throws: kernel::InputError for another extension or a
+/// place that cannot be written.
 void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
                   const ridges::FitResult& fit, const ridges::RidgeGraph& graph,
                   const std::string& data_digest_hex);

@@ -42,7 +42,7 @@ struct RidgeRun {
 };
 
 /// As few as possible: those of a loop start where its type changes; a loop of one type is one run
-/// that ends with the point it starts with.
+/// that ends with the point it starts with. A ridge of one point is a run of one.
 inline std::vector<RidgeRun> runs_of(const smooth_ridges::SmoothRidge& ridge) {
   const std::vector<smooth_ridges::RidgeType> types = drawn_types(ridge);
   const std::size_t segments = types.size(), n = ridge.points.size();
@@ -53,6 +53,7 @@ inline std::vector<RidgeRun> runs_of(const smooth_ridges::SmoothRidge& ridge) {
     break;
   }
   std::vector<RidgeRun> runs;
+  if (segments == 0 && n == 1) runs.push_back({smooth_ridges::RidgeType::none, {0}});
   for (std::size_t i = 0; i < segments; ++i) {
     const std::size_t k = (start + i) % segments;
     if (runs.empty() || runs.back().type != types[k]) runs.push_back({types[k], {k}});

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
 
 #include "io/formats/files.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -165,57 +165,53 @@ std::vector<std::size_t> line_of(const Table& table, const SmoothRidges& result,
 }
 
 std::string obj_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "# {}\n", headline(result, digest));
-  for (const Point& p : table.points)
-    fmt::format_to(out, "v {} {} {}\n", p.place[0], p.place[1], p.place[2]);
+  Text text;
+  text.add("# {}\n", headline(result, digest));
+  for (const Point& p : table.points) text.add("v {} {} {}\n", p.place[0], p.place[1], p.place[2]);
   std::size_t next = 1;
   constexpr std::array groups = {"umbilics", "turning_points", "purple_points", "undecided_cells"};
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (table.vertices[g] > 0) fmt::format_to(out, "g {}\n", groups[g]);
-    for (std::size_t i = 0; i < table.vertices[g]; ++i) fmt::format_to(out, "p {}\n", next++);
+    if (table.vertices[g] > 0) text.add("g {}\n", groups[g]);
+    for (std::size_t i = 0; i < table.vertices[g]; ++i) text.add("p {}\n", next++);
   }
   for (const Colour colour : {Colour::blue, Colour::red}) {
-    fmt::format_to(out, "g {}\n", colour == Colour::blue ? "blue" : "red");
+    text.add("g {}\n", colour == Colour::blue ? "blue" : "red");
     for (std::size_t r = 0; r < result.ridges.size(); ++r) {
       const std::vector<std::size_t> line = line_of(table, result, r);
-      // A polyline of one point is not a line for other programs.
-      if (result.ridges[r].colour != colour || line.size() < 2) continue;
-      fmt::format_to(out, "l");
-      for (const std::size_t p : line) fmt::format_to(out, " {}", p + 1);
-      fmt::format_to(out, "\n");
+      if (result.ridges[r].colour != colour || line.empty()) continue;
+      text.add("{}", line.size() == 1 ? 'p' : 'l');
+      for (const std::size_t p : line) text.add(" {}", p + 1);
+      text.add("\n");
     }
   }
-  return fmt::to_string(text);
+  return text.text();
 }
 
 std::string ply_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
-  fmt::memory_buffer text, edges;
-  auto out = std::back_inserter(text);
+  Text text, edges;
   std::size_t edge_count = 0;
   for (std::size_t r = 0; r < result.ridges.size(); ++r) {
     const std::vector<std::size_t> line = line_of(table, result, r);
     for (std::size_t i = 0; i + 1 < line.size(); ++i, ++edge_count) {
       const Row& row = table.points[line[i]].row;
-      fmt::format_to(std::back_inserter(edges), "{} {} {} {}\n", line[i], line[i + 1], row.codes[1],
-                     row.codes[2]);
+      edges.add("{} {} {} {}\n", line[i], line[i + 1], row.codes[1], row.codes[2]);
     }
   }
-  fmt::format_to(out, "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n",
-                 headline(result, digest), table.points.size());
-  for (const char* name : {"x", "y", "z"}) fmt::format_to(out, "property double {}\n", name);
-  for (const char* name : kCodes) fmt::format_to(out, "property int {}\n", name);
-  for (const char* name : kNumbers) fmt::format_to(out, "property double {}\n", name);
-  fmt::format_to(out, "element edge {}\n", edge_count);
+  text.add("ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n", headline(result, digest),
+           table.points.size());
+  for (const char* name : {"x", "y", "z"}) text.add("property double {}\n", name);
+  for (const char* name : kCodes) text.add("property int {}\n", name);
+  for (const char* name : kNumbers) text.add("property double {}\n", name);
+  text.add("element edge {}\n", edge_count);
   for (const char* name : {"vertex1", "vertex2", "colour", "type"})
-    fmt::format_to(out, "property int {}\n", name);
-  fmt::format_to(out, "end_header\n");
+    text.add("property int {}\n", name);
+  text.add("end_header\n");
   for (const Point& p : table.points) {
-    fmt::format_to(out, "{} {} {} {} {}\n", p.place[0], p.place[1], p.place[2],
-                   fmt::join(p.row.codes, " "), fmt::join(p.row.numbers, " "));
+    text.add("{} {} {} {} {}\n", p.place[0], p.place[1], p.place[2], fmt::join(p.row.codes, " "),
+             fmt::join(p.row.numbers, " "));
   }
-  return fmt::to_string(text) + fmt::to_string(edges);
+  text.add(edges);
+  return text.text();
 }
 
 std::string mesh_vtp(const SmoothRidges& result, const std::string& digest) {

@@ -11,9 +11,12 @@ namespace crest::io {
 
 /// A .vtp file's bytes: arrays in their places, in base64, compressed by zlib. They
 /// depend on nothing but the data and zlib.
-/// Throws: std::runtime_error when VTK fails.
+/// Throws: std::runtime_error when a cell has too few points or names one that is not there, when
+/// an
+///   array has no name or another length than points or cells have, when a number is not finite,
+///   and when VTK has any complaint; nothing of it is hidden.
 std::string vtp_bytes(vtkPolyData& data);
-/// A .vtu file's, likewise.
+/// A .vtu file's, likewise; all cells must be triangles.
 std::string vtu_bytes(vtkUnstructuredGrid& data);
 
 }  // namespace crest::io

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -19,14 +18,12 @@ using Faces = std::vector<kernel::Triangle>;
 /// Header, then a line a point and a line a face with the given starts; indices from `base`.
 std::string text_of(const Points& points, const Faces& faces, const std::string& header,
                     const char* vertex, const char* face, kernel::Index base) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}", header);
-  for (const kernel::Vec3& p : points)
-    fmt::format_to(out, "{}{} {} {}\n", vertex, p[0], p[1], p[2]);
+  Text text;
+  text.add("{}", header);
+  for (const kernel::Vec3& p : points) text.add("{}{} {} {}\n", vertex, p[0], p[1], p[2]);
   for (const kernel::Triangle& f : faces)
-    fmt::format_to(out, "{}{} {} {}\n", face, f[0] + base, f[1] + base, f[2] + base);
-  return fmt::to_string(text);
+    text.add("{}{} {} {}\n", face, f[0] + base, f[1] + base, f[2] + base);
+  return text.text();
 }
 
 std::string ply_header(std::size_t points, std::size_t faces) {

@@ -42,7 +42,7 @@ class PolyData {
   /// Numbers and texts of the whole.
   Columns& fields() { return fields_; }
 
-  /// The file; the rows are gone then. Throws: std::runtime_error when VTK fails.
+  /// The file; the rows are gone then. Throws: std::runtime_error as vtp_bytes() does.
   std::string bytes();
 
  private:

@@ -28,7 +28,7 @@ MeshData turned(MeshData data, std::size_t first, std::size_t last) {
 
 Verdict compare(const Bytes& certificate, const MeshData& with) {
   VerifyOptions options;
-  options.input = std::string(CREST_BINARY_DIR) + "/certify-input-tie.off";
+  options.input = CREST_BINARY_DIR "/certify-input-tie.off";
   std::ofstream out(*options.input);
   out << "OFF\n" << with.positions.size() << ' ' << with.faces.size() << " 0\n";
   for (const auto& p : with.positions) out << fmt::format("{} {} {}\n", p[0], p[1], p[2]);

@@ -9,6 +9,7 @@
 #include <csignal>
 
 #include "io/write/atomic_file.hpp"
+#include "io/write/mesh_writer.hpp"
 #include "tests/cli/run_crest.hpp"
 
 using namespace crest::tests;
@@ -77,6 +78,20 @@ TEST_CASE("a report never holds a number that is not finite: nothing is written"
     CHECK(folder.entries() == 1);
     CHECK(read_text(folder / "out.txt") == "old");
   }
+}
+
+TEST_CASE("a file that would hold a number that is not finite: nothing is written") {
+  const TemporaryFolder folder;
+  write_text(folder / "out.txt", "old");
+  const auto work = [&](Run&) {
+    crest::io::write_mesh(folder / "good.off", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    crest::io::write_mesh(folder / "bad.off", {{0, 0, 0}, {1, 0, 0}, {0, HUGE_VAL, 0}},
+                          {{0, 1, 2}});
+  };
+  // As above: what is not InputError ends as exit code 70.
+  CHECK_THROWS_WITH(run_with(quiet_options(folder), work), "the output's number is not finite");
+  CHECK(folder.entries() == 1);
+  CHECK(read_text(folder / "out.txt") == "old");
 }
 
 TEST_CASE("a self-test that fails stops a run before it works") {
