@@ -271,7 +271,7 @@ TEST_CASE("bad input is refused in one line that names the element") {
   CHECK(message(shape.mesh, o).find("vertex 5") != std::string::npos);
   CHECK(
       message(TriangleMesh({{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}, {{0, 1, 2}}), by(Method::ne))
-          .find("rescale") != std::string::npos);
+          .find("scale the mesh by 1e-200") != std::string::npos);
   CHECK(message(TriangleMesh(), by(Method::ne)) != "");
 }
 
