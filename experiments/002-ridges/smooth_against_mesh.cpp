@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
+#include "algorithms/smooth_ridges/local_graph.hpp"
+#include "algorithms/smooth_ridges/refinement.hpp"
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "experiments/002-ridges/smooth_surfaces.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
