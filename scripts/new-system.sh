@@ -200,6 +200,8 @@ END
 instantiate "certify/$name/SPEC.md" <<'END'
 # Claim @NUMBER@: @DASHED@
 
+Version 1. State here what later versions change.
+
 ## Data section
 | bytes | content |
 |---|---|
@@ -234,7 +236,7 @@ instantiate "certify/$name/records.hpp" <<'END'
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t k@CAMEL@ = @NUMBER@;
+inline constexpr std::uint32_t k@CAMEL@ = @NUMBER@, k@CAMEL@Version = 1;
 
 struct @CAMEL@Certificate {
   std::vector<std::array<double, 3>> points;                ///< V
@@ -288,7 +290,7 @@ Bytes encode(const @CAMEL@Certificate& c) {
     out.integer(c.distinct);
     out.integer(c.used);
   };
-  return compose(k@CAMEL@, data_size, write_data, write_claims);
+  return compose({k@CAMEL@, k@CAMEL@Version}, data_size, write_data, write_claims);
 }
 
 }  // namespace crest::certify
@@ -388,7 +390,7 @@ void verify_@NAME@(std::span<const std::uint8_t> data, std::span<const std::uint
 }  // namespace
 
 extern const ClaimChecker @NAME@_claim;
-const ClaimChecker @NAME@_claim = {k@CAMEL@, "@DASHED@", verify_@NAME@};
+const ClaimChecker @NAME@_claim = {k@CAMEL@, k@CAMEL@Version, "@DASHED@", verify_@NAME@};
 
 }  // namespace crest::certify
 END
