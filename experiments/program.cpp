@@ -8,6 +8,16 @@
 #include <iostream>
 
 namespace crest::experiments {
+namespace {
+
+/// From the folder of all experiments on.
+std::string name_of_program() {
+  const std::string path = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::size_t at = path.rfind("/experiments/");
+  return at == std::string::npos ? path : path.substr(at + 1);
+}
+
+}  // namespace
 
 Program::Program(const char* purpose) : app_(std::make_unique<CLI::App>(purpose)) {}
 Program::~Program() = default;
@@ -53,11 +63,9 @@ void Program::flag(const char* name, bool& value, const char* help) {
 
 int Program::run(int argc, char** argv, const std::function<int()>& work) {
   CLI11_PARSE(*app_, argc, argv);
-  if (echo_) {
-    fmt::print("Command: {}", echo_);
-    for (int i = 1; i < argc; ++i) fmt::print(" {}", argv[i]);
-    fmt::print("\n\n");
-  }
+  fmt::print("Command: {}", name_of_program());
+  for (int i = 1; i < argc; ++i) fmt::print(" {}", argv[i]);
+  fmt::print("\n\n");
   try {
     return work();
   } catch (const std::exception& error) {

@@ -106,9 +106,6 @@ int main(int argc, char** argv) {
   crest::experiments::Program program("Convergence of curvature estimates");
   program.list("--sizes", sizes, "columns of the grids (default 32,64,128,256)");
   return program.run(argc, argv, [&] {
-    fmt::print("Command: experiments/001-curvature/curvature_convergence");
-    for (int i = 1; i < argc; ++i) fmt::print(" {}", argv[i]);
-    fmt::print("\n");
     crest::experiments::run(sizes);
     return 0;
   });

@@ -158,7 +158,6 @@ int main(int argc, char** argv) {
   program.list("--noise", o.noise, "levels s (default 0,0.5,1,2,3)");
   program.option("--plots", o.plots, "folder for plots like figures 3.5 to 3.10 (.svg)");
   program.flag("--interior", o.interior, "leave boundary vertices out");
-  program.echo("experiments/001-curvature/noise_evaluation");
   return program.run(argc, argv, [&] {
     crest::experiments::run(o);
     return 0;

@@ -179,7 +179,6 @@ int main(int argc, char** argv) {
   crest::experiments::Program program("Failures of the acute rule against certified orientations");
   program.option("--surfaces", o.surfaces, "implicit ones, by name");
   program.list("--faces", o.faces, "of the even triangulations");
-  program.echo("experiments/002-ridges/acute_rule_certified");
   return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);

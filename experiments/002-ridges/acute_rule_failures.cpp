@@ -173,7 +173,6 @@ int main(int argc, char** argv) {
       "Failures of the acute rule against orientation by continuity");
   program.list("--surfaces", o.surfaces, "names of crest sample");
   program.list("--vertices", o.vertices, "mesh sizes");
-  program.echo("experiments/002-ridges/acute_rule_failures");
   return program.run(argc, argv, [&] {
     crest::run(o);
     return 0;

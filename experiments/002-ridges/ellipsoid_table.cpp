@@ -178,7 +178,6 @@ int main(int argc, char** argv) {
       "Ridges and umbilics of ellipsoids against the principal ellipses");
   program.option("--axes", o.axes, "triples A,B,C");
   program.list("--vertices", o.vertices, "mesh sizes");
-  program.echo("experiments/002-ridges/ellipsoid_table");
   return program.run(argc, argv, [&] {
     crest::run(o);
     return 0;

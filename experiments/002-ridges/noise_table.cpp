@@ -121,7 +121,6 @@ int main(int argc, char** argv) {
                  "also count Crest's ridges above it (default off)");
   program.option("--umbilic-size", o.umbilic_size, "CGAL's umbilic patch size (default 3)");
   program.flag("--without-cgal", o.without_cgal, "Crest only");
-  program.echo("experiments/002-ridges/noise_table");
   return program.run(argc, argv, [&] {
     crest::run(o);
     return 0;

@@ -163,7 +163,6 @@ int main(int argc, char** argv) {
   crest::experiments::Program program("Ridges of meshes against certified ones");
   program.option("--only", o.only, "surfaces whose name contains one of these");
   program.list("--faces", o.faces, "of the even meshes");
-  program.echo("experiments/002-ridges/smooth_against_mesh");
   return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(o);

@@ -279,7 +279,6 @@ int main(int argc, char** argv) {
   program.option("--faces", o.faces, "a surface's budget");
   program.option("--seconds", o.seconds, "a surface's time");
   program.option("--runs", o.runs, "whose median is shown", {1, 100});
-  program.echo("experiments/002-ridges/smooth_table");
   return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run_table(o);

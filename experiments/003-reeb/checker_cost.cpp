@@ -162,7 +162,6 @@ int main(int argc, char** argv) {
   program.option("--programs", o.programs, "the folder of crest and crest-verify");
   program.option("--folder", o.folder, "for the files, removed in the end");
   return program.run(argc, argv, [&] {
-    fmt::print("Command: experiments/003-reeb/checker_cost\n\n");
     crest::run(o);
     return 0;
   });
