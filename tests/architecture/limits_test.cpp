@@ -20,7 +20,6 @@ const std::map<std::string, std::size_t>& known_bodies() {
       {"face_test.cpp FaceTest::State", 272},
       {"blow_up.cpp BlowUp", 240},
       {"read_msh.cpp MshReader", 218},
-      {"expression.cpp Parser", 234},
       {"trees.cpp Sweep", 174},
       {"slab_oracle.cpp Slabs", 172},
       {"surface_net.cpp Net", 171},
