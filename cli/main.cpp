@@ -7,6 +7,7 @@
 #include <new>
 
 #include "cli/command.hpp"
+#include "cli/references.hpp"
 #include "cli/version.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -69,6 +70,13 @@ int main(int argc, char** argv) {
   try {
     CLI::App app("Crest: certified extraction of surface topology", "crest");
     app.set_version_flag("--version", "crest " CREST_VERSION);
+    app.add_flag_callback(
+        "--cite",
+        [] {
+          std::fputs(crest::cli::bibtex({"crest"}).c_str(), stdout);
+          throw CLI::Success();
+        },
+        "print how to cite Crest; crest COMMAND ... --cite: the papers behind a result");
     app.require_subcommand(1);
     app.footer("crest COMMAND --help shows a command's options and examples.");
     return parse_and_run(app, argc, argv);

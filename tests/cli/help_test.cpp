@@ -18,6 +18,17 @@ TEST_CASE("crest --help has one line a command") {
   CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
 }
 
+TEST_CASE("crest --cite alone cites Crest, in the version that runs") {
+  const TemporaryFolder folder;
+  const auto result = run_crest("crest --cite", folder.path());
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("@software{crest,") == 0);
+  const std::string version = run_crest("crest --version", folder.path()).out.substr(6);
+  CHECK(result.out.find("{" + version.substr(0, version.find('\n')) + "}") != std::string::npos);
+  const std::string citation = read_text(fs::path(CREST_SOURCE_DIR) / "CITATION.cff");
+  CHECK(citation.find("version: " + version) != std::string::npos);
+}
+
 TEST_CASE("crest --version names the version") {
   const TemporaryFolder folder;
   const auto result = run_crest("crest --version", folder.path());
