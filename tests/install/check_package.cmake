@@ -19,4 +19,43 @@ run(${WORK}/build/uses_crest)
 if(NOT output MATCHES "Euler characteristic 2, index sum 2")
   message(FATAL_ERROR "unexpected answer: ${output}")
 endif()
+
+# The same program by pkg-config, without CMake.
+file(GLOB_RECURSE pc ${WORK}/prefix/crest.pc)
+get_filename_component(folder "${pc}" DIRECTORY)
+run(sh -c "PKG_CONFIG_PATH=${folder} pkg-config --cflags --libs crest")
+string(REPLACE "\n" "" flags "${output}")
+run(sh -c
+  "${COMPILER} ${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/project/main.cpp -o ${WORK}/by_pkg_config ${flags}")
+run(${WORK}/by_pkg_config)
+if(NOT output MATCHES "Euler characteristic 2, index sum 2")
+  message(FATAL_ERROR "unexpected answer: ${output}")
+endif()
+
+# What comes with the programs.
+file(GLOB programs RELATIVE ${WORK}/prefix/bin ${WORK}/prefix/bin/*)
+foreach(program ${programs})
+  if(NOT EXISTS ${WORK}/prefix/share/man/man1/${program}.1)
+    message(FATAL_ERROR "${program} has no man page")
+  endif()
+endforeach()
+if(EXISTS ${WORK}/prefix/bin/crest)
+  file(READ ${WORK}/prefix/share/man/man1/crest-ridges.1 page)
+  if(NOT page MATCHES "certificate FILE.*EXAMPLES")
+    message(FATAL_ERROR "the page of crest ridges lacks options or examples")
+  endif()
+  file(WRITE ${WORK}/complete.sh [=[
+. "$1"
+COMP_WORDS=(crest rid); COMP_CWORD=1; _crest; echo "${COMPREPLY[*]}"
+COMP_WORDS=(crest ridges --certif); COMP_CWORD=2; _crest; echo "${COMPREPLY[*]}"
+]=])
+  run(bash ${WORK}/complete.sh ${WORK}/prefix/share/bash-completion/completions/crest)
+  if(NOT output MATCHES "ridges.*--certificate")
+    message(FATAL_ERROR "completion gives ${output}")
+  endif()
+  file(GLOB licence ${WORK}/prefix/share/doc/*/LICENSE)
+  if(NOT licence)
+    message(FATAL_ERROR "the licence is not installed")
+  endif()
+endif()
 file(REMOVE_RECURSE ${WORK})
