@@ -8,8 +8,8 @@
 #include <map>
 
 #include "algorithms/curvature/focal.hpp"
+#include "experiments/001-curvature/directions.hpp"
 #include "experiments/001-curvature/test_meshes.hpp"
-#include "experiments/close_up.hpp"
 #include "experiments/packed_mesh.hpp"
 #include "experiments/program.hpp"
 #include "io/curvature/curvature_picture.hpp"
@@ -115,30 +115,6 @@ std::optional<kernel::TriangleMesh> part_of(const kernel::TriangleMesh& mesh, co
   return kernel::TriangleMesh(std::move(points), std::move(faces));
 }
 
-/// Larger principal directions (red) and smaller ones (blue).
-void directions(const std::string& path, const kernel::TriangleMesh& mesh, const Vec3& centre,
-                double radius) {
-  const auto result = estimate(mesh, Method::ne, {});
-  CloseUp view;
-  view.centre = centre;
-  view.radius = radius;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Vec3& p = mesh.points()[v];
-    double edge = 1e300;
-    for (const Index w : mesh.ring(v)) {
-      const Vec3 d = mesh.points()[w] - p;
-      edge = std::min(edge, norm(d));
-    }
-    const auto add = [&](const Vec3& d, const char* colour) {
-      view.lines.push_back(
-          {p - 0.45 * edge * d, p + 0.45 * edge * d, result.normals[v], colour, 1.2});
-    };
-    add(result.vertices[v].d1, "#c81e1e");
-    add(result.vertices[v].d2, "#1e46c8");
-  }
-  write_close_up(path, mesh, view);
-}
-
 void figure_14(const std::string& folder, const std::string& file, Index centre, int width) {
   if (!std::filesystem::exists(file)) {
     fmt::print("{}: not there, figure 3.14 skipped\n", file);
@@ -166,7 +142,7 @@ void figure_14(const std::string& folder, const std::string& file, Index centre,
   io::write_focal_picture(folder + "/figure-3.14-b.png", *part,
                           curvature::focal_of_triangles(*part, ne.normals, Quantity::mean, 0.05, 3),
                           picture);
-  directions(folder + "/figure-3.14-c.svg", mesh, middle, 0.02 * size);
+  write_directions(folder + "/figure-3.14-c.svg", mesh, result, middle, 0.02 * size);
 }
 
 void run(const std::string& folder, const std::string& scan, Index centre, int width) {
