@@ -27,7 +27,7 @@ void focal_pair(const std::string& name, const kernel::TriangleMesh& mesh,
   for (const Quantity q : {Quantity::gaussian, Quantity::mean}) {
     picture.label = q == Quantity::gaussian ? "gaussian curvature" : "mean curvature";
     io::write_focal_picture(fmt::format("{}-{}.png", name, q == Quantity::gaussian ? "K" : "H"),
-                            mesh, curvature::focal_of_triangles(mesh, normals, q, 0.2, 12),
+                            mesh, curvature::focal_of_triangles(mesh, normals, q, 0.08, 12),
                             picture);
   }
 }

@@ -95,6 +95,7 @@ void draw(const QuadraticMesh& mesh, const reeb::TileComplex& tiles, const fs::p
 }
 
 void run(int triangles, const std::string& pictures) {
+  if (!pictures.empty()) fs::create_directories(pictures);
   std::mt19937_64 random(1);
   std::map<std::pair<std::size_t, std::size_t>, int> cases;
   for (int i = 0; i < triangles; ++i) {
