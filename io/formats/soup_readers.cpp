@@ -86,17 +86,15 @@ Soup read_stl(std::string bytes, const FieldRequest&) {
   });
 }
 
-SoupReader soup_reader(const std::string& extension, const std::string& others) {
-  static const std::map<std::string, SoupReader> readers = {{".off", read_off},
-                                                            {".obj", read_obj},
-                                                            {".ply", read_ply},
-                                                            {".stl", read_stl},
-                                                            {".vtp", read_vtp}};
+SoupReader soup_reader(const std::string& extension) {
+  static const std::map<std::string, SoupReader> readers = {
+      {".off", read_off}, {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl},
+      {".vtp", read_vtp}, {".vtu", read_vtu}, {".msh", read_msh}};
   const auto reader = readers.find(extension);
   if (reader == readers.end()) {
     fail("file",
          extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-         "use " + others + ".off, .obj, .ply, .stl or .vtp");
+         "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk or .msh");
   }
   return reader->second;
 }
