@@ -2,7 +2,7 @@
 // OFF: [ST][C][N]OFF, counts, vertices, faces.
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"

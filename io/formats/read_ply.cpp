@@ -223,7 +223,7 @@ class TextPly : public PlyReader {
         else if (column.integers)
           column.integers[item_] = take<std::int64_t>();
         else if (column.naturals)
-          column.naturals[item_] = static_cast<std::uint64_t>(take<std::int64_t>());
+          column.naturals[item_] = take<std::uint64_t>();
         else
           skip();
       if (element().vertices()) note_not_finite(soup_, item_, scan_);
