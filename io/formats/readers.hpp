@@ -1,46 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The readers of the formats. Each throws kernel::InputError without the file's name.
+// The readers of the formats: bytes to a soup. Each throws kernel::InputError without the file's
+// name, allocates nothing on the strength of a count that the bytes are too few for, and rounds
+// numbers in texts correctly to doubles, whatever type a header gives them.
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
 
 #include "io/formats/soup.hpp"
 
 namespace crest::io {
 
-/// The point field to read: none, the one named, or (empty name) any.
+/// The fields to read, of points and of cells alike. The others of a file may be listed without
+/// their numbers, so that a message can name them.
 struct FieldRequest {
   bool wanted = false;
-  std::string name = {};
+  std::string name = {};                  ///< of the field; empty: all fields
+  bool normals = false;                   ///< those of the points, whatever their name
+  std::optional<std::int64_t> step = {};  ///< of time, as the file numbers it; else its last
+  bool asks_for(const std::string& field) const {
+    return wanted && (name.empty() || name == field);
+  }
 };
 
-Soup read_off(std::string bytes, const FieldRequest& request);
-Soup read_obj(std::string bytes, const FieldRequest& request);
-Soup read_ply(std::string bytes, const FieldRequest& request);  ///< fields: normals
-Soup read_stl(std::string bytes, const FieldRequest& request);
+Soup read_off(std::string bytes, const FieldRequest& request);  ///< fields: normals
+Soup read_obj(std::string bytes, const FieldRequest& request);  ///< fields: normals
+Soup read_ply(std::string bytes, const FieldRequest& request);
+Soup read_stl(std::string bytes, const FieldRequest& request);  ///< no fields
 Soup read_vtp(std::string bytes, const FieldRequest& request);
 Soup read_vtu(std::string bytes, const FieldRequest& request);
-Soup read_msh(std::string bytes, const FieldRequest& request);
+Soup read_vtk(std::string bytes, const FieldRequest& request);  ///< legacy
+Soup read_msh(std::string bytes, const FieldRequest& request);  ///< the one with time steps
 
-using SoupReader = Soup (*)(std::string, const FieldRequest&);
+using SoupReader = std::function<Soup(std::string, const FieldRequest&)>;
 
-/// The reader of surfaces of an extension (lower case); fails for an unknown one, saying `others`
-/// are known too.
-SoupReader soup_reader(const std::string& extension, const std::string& others = "");
-
-/// OFF with checks like those below, which have to read every number anyway; CGAL's reader takes
-/// ten times as long as they do. Numbers are rounded as an istream does, bit for bit.
-Soup parse_off(std::string_view text);
-
-/// The checks before CGAL or VTK reads: they name the line and element that it would refuse, ignore
-/// or crash on, and blank out what it cannot skip.
-void check_obj(std::string& text);
-void check_ply(const std::string& bytes);
-void check_stl(std::string& bytes);
-void check_vtp(const std::string& bytes);  ///< and VTU
-
-/// The normals (nx, ny, nz) that a PLY file gives its vertices; no field if it gives none.
-std::vector<Field> ply_normals(const std::string& bytes);
+/// The reader of an extension (lower case, with its dot), which refuses a time step where the
+/// format has none; fails for an unknown extension.
+SoupReader soup_reader(const std::string& extension);
 
 }  // namespace crest::io

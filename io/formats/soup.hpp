@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,10 +32,30 @@ enum class CellType : std::uint8_t {
   pyramid = 14,
   quadratic_edge = 21,
   quadratic_triangle = 22,
-  quadratic_tetrahedron = 24
+  quadratic_quad = 23,
+  quadratic_tetrahedron = 24,
+  quadratic_hexahedron = 25,
+  quadratic_wedge = 26,
+  quadratic_pyramid = 27,
+  biquadratic_quad = 28,
+  triquadratic_hexahedron = 29,
+  biquadratic_wedge = 32,
+  lagrange_curve = 68,
+  lagrange_triangle = 69,
+  lagrange_quad = 70,
+  lagrange_tetrahedron = 71,
+  lagrange_hexahedron = 72,
+  lagrange_wedge = 73,
+  lagrange_pyramid = 74
 };
 
-/// 0 to 3, or -1 for a type that is not named above.
+/// What a list of so many corners of a face is: a triangle, a quad or a polygon, which may have
+/// fewer than 3.
+constexpr CellType face_type(std::size_t corners) {
+  return corners == 3 ? CellType::triangle : corners == 4 ? CellType::quad : CellType::polygon;
+}
+
+/// 0 to 3 for VTK's types, -1 for another number.
 int dimension_of(CellType type);
 
 /// Cells in the file's order. Nodes are positions of points; none of them is checked.
@@ -49,6 +70,7 @@ class Cells {
   }
   std::size_t size() const { return types_.size(); }
   bool empty() const { return types_.empty(); }
+  std::size_t node_count() const { return nodes_.size(); }
   CellType type(std::size_t c) const { return types_[c]; }
   std::span<const Node> nodes(std::size_t c) const {
     return {nodes_.data() + begin_[c], nodes_.data() + begin_[c + 1]};
@@ -70,17 +92,26 @@ struct Field {
   int components = 1;           ///< of each point or cell; 0: these are no numbers
   Numbers numbers{};            ///< empty: not asked for
   bool normals = false;         ///< the file says that they are the points' normals
-  std::vector<bool> missing{};  ///< points or cells without a value; empty: none
+  std::vector<bool> missing{};  ///< points or cells without a value (of 0); empty: none
   std::size_t size() const;     ///< of numbers
 };
 
+/// What a file holds, nothing left out or mended: faces with repeated corners, equal points (those
+/// of STL alone are merged), points that nothing uses. Coordinates and values may be NaN or
+/// infinite. Thin cells and solids stand among the others.
 struct Soup {
   std::vector<kernel::Vec3> points;
   Cells cells;
   std::vector<Field> point_fields, cell_fields;
   /// What the file calls them, for messages; empty: by position.
   std::vector<std::int64_t> point_tags, cell_tags;
+  /// Lines of a text with points that are not finite: (point, line), ascending.
+  std::vector<std::pair<std::size_t, std::size_t>> lines_not_finite;
+  /// What is odd about the file and does no harm, a line each.
+  std::vector<std::string> warnings;
 
+  /// "vertex 7 (line 12)", by its tag; the line where it is known.
+  std::string point_name(std::size_t v) const;
   std::int64_t point_tag(std::size_t v) const {
     return point_tags.empty() ? static_cast<std::int64_t>(v) : point_tags[v];
   }

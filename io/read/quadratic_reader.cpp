@@ -229,7 +229,7 @@ QuadraticFile read(const std::string& extension, const FunctionSource& source,
   const FieldRequest request{!source.expression, source.field};
   SoupReader reader = field_reader(extension);
   if (!reader) {
-    reader = soup_reader(extension, ".vtu, .msh, ");
+    reader = soup_reader(extension);
     if (request.wanted) {
       fail("fields", extension.substr(1) + " files have none",
            "use --expression, or a .vtu, .msh or .vtp file");
