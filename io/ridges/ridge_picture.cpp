@@ -29,7 +29,7 @@ void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
   write_drawing(path, camera, canvas,
-                make_drawing(camera, canvas, mesh, normals, graph, options.order),
+                make_drawing(camera, canvas, mesh, normals, graph, options),
                 options.show_legend);
 }
 
