@@ -39,8 +39,9 @@ struct RidgesOptions {
 
 void add_salience_options(CLI::App& app, RidgesOptions& o) {
   const CLI::Range not_negative(0.0, 1e300);
-  app.add_option("--significance", o.salience.z,
-                 "standard errors by which a significant ridge stands out (default 4; 0: do not ask)")
+  app.add_option(
+         "--significance", o.salience.z,
+         "standard errors by which a significant ridge stands out (default 4; 0: do not ask)")
       ->check(not_negative)
       ->type_name("Z");
   app.add_option("--min-weight", o.salience.min_weight,
@@ -155,8 +156,8 @@ bool is_smooth(const CLI::App& app) {
 }
 
 /// The picture: the whole graph, or what is significant with the salient lines in full width.
-void draw(const std::string& path, const kernel::TriangleMesh& mesh, const ridges::RidgeGraph& graph,
-          const RidgesRun& result, const RidgesOptions& o) {
+void draw(const std::string& path, const kernel::TriangleMesh& mesh,
+          const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
   io::PictureOptions picture;
   picture.order = o.order;
   picture.subset = result.is_subset();
@@ -176,13 +177,12 @@ Outcome work(Run& run, const RidgesOptions& o) {
   ridges::FitOptions fitting = o.fit;
   ridges::SupportChoice choice;
   if (o.auto_scale) {
-    choice = run.step("scale", "choosing the fits' support", [&] {
-      return ridges::choose_support(mesh, o.fit, o.graph, o.salience);
-    });
+    choice = run.step("scale", "choosing the fits' support",
+                      [&] { return ridges::choose_support(mesh, o.fit, o.graph, o.salience); });
     fitting.min_points = choice.points;
   }
-  const ridges::FitResult fit =
-      run.step("fit", "fitting Monge forms", [&] { return ridges::fit_monge_forms(mesh, fitting); });
+  const ridges::FitResult fit = run.step("fit", "fitting Monge forms",
+                                         [&] { return ridges::fit_monge_forms(mesh, fitting); });
   warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
   ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
@@ -196,16 +196,25 @@ Outcome work(Run& run, const RidgesOptions& o) {
   }
   std::optional<ridges::SalienceReport> salience;
   if (o.fit.errors) {
-    salience = run.step("salience", "measuring salience", [&] {
-      return ridges::mark_salience(mesh, fit, graph, o.salience);
-    });
+    salience = run.step("salience", "measuring salience",
+                        [&] { return ridges::mark_salience(mesh, fit, graph, o.salience); });
   }
   const GraphCounts whole = count(graph);
   const ridges::FilterReport dropped =
       run.step("filter", "filtering", [&] { return ridges::filter(graph, o.filter); });
-  const RidgesRun result{mesh,   fit,     graph,     dropped, predicates, o.order,
-                         certify::hex(certified.data_digest), whole,   salience,  o.salience,
-                         choice, salience && !o.all, run.wanted("--certificate")};
+  const RidgesRun result{mesh,
+                         fit,
+                         graph,
+                         dropped,
+                         predicates,
+                         o.order,
+                         certify::hex(certified.data_digest),
+                         whole,
+                         salience,
+                         o.salience,
+                         choice,
+                         salience && !o.all,
+                         run.wanted("--certificate")};
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_ridges(path, mesh, fit, graph, result.data_digest);

@@ -143,9 +143,9 @@ std::string salience_lines(const RidgesRun& run) {
   const auto others = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
     return !r.is_umbilic() && r.twice_index != 0;
   });
-  std::string text =
-      fmt::format("significant umbilics: {} of index +1/2, {} of -1/2; other regions: {}; index sum {}\n",
-                  plus, minus, others, 0.5 * run.graph.twice_index_sum);
+  std::string text = fmt::format(
+      "significant umbilics: {} of index +1/2, {} of -1/2; other regions: {}; index sum {}\n", plus,
+      minus, others, 0.5 * run.graph.twice_index_sum);
   if (s.degenerate()) {
     text += "nothing significant: k1, k2 constant along their lines within the error of the fit\n";
   } else {

@@ -49,9 +49,10 @@ SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions&
     for (SupportTrial& t : choice.trials) t.j = quotient(t.significant_length, t.length);
   const double enough = 0.95 * largest();
   if (!(enough > 0)) return choice;
-  choice.points = std::find_if(choice.trials.begin(), choice.trials.end(),
-                               [&](const SupportTrial& t) { return t.j >= enough; })
-                      ->points;
+  choice.points =
+      std::find_if(choice.trials.begin(), choice.trials.end(), [&](const SupportTrial& t) {
+        return t.j >= enough;
+      })->points;
   return choice;
 }
 

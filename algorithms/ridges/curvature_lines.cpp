@@ -35,9 +35,11 @@ CurvatureLines::CurvatureLines(const kernel::TriangleMesh& mesh,
   for (const Colour c : {Colour::blue, Colour::red}) {
     std::vector<Field>& fields = fields_[static_cast<std::size_t>(c)];
     fields.resize(mesh.face_count());
-    tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.face_count(), 4096), [&](const auto& range) {
-      for (Index f = range.begin(); f != range.end(); ++f) fields[f] = field_of(f, c);
-    });
+    tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.face_count(), 4096),
+                      [&](const auto& range) {
+                        for (Index f = range.begin(); f != range.end(); ++f)
+                          fields[f] = field_of(f, c);
+                      });
   }
 }
 
@@ -138,8 +140,8 @@ LineWalk::Lead LineWalk::velocity_here(Velocity& v) {
   const CurvatureLines::Field& field = lines_.field(face_, colour_);
   if (field.coherent()) {
     for (std::size_t i = 0; i < 2; ++i) {
-      v[i] = at_[0] * field.corner[0][i] + at_[1] * field.corner[1][i] +
-             at_[2] * field.corner[2][i];
+      v[i] =
+          at_[0] * field.corner[0][i] + at_[1] * field.corner[1][i] + at_[2] * field.corner[2][i];
     }
     if (sign_ == 0) sign_ = dot(lines_.direction(face_, v), direction_) < 0 ? -1 : 1;
     for (double& x : v) x *= sign_;

@@ -5,8 +5,8 @@
 // agree by the acute rule on all three sides the direction at barycentric coordinates l is the sum
 // of l_i d_i, projected into the plane; the line crosses the triangle by the midpoint rule. Other
 // triangles (conflicts, frames at right angles) are passed straight on while the line is not longer
-// than a given reach. Where the directions on both sides of an edge lead to it, the line slides along
-// it to its end.
+// than a given reach. Where the directions on both sides of an edge lead to it, the line slides
+// along it to its end.
 #include <array>
 #include <vector>
 
@@ -23,7 +23,7 @@ class CurvatureLines {
   /// Velocities of barycentric coordinates 1 and 2 (that of 0 is minus their sum).
   using Velocity = std::array<double, 2>;
   struct Field {
-    std::array<Velocity, 3> corner{};  ///< d at the corners, signs agreeing with corner 0's
+    std::array<Velocity, 3> corner{};   ///< d at the corners, signs agreeing with corner 0's
     std::array<std::int8_t, 3> sign{};  ///< those signs; 0: the triangle is not coherent
     bool coherent() const { return sign[0] != 0; }
   };
@@ -35,7 +35,9 @@ class CurvatureLines {
   /// The principal direction at the point (1 - weight) p + weight q of edge (p, q); 0 if those of
   /// its ends are perpendicular.
   Vec3 direction_on(Index edge, double weight, Colour c) const;
-  const Vec3& principal(Index v, Colour c) const { return vectors_[static_cast<std::size_t>(c)][v]; }
+  const Vec3& principal(Index v, Colour c) const {
+    return vectors_[static_cast<std::size_t>(c)][v];
+  }
 
  private:
   Field field_of(Index f, Colour c) const;
@@ -81,7 +83,8 @@ class LineWalk {
   Index face_ = kernel::kNone;
   std::array<double, 3> at_{};  ///< barycentric
   std::size_t from_ = 0;        ///< the corner opposite the side of entry
-  int sign_ = 0;  ///< of the field at corner 0, as the line uses it; 0: not known, take direction_'s
+  int sign_ =
+      0;  ///< of the field at corner 0, as the line uses it; 0: not known, take direction_'s
   Vec3 direction_{}, point_{};
   double length_ = 0;
   int steps_ = 0;

@@ -57,7 +57,8 @@ Index cut(RidgeGraph& graph, const Kept& kept) {
   std::vector<Ridge> pieces;
   for (const Ridge& r : graph.ridges) {
     const std::size_t before = pieces.size();
-    append_pieces(r, graph.model_size, [&](const Crossing& c) { return kept(c, r.colour); }, pieces);
+    append_pieces(
+        r, graph.model_size, [&](const Crossing& c) { return kept(c, r.colour); }, pieces);
     dropped += pieces.size() == before;
   }
   graph.ridges = std::move(pieces);

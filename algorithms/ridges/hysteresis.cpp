@@ -75,11 +75,19 @@ std::vector<Run> join_runs(const Line& line, const std::vector<Run>& runs, std::
 void reach_ends(const Line& line, const Profile& p, std::vector<Run>& runs, std::size_t& closed) {
   const std::size_t n = line.size(), first = runs.front().first;
   const std::size_t end = runs.back().first + runs.back().count;
-  if (p.holds[1] && end < n && line.length(end - 1, n - 1) <= line.radius(end - 1, n - 1)) {
+  const auto near = [&](std::size_t i, std::size_t j) {
+    return line.length(i, j) <= line.radius(i, j);
+  };
+  const auto hidden = [&](std::size_t i, std::size_t j) {
+    return !p.hidden.empty() && std::find(p.hidden.begin() + static_cast<std::ptrdiff_t>(i),
+                                          p.hidden.begin() + static_cast<std::ptrdiff_t>(j),
+                                          0) == p.hidden.begin() + static_cast<std::ptrdiff_t>(j);
+  };
+  if (p.holds[1] && end < n && (near(end - 1, n - 1) || hidden(end, n))) {
     runs.back().count += n - end;
     ++closed;
   }
-  if (p.holds[0] && first > 0 && line.length(0, first) <= line.radius(0, first)) {
+  if (p.holds[0] && first > 0 && (near(0, first) || hidden(0, first))) {
     runs.front().count += first;
     runs.front().first = 0;
     ++closed;
@@ -107,8 +115,8 @@ Runs hysteresis(const Profile& p, double threshold) {
   Runs result;
   const std::size_t n = p.z.size();
   if (n == 0) return result;
-  const auto weak = std::find_if(p.z.begin(), p.z.end(),
-                                 [&](double z) { return !(z >= threshold / 2); });
+  const auto weak =
+      std::find_if(p.z.begin(), p.z.end(), [&](double z) { return !(z >= threshold / 2); });
   const bool whole_loop =
       p.loop && weak == p.z.end() && *std::max_element(p.z.begin(), p.z.end()) >= threshold;
   if (whole_loop || strong_share(p, threshold) >= kWhole) return {{{0, n}}, 1, 0};

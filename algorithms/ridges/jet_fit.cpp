@@ -174,10 +174,10 @@ Jet JetFit::jet_of(std::size_t lane, std::size_t count, int degree) const {
   return jet;
 }
 
-Lanes JetFit::propagate(const Gradient& gradient) const {
+std::array<double, kLanes> JetFit::propagate(const Gradient& gradient) const {
   Lanes square;
   propagated_square(equations_, gradient, square);
-  Lanes root;
+  std::array<double, kLanes> root;
   for (std::size_t l = 0; l < kLanes; ++l) root[l] = std::sqrt(square[l]);
   return root;
 }

@@ -14,9 +14,9 @@ namespace crest::ridges {
 /// 1, x, y, x2, xy, y2, x3, x2y, xy2, y3, x4, x3y, x2y2, xy3, y4.
 struct Jet {
   std::array<double, 15> c{};
-  int degree = 0;          ///< 4, 3, 2 or 1: what the points determine
-  double condition = 0;    ///< max |r_ii| / min |r_ii| of the triangular factor, a lower estimate
-  double residual = 0;     ///< s: s^2 = |r|^2 / (points - coefficients), at least what rounding leaves
+  int degree = 0;        ///< 4, 3, 2 or 1: what the points determine
+  double condition = 0;  ///< max |r_ii| / min |r_ii| of the triangular factor, a lower estimate
+  double residual = 0;  ///< s: s^2 = |r|^2 / (points - coefficients), at least what rounding leaves
 };
 
 inline constexpr int kMonomials = 15;
@@ -56,7 +56,7 @@ class JetFit {
   /// |U^-T g| for each gradient g, where G = U^T U is the Gram matrix: the quantity's standard
   /// error if the points' heights have independent errors of variance 1.
   /// Cost: a triangular solve.
-  Lanes propagate(const Gradient& gradient) const;
+  std::array<double, kLanes> propagate(const Gradient& gradient) const;
 
  private:
   Jet jet_of(std::size_t lane, std::size_t count, int degree) const;

@@ -64,8 +64,7 @@ void gather(const std::vector<Vec3>& points, const std::array<Support, kLanes>& 
     const Vec3 origin = points[found[0]];
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Vec3& p = points[found[i]];
-      PointLanes& row =
-          local.rows[i < around[l].inner ? i : local.split + i - around[l].inner];
+      PointLanes& row = local.rows[i < around[l].inner ? i : local.split + i - around[l].inner];
       row.x[l] = p[0] - origin[0];
       row.y[l] = p[1] - origin[1];
       row.z[l] = p[2] - origin[2];
@@ -139,9 +138,10 @@ void orient(LocalFrame& frame, Covariance c, const Vec3& vertex_normal) {
 
 }  // namespace
 
-std::array<LocalFrame, kLanes> local_frames(
-    const std::vector<Vec3>& points, const std::array<Support, kLanes>& around,
-    const std::array<Vec3, kLanes>& normals, NeighbourhoodLanes& local) {
+std::array<LocalFrame, kLanes> local_frames(const std::vector<Vec3>& points,
+                                            const std::array<Support, kLanes>& around,
+                                            const std::array<Vec3, kLanes>& normals,
+                                            NeighbourhoodLanes& local) {
   gather(points, around, local);
   Spread s;
   measure(local.first(), s);

@@ -53,9 +53,9 @@ bool finite(const MongeForm& m) {
 }
 
 /// The batch's curvature errors for residuals of 1, and their residuals.
-void estimate_errors(const std::array<Jet, kLanes>& jets, const std::array<LocalFrame, kLanes>& frames,
-                     const NeighbourhoodLanes& local, JetFit& fit, std::size_t count,
-                     CurvatureError* errors, double* residuals) {
+void estimate_errors(const std::array<Jet, kLanes>& jets,
+                     const std::array<LocalFrame, kLanes>& frames, const NeighbourhoodLanes& local,
+                     JetFit& fit, std::size_t count, CurvatureError* errors, double* residuals) {
   JetFit::Gradient by_k1{}, by_k2{}, by_gap{};
   for (std::size_t l = 0; l < count; ++l) {
     const CurvatureGradients g = curvature_gradients(jets[l], principal_frame(jets[l]));
@@ -65,7 +65,7 @@ void estimate_errors(const std::array<Jet, kLanes>& jets, const std::array<Local
       by_gap.by[i][l] = g.k1[i] - g.k2[i];
     }
   }
-  const Lanes k1 = fit.propagate(by_k1), k2 = fit.propagate(by_k2), gap = fit.propagate(by_gap);
+  const auto k1 = fit.propagate(by_k1), k2 = fit.propagate(by_k2), gap = fit.propagate(by_gap);
   const std::array<Jet, kLanes> wide = fit.fit(local.second(), local.all);
   for (std::size_t l = 0; l < count; ++l) {
     const double scale = frames[l].scale;
@@ -119,7 +119,8 @@ void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& nor
       form = to_space(monge_form_of(jet), LocalFrame{frame.x, frame.y, frame.z, 1});
     }
     rows.quality[first + l] = {
-        jet.condition, static_cast<std::uint16_t>(std::min<std::size_t>(work.local.inner[l], 65535)),
+        jet.condition,
+        static_cast<std::uint16_t>(std::min<std::size_t>(work.local.inner[l], 65535)),
         static_cast<std::uint8_t>(jet.degree)};
   }
 }

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+
+#include "algorithms/ridges/umbilic_regions.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -70,12 +70,15 @@ struct Measure {
   double significance = 0, drop = 0;
 };
 
-Measure measure_side(Side& side, const Place& x, const Place& peak, int sense) {
+/// beyond: the peak's place, if it is on this side.
+Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, double beyond) {
   Measure m;
+  double model = 0;
   for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
+    if (y->length <= beyond) continue;
     const double drop = sense * (peak.k - y->k);
     if (drop < 0) break;  // a higher place: within an edge there is none
-    const double model = (drop - sense * (peak.wide - y->wide)) / 2;
+    model = std::max(model, std::fabs(drop - sense * (peak.wide - y->wide)) / 2);
     const double variance = x.error * x.error + y->error * y->error + model * model;
     if (!(drop > 0)) continue;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
@@ -86,13 +89,18 @@ Measure measure_side(Side& side, const Place& x, const Place& peak, int sense) {
 
 Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double edge) {
   Place peak = x;
+  const Side* on = nullptr;
   for (Side* side : sides)
     for (std::size_t i = 0; const Place* y = side->at(i); ++i) {
       if (y->length > edge) break;
-      if (sense * y->k > sense * peak.k) peak = *y;
+      if (!(sense * y->k > sense * peak.k)) continue;
+      peak = *y;
+      on = side;
     }
-  const Measure a = measure_side(*sides[0], x, peak, sense);
-  const Measure b = measure_side(*sides[1], x, peak, sense);
+  const auto by = [&](Side* side) {
+    return measure_side(*side, x, peak, sense, on == side ? peak.length : 0);
+  };
+  const Measure a = by(sides[0]), b = by(sides[1]);
   return {std::min(a.significance, b.significance), std::min(a.drop, b.drop)};
 }
 
@@ -120,10 +128,13 @@ double mark(const CurvatureLines& lines, const FitResult& fit, double edge, Colo
   const std::array<Side*, 2> sides = {&ahead, &behind};
   const int sense = sense_of_type(x, colour);
   const int crest_sense = here.k < 0 ? -1 : 1;
-  const Measure crest = measure(sides, here, crest_sense, edge);
+  Measure crest = measure(sides, here, crest_sense, edge);
   Measure typed = crest;
   if (sense == 0) typed = {};
   if (sense == -crest_sense) typed = measure(sides, here, sense, edge);
+  const bool known =
+      !(doubtful(fit.forms[e.v0], fit.errors[e.v0]) && doubtful(fit.forms[e.v1], fit.errors[e.v1]));
+  if (!known) typed.significance = crest.significance = 0;
   x.significance = typed.significance;
   x.prominence = typed.drop;
   x.crest_significance = crest.significance;
@@ -147,19 +158,17 @@ std::vector<std::vector<double>> mark_prominence(const kernel::TriangleMesh& mes
     begin.push_back(begin.back() + drops[r].size());
   }
   tbb::enumerable_thread_specific<std::array<std::vector<Place>, 2>> buffers;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
-        auto& places = buffers.local();
-        auto r = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(),
-                                                           range.begin()) -
-                                          begin.begin() - 1);
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          while (i >= begin[r + 1]) ++r;
-          Ridge& ridge = graph.ridges[r];
-          drops[r][i - begin[r]] =
-              mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], places);
-        }
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
+    auto& places = buffers.local();
+    auto r = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), range.begin()) -
+                                      begin.begin() - 1);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      while (i >= begin[r + 1]) ++r;
+      Ridge& ridge = graph.ridges[r];
+      drops[r][i - begin[r]] =
+          mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], places);
+    }
+  });
   return drops;
 }
 

@@ -29,9 +29,9 @@ struct FitQuality {
 
 /// How far a vertex's curvatures can be trusted (standard_errors.hpp), units of the input.
 struct CurvatureError {
-  double k1 = 0, k2 = 0, gap = 0;    ///< standard errors of k1, k2, k1 - k2; infinite: no quartic fit
-  double wide_k1 = 0, wide_k2 = 0;   ///< the curvatures of the second, wider fit
-  double radius = 0;                 ///< R of the first support: root 2 times the rms distance
+  double k1 = 0, k2 = 0, gap = 0;  ///< standard errors of k1, k2, k1 - k2; infinite: no quartic fit
+  double wide_k1 = 0, wide_k2 = 0;  ///< the curvatures of the second, wider fit
+  double radius = 0;                ///< R of the first support: root 2 times the rms distance
 };
 
 struct FitResult {

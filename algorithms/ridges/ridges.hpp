@@ -17,12 +17,12 @@ namespace crest::ridges {
 
 /// How the Monge forms are estimated (jet fitting, Cazals and Pouget 2003).
 struct FitOptions {
-  int rings = 0;            ///< rings of neighbours; 0: grow until min_points
-  int min_points = 30;      ///< used when rings == 0
-  double scale = 0;         ///< radius of the support in units of the input; 0: by rings
-  int smooth = 0;           ///< smoothing steps of the extremalities
-  int degree = 4;           ///< of the fitted polynomial, 3 or 4
-  bool errors = false;      ///< estimate the curvatures' errors: a second fit to wider supports
+  int rings = 0;        ///< rings of neighbours; 0: grow until min_points
+  int min_points = 30;  ///< used when rings == 0
+  double scale = 0;     ///< radius of the support in units of the input; 0: by rings
+  int smooth = 0;       ///< smoothing steps of the extremalities
+  int degree = 4;       ///< of the fitted polynomial, 3 or 4
+  bool errors = false;  ///< estimate the curvatures' errors: a second fit to wider supports
 };
 
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.

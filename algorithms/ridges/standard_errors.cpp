@@ -11,8 +11,12 @@ namespace {
 std::array<double, 6> gradient(const Jet& jet, double k, const Vec3& direction, double w) {
   const double fx = jet.c[1], fy = jet.c[2], a = direction[0], b = direction[1];
   const double t = fx * a + fy * b;
-  return {0,         -k * (fx / (w * w) + 2 * t * a), -k * (fy / (w * w) + 2 * t * b),
-          2 * a * a / w, 2 * a * b / w,                2 * b * b / w};
+  return {0,
+          -k * (fx / (w * w) + 2 * t * a),
+          -k * (fy / (w * w) + 2 * t * b),
+          2 * a * a / w,
+          2 * a * b / w,
+          2 * b * b / w};
 }
 
 /// Half a unit in the last place of the largest coordinate; files of single precision are told by

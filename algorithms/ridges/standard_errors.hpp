@@ -4,9 +4,9 @@
 // Standard errors of fitted curvatures. A jet's coefficients c solve the least squares A c = z with
 // Gram matrix G = A^T A = U^T U. Independent errors of variance s^2 in the heights z give
 //   sigma_q = s |U^-T g|,  g = dq / dc,  for q in {k1, k2, k1 - k2}.
-// s_v is the residual at v, s_v^2 = |r|^2 / (points - 15), clamped to [1/2, 2] times its median over
-// the vertices: noise is a property of the scan, the misfit at a crease is no noise; and never below
-// the rounding of the coordinates.
+// s_v is the residual at v, s_v^2 = |r|^2 / (points - 15), clamped to [1/2, 2] times its median
+// over the vertices: noise is a property of the scan, the misfit at a crease is no noise; and never
+// below the rounding of the coordinates.
 #include <array>
 #include <vector>
 

@@ -28,12 +28,6 @@ class VertexSets {
   std::vector<Index> parent_;
 };
 
-bool doubtful(const kernel::MongeForm& m, const CurvatureError& e) {
-  constexpr double kSigmas = 3;
-  const double gap = m.k1 - m.k2, model = (gap - (e.wide_k1 - e.wide_k2)) / 2;
-  return !(gap >= kSigmas * std::sqrt(e.gap * e.gap + model * model));
-}
-
 std::vector<std::uint8_t> members(const kernel::TriangleMesh& mesh, const FitResult& fit,
                                   const RidgeGraph& graph) {
   std::vector<std::uint8_t> doubt(mesh.vertex_count()), in(mesh.face_count());
@@ -69,6 +63,11 @@ void count_cells(const kernel::TriangleMesh& mesh, const std::vector<std::uint8_
 }
 
 }  // namespace
+
+bool doubtful(const kernel::MongeForm& m, const CurvatureError& e) {
+  const double gap = m.k1 - m.k2, model = gap - (e.wide_k1 - e.wide_k2);
+  return !(gap >= std::sqrt(9 * e.gap * e.gap + model * model));
+}
 
 std::vector<UmbilicRegion> umbilic_regions(const kernel::TriangleMesh& mesh, const FitResult& fit,
                                            const RidgeGraph& graph) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What noise does to the ridges of the ellipsoid 1, 1.5, 2: CGAL and Crest with 30 points, then both
-// with the support that --scale auto chooses.
-// The right answer is 4 umbilics of index +1/2, index sum 2, 1 loop + 2 segments a colour.
+// What noise does to the ridges of the ellipsoid 1, 1.5, 2: CGAL and Crest with 30 points, then
+// both with the support that --scale auto chooses. The right answer is 4 umbilics of index +1/2,
+// index sum 2, 1 loop + 2 segments a colour.
 #include <fmt/format.h>
 
 #include "algorithms/ridges/auto_scale.hpp"
@@ -34,8 +34,7 @@ struct Row {
 
 void print(const Row& r, double percent, int seed) {
   fmt::print("| {} | {} | {} | {}, {}, {} | {} | {} | {} | {} | {} |\n", percent, seed, r.system,
-             r.plus, r.minus, r.other, r.index_sum, r.blue, r.red, r.ends,
-             r.points);
+             r.plus, r.minus, r.other, r.index_sum, r.blue, r.red, r.ends, r.points);
 }
 
 Row cgal(const kernel::TriangleMesh& mesh, const Options& o, int points) {

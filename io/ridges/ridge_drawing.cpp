@@ -160,19 +160,17 @@ void add_dots(const Sight& sight, const std::vector<ridges::Umbilic>& umbilics, 
 void add_legend(const std::vector<ridges::Umbilic>& umbilics, const PictureOptions& options,
                 Drawing& drawing) {
   add_class_legend(drawing);
-  const bool thin = std::any_of(drawing.classes.begin(), drawing.classes.end(), [](const auto& c) {
-    return c.width < 1 && !c.strokes.empty();
-  });
+  const bool thin = std::any_of(drawing.classes.begin(), drawing.classes.end(),
+                                [](const auto& c) { return c.width < 1 && !c.strokes.empty(); });
   if (thin) drawing.legend.push_back({"thin, not salient", {200, 200, 200}, false});
   const std::pair<UmbilicKind, const char*> kinds[] = {
       {UmbilicKind::one_ridge, "umbilic, 1-ridge"},
       {UmbilicKind::three_ridge, "umbilic, 3-ridge"},
       {UmbilicKind::degenerate, "umbilic, degenerate"}};
   for (const auto& [kind, label] : kinds) {
-    const bool present = std::any_of(umbilics.begin(), umbilics.end(),
-                                     [&](const auto& umbilic) {
-                                       return umbilic.kind == kind && !is_region(umbilic);
-                                     });
+    const bool present = std::any_of(umbilics.begin(), umbilics.end(), [&](const auto& umbilic) {
+      return umbilic.kind == kind && !is_region(umbilic);
+    });
     if (present) drawing.legend.push_back({label, dot_colour(kind), true});
   }
   if (std::any_of(umbilics.begin(), umbilics.end(), is_region))

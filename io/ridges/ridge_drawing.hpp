@@ -20,7 +20,8 @@ std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
 kernel::Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<kernel::Vec3>& normals,
                         const ridges::RidgeGraph& graph);
 
-/// Cuts the ridges where the canvas's surface hides them. Strokes and dots become thinner where there are too many for the picture.
+/// Cuts the ridges where the canvas's surface hides them. Strokes and dots become thinner where
+/// there are too many for the picture.
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
                      const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
                      const PictureOptions& options);

@@ -25,7 +25,8 @@ inline std::vector<LinePoint> line_points(const ridges::Ridge& ridge) {
   if (ridge.crossings.empty()) return line;
   const std::size_t n = ridge.crossings.size(), segments = ridge.segment_count();
   const RidgeType first = ridge.crossings.front().type, last = ridge.crossings.back().type;
-  for (const kernel::Vec3& p : ridge.lead_in) line.push_back({p, nullptr, first, first, ridge.crossings.front().level});
+  for (const kernel::Vec3& p : ridge.lead_in)
+    line.push_back({p, nullptr, first, first, ridge.crossings.front().level});
   for (std::size_t i = 0; i < n; ++i) {
     LinePoint point{ridge.crossings[i].point, &ridge.crossings[i], last, last,
                     ridge.crossings[i].level};
@@ -34,7 +35,8 @@ inline std::vector<LinePoint> line_points(const ridges::Ridge& ridge) {
     if (i < segments && i < ridge.third_order.size()) point.third_order = ridge.third_order[i];
     line.push_back(point);
   }
-  for (const kernel::Vec3& p : ridge.lead_out) line.push_back({p, nullptr, last, last, ridge.crossings.back().level});
+  for (const kernel::Vec3& p : ridge.lead_out)
+    line.push_back({p, nullptr, last, last, ridge.crossings.back().level});
   if (ridge.lead_out.empty() && segments > 0 && !ridge.loop) {
     line.back().fourth_order = line[line.size() - 2].fourth_order;
     line.back().third_order = line[line.size() - 2].third_order;

@@ -21,12 +21,11 @@ using ridges::RidgeGraph;
 using ridges::Umbilic;
 
 /// Columns of the point data, the same for every format.
-constexpr std::array kPointCodes = {"colour",        "type", "type_third_order",
-                                    "crossing_type", "kind", "coherent",
-                                    "level"};
-constexpr std::array kPointNumbers = {"k1",           "k2",        "b",
-                                      "P",            "strength",  "sharpness",
-                                      "index",        "significance", "crest_significance",
+constexpr std::array kPointCodes = {"colour",   "type", "type_third_order", "crossing_type", "kind",
+                                    "coherent", "level"};
+constexpr std::array kPointNumbers = {"k1",        "k2",           "b",
+                                      "P",         "strength",     "sharpness",
+                                      "index",     "significance", "crest_significance",
                                       "prominence"};
 
 struct Row {

@@ -54,6 +54,13 @@ TEST_CASE("hysteresis: gaps are closed to the ends that hold") {
   check(hysteresis(p, 4), {{0, 5}, {9, 3}});
   p.holds[1] = true;
   check(hysteresis(p, 4), {{0, 5}, {9, 4}});
+  // Hidden points are the end's own, however many.
+  Profile far = line({0, 0, 0, 0, 9, 9, 9, 0, 0, 0, 0});
+  far.holds[0] = true;
+  check(hysteresis(far, 4), {{4, 3}});
+  far.hidden = {1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
+  far.holds[1] = true;
+  check(hysteresis(far, 4), {{0, 7}});
 }
 
 TEST_CASE("hysteresis: a line that is strong on 80 % of its length is kept whole") {

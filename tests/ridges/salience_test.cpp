@@ -58,7 +58,8 @@ std::vector<double> marks(const ridges::RidgeGraph& graph) {
       for (const double x : {c.significance, c.crest_significance, c.prominence, 1.0 * c.level})
         all.push_back(x);
   }
-  for (const ridges::Umbilic& u : graph.umbilics) all.push_back(u.level + 10 * u.region_twice_index);
+  for (const ridges::Umbilic& u : graph.umbilics)
+    all.push_back(u.level + 10 * u.region_twice_index);
   return all;
 }
 
@@ -66,7 +67,9 @@ std::vector<double> marks(const ridges::RidgeGraph& graph) {
 
 TEST_CASE("salience: no ridge of an analytic sample is dropped without noise") {
   const std::vector<std::pair<std::string, std::vector<double>>> surfaces = {
-      {"ellipsoid", {1, 1.5, 2}}, {"ellipsoid", {1, 1.02, 1.04}}, {"ellipsoid", {1, 2, 8}},
+      {"ellipsoid", {1, 1.5, 2}},
+      {"ellipsoid", {1, 1.02, 1.04}},
+      {"ellipsoid", {1, 2, 8}},
       {"blend", {}}};
   for (const auto& [name, parameters] : surfaces) {
     const Marked m = marked(sampled(name, parameters, name == "blend" ? 40000 : 10000), 30);
@@ -174,8 +177,7 @@ TEST_CASE("salience: it changes nothing that a certificate states, and its count
     CHECK(report.by_level == m.graph.ridges.size() - (level == 1 ? r.significant : r.salient));
     std::map<std::pair<Index, int>, int> crossings;
     for (const ridges::Ridge& ridge : m.graph.ridges)
-      for (const auto& c : ridge.crossings)
-        ++crossings[{c.edge, static_cast<int>(ridge.colour)}];
+      for (const auto& c : ridge.crossings) ++crossings[{c.edge, static_cast<int>(ridge.colour)}];
     double length = 0;
     for (const ridges::Ridge& ridge : kept.ridges) {
       for (const auto& c : ridge.crossings) {
@@ -226,13 +228,14 @@ TEST_CASE("curvature lines: on a torus they are its circles") {
         // Height over the plane z = 0 and angle about the axis: one of the two stays.
         const kernel::Edge& start = mesh.edges()[e];
         const double z = at(start.v0, start.v1, 0.3, 2);
-        const double angle = std::atan2(at(start.v0, start.v1, 0.3, 1), at(start.v0, start.v1, 0.3, 0));
+        const double angle =
+            std::atan2(at(start.v0, start.v1, 0.3, 1), at(start.v0, start.v1, 0.3, 0));
         while (walk.length() < 12 * edge && walk.step()) {
           const Index p = walk.vertex(0), q = walk.vertex(1);
           const double x = at(p, q, walk.weight(), 0), y = at(p, q, walk.weight(), 1);
           const double turn = std::remainder(std::atan2(y, x) - angle, 2 * kernel::kPi);
-          const double off =
-              std::min(std::fabs(at(p, q, walk.weight(), 2) - z), std::fabs(turn) * std::hypot(x, y));
+          const double off = std::min(std::fabs(at(p, q, walk.weight(), 2) - z),
+                                      std::fabs(turn) * std::hypot(x, y));
           worst = std::max(worst, off / edge);
         }
         CHECK(walk.length() >= 12 * edge);
