@@ -205,8 +205,8 @@ double agreement(const ridges::RidgeGraph& a, const ridges::RidgeGraph& b) {
   return (near_share(p, q, near) + near_share(q, p, near)) / 2;
 }
 
-/// Salient lines of a scan under 5 % noise of two seeds against each other, beside the sharpest crest
-/// lines of the same length.
+/// Salient lines of a scan under 5 % noise of two seeds against each other, beside the sharpest
+/// crest lines of the same length.
 void repeat_table(const Options& o) {
   fmt::print(
       "| scan | seeds | points | salient length | agreement, salience | sharpness at equal length "
@@ -226,11 +226,10 @@ void repeat_table(const Options& o) {
       runs.push_back(marked(noisy, points.back(), o.salience()));
     }
     for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
-      const auto sharp = [](const Marked& m) {
-        return sharpest(m.graph, m.report.length_salient);
-      };
-      fmt::print("| {} | {}, {} | {}, {} | {:.2f}, {:.2f} | {:.3f} | {:.3f} |\n", file, i + 1, i + 2,
-                 points[i], points[i + 1], runs[i].report.length_salient / runs[i].graph.model_size,
+      const auto sharp = [](const Marked& m) { return sharpest(m.graph, m.report.length_salient); };
+      fmt::print("| {} | {}, {} | {}, {} | {:.2f}, {:.2f} | {:.3f} | {:.3f} |\n", file, i + 1,
+                 i + 2, points[i], points[i + 1],
+                 runs[i].report.length_salient / runs[i].graph.model_size,
                  runs[i + 1].report.length_salient / runs[i].graph.model_size,
                  agreement(runs[i].graph, runs[i + 1].graph),
                  agreement(sharp(runs[i]), sharp(runs[i + 1])));
@@ -245,7 +244,8 @@ std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh) {
   const auto normal = [&](kernel::Index f) {
     const auto [a, b, c] = mesh.faces()[f];
     const auto& p = mesh.points();
-    const kernel::Vec3 n = kernel::cross(kernel::operator-(p[b], p[a]), kernel::operator-(p[c], p[a]));
+    const kernel::Vec3 n =
+        kernel::cross(kernel::operator-(p[b], p[a]), kernel::operator-(p[c], p[a]));
     return kernel::operator*(1 / kernel::norm(n), n);
   };
   std::vector<experiments::Dash> all;
@@ -259,16 +259,18 @@ std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh) {
   return all;
 }
 
-/// fandisk: how much of the sharp edges has a line within an edge, how much of the lines has no sharp
-/// edge within two.
+/// fandisk: how much of the sharp edges has a line within an edge, how much of the lines has no
+/// sharp edge within two.
 void fandisk_table(const Options& o) {
   const fs::path path = o.data / "fandisk.off";
   if (!fs::exists(path)) return;
   const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
   const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
   const auto sharp = sharp_edges(mesh);
-  fmt::print("{} edges over 40 degrees\n\n| points | lines | length / size | sharp length covered | off "
-             "any sharp edge |\n|---|---|---|---|---|\n", sharp.size());
+  fmt::print(
+      "{} edges over 40 degrees\n\n| points | lines | length / size | sharp length covered | off "
+      "any sharp edge |\n|---|---|---|---|---|\n",
+      sharp.size());
   for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points) {
     const Marked m = marked(mesh, points, o.salience());
     const auto row = [&](const char* name, const std::vector<experiments::Dash>& lines) {
@@ -279,8 +281,7 @@ void fandisk_table(const Options& o) {
     row("graph", dashes(m.graph, 0));
     row("significant", dashes(m.graph, 1));
     row("salient", dashes(m.graph, 2));
-    row("sharpest at the salient length",
-        dashes(sharpest(m.graph, m.report.length_salient), 2));
+    row("sharpest at the salient length", dashes(sharpest(m.graph, m.report.length_salient), 2));
   }
 }
 
@@ -299,7 +300,8 @@ int run(const Options& o) {
 int main(int argc, char** argv) {
   crest::Options o;
   crest::experiments::Program program("Salient ridges of samples and scans");
-  program.option("--table", o.table, "what to print", {"noise", "samples", "scans", "repeat", "fandisk"});
+  program.option("--table", o.table, "what to print",
+                 {"noise", "samples", "scans", "repeat", "fandisk"});
   program.option("--data", o.data, "folder of meshes");
   program.list("--noise", o.percent, "percents of the mean edge length");
   program.option("--surfaces", o.surfaces, "samples, NAME or NAME:P/P/P");
