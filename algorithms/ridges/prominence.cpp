@@ -100,7 +100,9 @@ Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double ed
   const auto by = [&](Side* side) {
     return measure_side(*side, x, peak, sense, on == side ? peak.length : 0);
   };
-  const Measure a = by(sides[0]), b = by(sides[1]);
+  const Measure a = by(sides[0]);
+  if (!(a.drop > 0)) return {};
+  const Measure b = by(sides[1]);
   return {std::min(a.significance, b.significance), std::min(a.drop, b.drop)};
 }
 
@@ -117,24 +119,23 @@ double mean_edge_length(const kernel::TriangleMesh& mesh) {
   return sum / mesh.edge_count();
 }
 
-/// Sets the crossing's numbers; returns the drop of the sense in which |k| falls.
+/// Sets the crossing's numbers; returns the prominence as a maximum of |k| if it is on the crest.
 double mark(const CurvatureLines& lines, const FitResult& fit, double edge, Colour colour,
             Crossing& x, std::array<std::vector<Place>, 2>& places) {
+  x.significance = x.prominence = x.crest_significance = 0;
   const kernel::Edge& e = lines.mesh().edges()[x.edge];
-  const double radius = mix(fit.errors[e.v0].radius, fit.errors[e.v1].radius, x.weight);
   const Place here = place_of(fit, colour, e.v0, e.v1, x.weight, 0);
+  if (std::isinf(here.error) || hidden(lines.mesh(), fit, x.edge)) return 0;
+  const double radius = mix(fit.errors[e.v0].radius, fit.errors[e.v1].radius, x.weight);
   Side ahead(lines, fit, x, colour, true, radius, places[0]);
   Side behind(lines, fit, x, colour, false, radius, places[1]);
   const std::array<Side*, 2> sides = {&ahead, &behind};
   const int sense = sense_of_type(x, colour);
-  const int crest_sense = here.k < 0 ? -1 : 1;
-  Measure crest = measure(sides, here, crest_sense, edge);
-  Measure typed = crest;
-  if (sense == 0) typed = {};
-  if (sense == -crest_sense) typed = measure(sides, here, sense, edge);
-  const bool known =
-      !(doubtful(fit.forms[e.v0], fit.errors[e.v0]) && doubtful(fit.forms[e.v1], fit.errors[e.v1]));
-  if (!known) typed.significance = crest.significance = 0;
+  const int crest_sense = !on_crest(x, colour) ? 0 : colour == Colour::blue ? 1 : -1;
+  Measure typed, crest;
+  if (sense != 0) typed = measure(sides, here, sense, edge);
+  if (crest_sense != 0)
+    crest = sense == crest_sense ? typed : measure(sides, here, crest_sense, edge);
   x.significance = typed.significance;
   x.prominence = typed.drop;
   x.crest_significance = crest.significance;

@@ -22,10 +22,10 @@ namespace crest::ridges {
 bool on_crest(const Crossing& c, Colour colour);
 
 /// Sets significance and prominence of every crossing, in the sense of its type, and
-/// crest_significance, in the sense in which |k| falls: the sign of P is noise near creases.
-/// Returns the prominences of the latter sense, by ridge and crossing.
-/// Requires: fit.errors. Guarantees: the same values whatever the thread count.
-/// Cost: some 20 to 100 triangles a crossing.
+/// crest_significance of those on the crest, in the sense in which |k| falls whatever the type: the
+/// sign of P is noise near creases. Returns the prominences of the latter sense, 0 off the crest,
+/// by ridge and crossing. Requires: fit.errors. Guarantees: the same values whatever the thread
+/// count. Cost: some 20 to 100 triangles a crossing.
 std::vector<std::vector<double>> mark_prominence(const kernel::TriangleMesh& mesh,
                                                  const FitResult& fit, RidgeGraph& graph);
 

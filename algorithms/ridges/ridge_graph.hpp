@@ -53,7 +53,7 @@ struct Crossing {
   double p;        ///< interpolated P1 (blue) or P2 (red)
   // Salience (salience.hpp); 0 before it is marked.
   double significance = 0;        ///< z of the extremum of the crossing's type
-  double crest_significance = 0;  ///< z of the maximum of |k|, whatever the type
+  double crest_significance = 0;  ///< z as a maximum of |k|, on the crest
   double prominence = 0;          ///< drop of k on the lesser side, 1/length
   std::uint8_t level = 0;         ///< 0 dropped, 1 significant, 2 salient
 };

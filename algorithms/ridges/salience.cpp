@@ -53,8 +53,7 @@ Profile profile_of(const kernel::TriangleMesh& mesh, const FitResult& fit, const
   for (std::size_t i = 0; i < n; ++i) {
     const Crossing& c = ridge.crossings[i];
     const kernel::Edge& e = mesh.edges()[c.edge];
-    p.hidden.push_back(doubtful(fit.forms[e.v0], fit.errors[e.v0]) &&
-                       doubtful(fit.forms[e.v1], fit.errors[e.v1]));
+    p.hidden.push_back(hidden(mesh, fit, c.edge));
     p.radius.push_back((1 - c.weight) * fit.errors[e.v0].radius +
                        c.weight * fit.errors[e.v1].radius);
     if (i < ridge.segment_count())

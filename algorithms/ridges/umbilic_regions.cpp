@@ -69,6 +69,11 @@ bool doubtful(const kernel::MongeForm& m, const CurvatureError& e) {
   return !(gap >= std::sqrt(9 * e.gap * e.gap + model * model));
 }
 
+bool hidden(const kernel::TriangleMesh& mesh, const FitResult& fit, Index edge) {
+  const kernel::Edge& e = mesh.edges()[edge];
+  return doubtful(fit.forms[e.v0], fit.errors[e.v0]) && doubtful(fit.forms[e.v1], fit.errors[e.v1]);
+}
+
 std::vector<UmbilicRegion> umbilic_regions(const kernel::TriangleMesh& mesh, const FitResult& fit,
                                            const RidgeGraph& graph) {
   const std::vector<std::uint8_t> in = members(mesh, fit, graph);

@@ -16,6 +16,8 @@ namespace crest::ridges {
 
 /// k1 - k2 < 3 sigma: the principal directions are not known.
 bool doubtful(const kernel::MongeForm& form, const CurvatureError& error);
+/// Both ends of the edge are doubtful.
+bool hidden(const kernel::TriangleMesh& mesh, const FitResult& fit, Index edge);
 
 /// By smallest face. Requires: fit.errors. Shapes: indices are those of the graph's face_indices.
 /// Cost: O(F), nearly.
