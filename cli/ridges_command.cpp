@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/ridges/certificate.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
@@ -28,9 +30,31 @@ struct RidgesOptions {
   ridges::FitOptions fit;
   ridges::GraphOptions graph;
   ridges::FilterOptions filter;
+  ridges::SalienceOptions salience;  ///< z = 0: none
   std::string scale;
+  bool auto_scale = false;
+  bool salient = false, significant = false, all = false;
   int order = 4;
 };
+
+void add_salience_options(CLI::App& app, RidgesOptions& o) {
+  const CLI::Range not_negative(0.0, 1e300);
+  app.add_option(
+         "--significance", o.salience.z,
+         "standard errors by which a significant ridge stands out (default 4; 0: do not ask)")
+      ->check(not_negative)
+      ->type_name("Z");
+  app.add_option("--min-weight", o.salience.min_weight,
+                 "least weight of a salient ridge (no unit, default 1.5)")
+      ->check(not_negative)
+      ->type_name("W");
+  auto* salient = app.add_flag("--salient", o.salient, "write salient ridges only with -o");
+  auto* significant =
+      app.add_flag("--significant", o.significant, "write significant ridges only with -o");
+  auto* all = app.add_flag("--all", o.all, "draw and count the whole graph, salient or not");
+  salient->excludes(significant)->excludes(all);
+  significant->excludes(all);
+}
 
 void add_ridges_options(CLI::App& app, RidgesOptions& o) {
   const CLI::Range not_negative(0.0, 1e300);
@@ -39,7 +63,8 @@ void add_ridges_options(CLI::App& app, RidgesOptions& o) {
                                "rings of neighbours a fit uses (default: until 30 points)");
   rings->check(CLI::Range(1, 100))->type_name("N");
   app.add_option("--scale", o.scale,
-                 "radius of a fit's support in units of the input, or auto: from the noise")
+                 "radius of a fit's support in units of the input, or auto: chosen by what is "
+                 "salient (the default with --picture)")
       ->type_name("auto|R")
       ->excludes(rings);
   app.add_option("--smooth", o.fit.smooth, "smoothing steps of the extremalities (default 0)")
@@ -64,14 +89,23 @@ void add_ridges_options(CLI::App& app, RidgesOptions& o) {
       ->type_name("L");
   app.add_flag("--crest-only", o.filter.crest_only,
                "keep crest lines: elliptic, and of the larger curvature");
+  add_salience_options(app, o);
   app.option_defaults()->group("Options");
 }
 
-/// --scale auto|R into the fit's options.
+/// --scale auto|R into the fit's options. With a picture auto is the default.
 void set_scale(RidgesOptions& o) {
-  if (o.scale.empty()) return;
+  const bool marks = o.salience.z > 0;
+  o.fit.errors = marks;
+  if (!marks && (o.salient || o.significant))
+    throw UsageError("--salient and --significant need --significance above 0");
+  if (o.scale.empty()) {
+    o.auto_scale = marks && !o.all && o.fit.rings == 0 && !o.common.picture.empty();
+    return;
+  }
   if (o.scale == "auto") {
-    o.fit.auto_scale = true;
+    if (!marks) throw UsageError("--scale auto needs --significance above 0");
+    o.auto_scale = true;
     return;
   }
   const char* end = o.scale.data() + o.scale.size();
@@ -121,42 +155,80 @@ bool is_smooth(const CLI::App& app) {
   return smooth;
 }
 
+/// The picture: the whole graph, or what is significant with the salient lines in full width.
+void draw(const std::string& path, const kernel::TriangleMesh& mesh,
+          const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
+  io::PictureOptions picture;
+  picture.order = o.order;
+  picture.subset = result.is_subset();
+  if (!result.shows_salience) return io::write_picture(path, mesh, graph, picture);
+  constexpr double kAll = 0.95;  // of the length: then nothing needs to stand back
+  const ridges::SalienceReport& s = *result.salience;
+  picture.by_salience = true;
+  picture.full_level = s.length_significant >= kAll * s.length ? 1 : 2;
+  ridges::RidgeGraph significant = graph;
+  picture.subset = picture.subset || ridges::filter(significant, at_level(1)).by_level > 0;
+  io::write_picture(path, mesh, significant, picture);
+}
+
 Outcome work(Run& run, const RidgesOptions& o) {
   const io::MeshFile file = run.read(io::read_mesh);
   const kernel::TriangleMesh& mesh = file.mesh;
-  const ridges::FitResult fit =
-      run.step("fit", "fitting Monge forms", [&] { return ridges::fit_monge_forms(mesh, o.fit); });
+  ridges::FitOptions fitting = o.fit;
+  ridges::SupportChoice choice;
+  if (o.auto_scale) {
+    choice = run.step("scale", "choosing the fits' support",
+                      [&] { return ridges::choose_support(mesh, o.fit, o.graph, o.salience); });
+    fitting.min_points = choice.points;
+  }
+  const ridges::FitResult fit = run.step("fit", "fitting Monge forms",
+                                         [&] { return ridges::fit_monge_forms(mesh, fitting); });
   warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
   ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
     return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates);
   });
   ridges::RidgeGraph& graph = certified.graph;
-  const std::string digest = certify::hex(certified.data_digest);
   if (run.wanted("--report")) {
     add_paper_umbilics(run.report(), run.step("paper_umbilics", "searching minima of k1 - k2", [&] {
       return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
     }));
   }
+  std::optional<ridges::SalienceReport> salience;
+  if (o.fit.errors) {
+    salience = run.step("salience", "measuring salience",
+                        [&] { return ridges::mark_salience(mesh, fit, graph, o.salience); });
+  }
+  const GraphCounts whole = count(graph);
   const ridges::FilterReport dropped =
       run.step("filter", "filtering", [&] { return ridges::filter(graph, o.filter); });
+  const RidgesRun result{mesh,
+                         fit,
+                         graph,
+                         dropped,
+                         predicates,
+                         o.order,
+                         certify::hex(certified.data_digest),
+                         whole,
+                         salience,
+                         o.salience,
+                         choice,
+                         salience && !o.all,
+                         run.wanted("--certificate")};
   run.step("write", "writing", [&] {
-    run.write("-o",
-              [&](const std::string& path) { io::write_ridges(path, mesh, fit, graph, digest); });
-    run.write("--picture", [&](const std::string& path) {
-      io::PictureOptions picture;
-      picture.order = o.order;
-      io::write_picture(path, mesh, graph, picture);
+    run.write("-o", [&](const std::string& path) {
+      io::write_ridges(path, mesh, fit, graph, result.data_digest);
     });
+    run.write("--picture", [&](const std::string& path) { draw(path, mesh, graph, result, o); });
     run.write_certificate("ridges-mesh", certified.certificate);
   });
-  const RidgesRun result{mesh, fit, graph, dropped, predicates, o.order, digest};
   fill_report(run.report(), result);
   return {summary_text(result), used_references(o)};
 }
 
 int run_ridges(RidgesOptions& o) {
   set_scale(o);
+  o.filter.min_level = o.salient ? 2 : o.significant ? 1 : 0;
   return run_command({"ridges", o.common, {".vtp", ".obj", ".ply"}},
                      [&](Run& run) { return work(run, o); });
 }

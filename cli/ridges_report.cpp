@@ -11,6 +11,7 @@ namespace crest::cli {
 namespace {
 
 using ridges::Colour;
+using ridges::Index;
 using ridges::RidgeType;
 
 double distance(const kernel::Vec3& a, const kernel::Vec3& b) {
@@ -69,7 +70,123 @@ Json fit_json(const ridges::FitResult& fit) {
   return {{"vertices_by_degree", std::move(degrees)}, {"worst_condition", worst}};
 }
 
+Json salience_json(const RidgesRun& run) {
+  const ridges::SalienceReport& s = *run.salience;
+  Json trials = Json::array(), regions = Json::array();
+  for (const ridges::SupportTrial& t : run.choice.trials) {
+    trials.push_back({{"points", t.points},
+                      {"length", t.length},
+                      {"significant_length", t.significant_length},
+                      {"J", t.j}});
+  }
+  for (const ridges::UmbilicRegion& r : s.regions) {
+    regions.push_back(
+        {{"twice_index", r.twice_index}, {"faces", r.faces}, {"umbilics", r.umbilics.size()}});
+  }
+  return {{"z", run.salience_options.z},
+          {"min_weight", run.salience_options.min_weight},
+          {"support_points", run.fit.points},
+          {"support_choice", std::move(trials)},
+          {"ridges_significant", s.significant},
+          {"ridges_salient", s.salient},
+          {"length", s.length},
+          {"length_significant", s.length_significant},
+          {"length_salient", s.length_salient},
+          {"dropped",
+           {{"insignificant", s.insignificant},
+            {"short", s.short_runs},
+            {"not_crest", s.not_crest},
+            {"light", s.light}}},
+          {"gaps_closed", s.gaps_closed},
+          {"undetermined_crossings", s.undetermined},
+          {"umbilic_regions", std::move(regions)},
+          {"index_sum", 0.5 * run.graph.twice_index_sum},
+          {"degenerate", s.degenerate()}};
+}
+
+Json counts_json(const GraphCounts& counts) {
+  const auto colour = [&](std::size_t c) {
+    return Json{{"loops", counts.loops[c]}, {"segments", counts.segments[c]}};
+  };
+  return {{"blue", colour(0)}, {"red", colour(1)}, {"umbilics", counts.umbilics}};
+}
+
+std::string colour_line(const std::string& what, const ColourSummary& s) {
+  return fmt::format(
+      "{}: {} loops, {} segments, length {:.6g} ({:.6g} elliptic, {:.6g} hyperbolic)\n", what,
+      s.loops, s.segments, s.length, s.elliptic_length, s.hyperbolic_length);
+}
+
+/// Umbilics and lines of the whole graph.
+std::string graph_lines(const RidgesRun& run) {
+  const auto count_kind = [&](ridges::UmbilicKind kind) {
+    return std::count_if(run.graph.umbilics.begin(), run.graph.umbilics.end(),
+                         [&](const ridges::Umbilic& u) { return u.kind == kind; });
+  };
+  return fmt::format("umbilics: {} patches ({} 1-ridge, {} 3-ridge), index sum {}\n",
+                     run.graph.umbilics.size(), count_kind(ridges::UmbilicKind::one_ridge),
+                     count_kind(ridges::UmbilicKind::three_ridge),
+                     0.5 * run.graph.twice_index_sum) +
+         colour_line("blue", summarise(run.graph, Colour::blue, run.order)) +
+         colour_line("red", summarise(run.graph, Colour::red, run.order));
+}
+
+/// Significant umbilics and regions, salient and significant lines.
+std::string salience_lines(const RidgesRun& run) {
+  const ridges::SalienceReport& s = *run.salience;
+  const auto plus = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
+    return r.is_umbilic() && r.twice_index > 0;
+  });
+  const auto minus = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
+    return r.is_umbilic() && r.twice_index < 0;
+  });
+  const auto others = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
+    return !r.is_umbilic() && r.twice_index != 0;
+  });
+  std::string text = fmt::format(
+      "significant umbilics: {} of index +1/2, {} of -1/2; other regions: {}; index sum {}\n", plus,
+      minus, others, 0.5 * run.graph.twice_index_sum);
+  if (s.degenerate()) {
+    text += "nothing significant: k1, k2 constant along their lines within the error of the fit\n";
+  } else {
+    for (const int level : {2, 1}) {
+      ridges::RidgeGraph kept = run.graph;
+      ridges::filter(kept, at_level(level));
+      for (const Colour colour : {Colour::blue, Colour::red}) {
+        const std::string name = colour == Colour::blue ? "blue" : "red";
+        text += colour_line(name + (level == 2 ? ", salient" : ", significant"),
+                            summarise(kept, colour, run.order));
+      }
+    }
+  }
+  text += fmt::format("whole graph: {} ridges, {} umbilics (--all counts and draws it)\n",
+                      run.whole.ridges(), run.whole.umbilics);
+  return text;
+}
+
+Index dropped_ridges(const ridges::FilterReport& d) {
+  return d.by_sharpness + d.by_strength + d.by_length + d.by_crest + d.by_level;
+}
+
 }  // namespace
+
+GraphCounts count(const ridges::RidgeGraph& graph) {
+  GraphCounts counts;
+  for (const ridges::Ridge& r : graph.ridges)
+    ++(r.loop ? counts.loops : counts.segments)[static_cast<std::size_t>(r.colour)];
+  counts.umbilics = static_cast<ridges::Index>(graph.umbilics.size());
+  return counts;
+}
+
+ridges::FilterOptions at_level(int level) {
+  ridges::FilterOptions options;
+  options.min_level = level;
+  return options;
+}
+
+bool RidgesRun::is_subset() const {
+  return dropped_ridges(dropped) > 0 || ridges::open_ends(graph) > 0;
+}
 
 ColourSummary summarise(const ridges::RidgeGraph& graph, Colour colour, int order) {
   ColourSummary summary;
@@ -108,7 +225,8 @@ void fill_report(Report& report, const RidgesRun& run) {
   report["dropped"] = {{"by_sharpness", run.dropped.by_sharpness},
                        {"by_strength", run.dropped.by_strength},
                        {"by_length", run.dropped.by_length},
-                       {"by_crest", run.dropped.by_crest}};
+                       {"by_crest", run.dropped.by_crest},
+                       {"by_level", run.dropped.by_level}};
   report["open_ends"] = ridges::open_ends(run.graph);
   report["conflict_triangles"] = run.graph.conflict_triangles;
   report["ambiguous_edges"] = run.graph.ambiguous_edges;
@@ -117,6 +235,9 @@ void fill_report(Report& report, const RidgesRun& run) {
                       {"d1_parallel_to_n", run.graph.parallel_frames}};
   report["zero_extremalities"] = {{"b0", run.graph.zero_extremalities[0]},
                                   {"b3", run.graph.zero_extremalities[1]}};
+  if (run.salience) report["salience"] = salience_json(run);
+  report["certificate"]["subset"] = run.is_subset();
+  report["certificate"]["counts"] = counts_json(run.whole);
   report["data_digest"] = run.data_digest;
 }
 
@@ -128,29 +249,17 @@ void add_paper_umbilics(Report& report, const ridges::PaperUmbilics& umbilics) {
 }
 
 std::string summary_text(const RidgesRun& run) {
-  const auto count_kind = [&](ridges::UmbilicKind kind) {
-    return std::count_if(run.graph.umbilics.begin(), run.graph.umbilics.end(),
-                         [&](const ridges::Umbilic& u) { return u.kind == kind; });
-  };
   std::string text =
       fmt::format("mesh: {} vertices, {} faces, Euler characteristic {}, {} boundary loops\n",
                   run.mesh.vertex_count(), run.mesh.face_count(), run.mesh.euler_characteristic(),
                   run.mesh.boundary_loops());
-  text +=
-      fmt::format("umbilics: {} patches ({} 1-ridge, {} 3-ridge), index sum {}\n",
-                  run.graph.umbilics.size(), count_kind(ridges::UmbilicKind::one_ridge),
-                  count_kind(ridges::UmbilicKind::three_ridge), 0.5 * run.graph.twice_index_sum);
-  for (const Colour colour : {Colour::blue, Colour::red}) {
-    const ColourSummary s = summarise(run.graph, colour, run.order);
-    text += fmt::format(
-        "{}: {} loops, {} segments, length {:.6g} ({:.6g} elliptic, {:.6g} hyperbolic)\n",
-        colour == Colour::blue ? "blue" : "red", s.loops, s.segments, s.length, s.elliptic_length,
-        s.hyperbolic_length);
-  }
-  const auto dropped = run.dropped.by_sharpness + run.dropped.by_strength + run.dropped.by_length +
-                       run.dropped.by_crest;
-  if (dropped > 0) text += fmt::format("dropped by the filters: {} ridges\n", dropped);
-  return text;
+  if (!run.choice.trials.empty())
+    text += fmt::format("support of the fits: {} points, chosen\n", run.choice.points);
+  text += run.shows_salience ? salience_lines(run) : graph_lines(run);
+  if (!run.is_subset()) return text;
+  return text + fmt::format("written: a subset of the {}graph: {}{} of {} ridges\n",
+                            run.certifies ? "certified " : "", count(run.graph).ridges(),
+                            ridges::open_ends(run.graph) > 0 ? " pieces" : "", run.whole.ridges());
 }
 
 }  // namespace crest::cli

@@ -107,7 +107,8 @@ Index open_ends(const RidgeGraph& graph) {
   Index count = 0;
   for (const Ridge& r : graph.ridges)
     if (!r.loop)
-      for (const RidgeEnd& end : r.ends) count += end.kind == EndKind::none;
+      for (const RidgeEnd& end : r.ends)
+        count += end.kind == EndKind::none || end.kind == EndKind::cut;
   return count;
 }
 

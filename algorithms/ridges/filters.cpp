@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/ridges/measures.hpp"
+#include "algorithms/ridges/prominence.hpp"
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::ridges {
 namespace {
 
-// A crest point: elliptic, and its curvature is the larger in absolute value, with the sign that
-// makes it an extremum of max(|k1|, |k2|) (section 7.2).
-bool on_crest(const Crossing& c, Colour colour) {
-  if (c.type != RidgeType::elliptic) return false;
-  return colour == Colour::blue ? c.k1 > std::fabs(c.k2) : -c.k2 > std::fabs(c.k1);
-}
-
 Ridge piece_of(const Ridge& ridge, std::size_t first, std::size_t count, double size) {
   Ridge piece;
   piece.colour = ridge.colour;
   piece.loop = false;
+  piece.weight = ridge.weight;
+  piece.ends[0].kind = piece.ends[1].kind = EndKind::cut;
   const std::size_t n = ridge.crossings.size();
   for (std::size_t i = 0; i < count; ++i) {
     piece.crossings.push_back(ridge.crossings[(first + i) % n]);
@@ -36,37 +31,52 @@ Ridge piece_of(const Ridge& ridge, std::size_t first, std::size_t count, double 
   return piece;
 }
 
-void append_crest_pieces(const Ridge& ridge, double size, std::vector<Ridge>& out) {
+/// The maximal pieces whose crossings are all kept; the whole ridge if all are.
+template <class Kept>
+void append_pieces(const Ridge& ridge, double size, const Kept& kept, std::vector<Ridge>& out) {
   const std::size_t n = ridge.crossings.size();
-  std::vector<bool> crest(n);
-  for (std::size_t i = 0; i < n; ++i) crest[i] = on_crest(ridge.crossings[i], ridge.colour);
-  const auto gap = std::find(crest.begin(), crest.end(), false);
-  if (gap == crest.end()) {
+  const auto gap = std::find_if_not(ridge.crossings.begin(), ridge.crossings.end(), kept);
+  if (gap == ridge.crossings.end()) {
     out.push_back(ridge);
     return;
   }
-  // A loop is read from a crossing that is not on the crest, so that no piece is cut in two.
-  const std::size_t start = ridge.loop ? static_cast<std::size_t>(gap - crest.begin()) : 0;
+  // A loop is read from a crossing that is not kept, so that no piece is cut in two.
+  const auto start = static_cast<std::size_t>(ridge.loop ? gap - ridge.crossings.begin() : 0);
   for (std::size_t i = 0; i < n;) {
     std::size_t count = 0;
-    while (i + count < n && crest[(start + i + count) % n]) ++count;
+    while (i + count < n && kept(ridge.crossings[(start + i + count) % n])) ++count;
     if (count > 0) out.push_back(piece_of(ridge, (start + i) % n, count, size));
     i += count + 1;
   }
+}
+
+/// Cuts all ridges to the crossings for which kept(crossing, colour); returns how many have none.
+template <class Kept>
+Index cut(RidgeGraph& graph, const Kept& kept) {
+  Index dropped = 0;
+  std::vector<Ridge> pieces;
+  for (const Ridge& r : graph.ridges) {
+    const std::size_t before = pieces.size();
+    append_pieces(
+        r, graph.model_size, [&](const Crossing& c) { return kept(c, r.colour); }, pieces);
+    dropped += pieces.size() == before;
+  }
+  graph.ridges = std::move(pieces);
+  return dropped;
 }
 
 }  // namespace
 
 FilterReport filter(RidgeGraph& graph, const FilterOptions& options) {
   FilterReport report;
+  if (options.min_level > 0) {
+    report.by_level =
+        cut(graph, [&](const Crossing& c, Colour) { return c.level >= options.min_level; });
+  }
   if (options.crest_only) {
-    std::vector<Ridge> pieces;
-    for (const Ridge& r : graph.ridges) {
-      const std::size_t before = pieces.size();
-      append_crest_pieces(r, graph.model_size, pieces);
-      report.by_crest += pieces.size() == before;
-    }
-    graph.ridges = std::move(pieces);
+    report.by_crest = cut(graph, [](const Crossing& c, Colour colour) {
+      return c.type == RidgeType::elliptic && on_crest(c, colour);
+    });
   }
   auto drop = [&](Index& count, auto&& below) {
     const auto last = std::remove_if(graph.ridges.begin(), graph.ridges.end(), below);

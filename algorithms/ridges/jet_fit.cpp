@@ -8,10 +8,6 @@
 namespace crest::ridges {
 namespace {
 
-constexpr int kMonomials = 15;
-constexpr int kMoments = 45;  // x^a y^b, a + b <= 8
-constexpr int kCubic = 6;     // the first of the four cubic monomials
-
 constexpr int offset(int degree) {
   return degree * (degree + 1) / 2;
 }
@@ -32,12 +28,6 @@ struct Exponents {
 };
 constexpr Exponents kExponents;
 
-struct Sums {
-  Lanes moment[kMoments];
-  Lanes value[kMonomials];  // sum of z x^a y^b
-  Lanes square;             // sum of z^2
-};
-
 inline __attribute__((always_inline)) void monomials(const PointLanes& p, Lanes* m) {
   m[0] = p.live;
 #pragma GCC unroll 8
@@ -49,8 +39,7 @@ inline __attribute__((always_inline)) void monomials(const PointLanes& p, Lanes*
 }
 
 // Two points a step: the sums live in memory, and a step is bound by storing them.
-CREST_CLONES void accumulate(const std::vector<PointLanes>& rows, Sums& s) {
-  s = Sums{};
+CREST_CLONES void accumulate(std::span<const PointLanes> rows, MomentSums& s) {
   for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
     const PointLanes &p = rows[i], &q = rows[i + 1];
     Lanes m[kMoments], n[kMoments];
@@ -64,14 +53,6 @@ CREST_CLONES void accumulate(const std::vector<PointLanes>& rows, Sums& s) {
   }
 }
 
-// The normal equations of the four vertices: 15 columns of the Gram matrix (upper triangle) and
-// the right-hand side. After elimination row j holds the factor's row and y_j: G = U^T U,
-// U^T y = right-hand side.
-struct Systems {
-  Lanes row[kMonomials][kMonomials + 1];
-  Lanes inverse[kMonomials];  // 1 / u_jj, or 0 for a column that is not used
-};
-
 struct GramTable {
   std::array<std::array<std::uint8_t, kMonomials>, kMonomials> moment{};
   constexpr GramTable() {
@@ -83,7 +64,7 @@ struct GramTable {
 };
 constexpr GramTable kGram;
 
-void set_up(const Sums& sums, Systems& s) {
+void set_up(const MomentSums& sums, NormalEquations& s) {
   for (std::size_t i = 0; i < kMonomials; ++i) {
     for (std::size_t j = i; j < kMonomials; ++j) s.row[i][j] = sums.moment[kGram.moment[i][j]];
     s.row[i][kMonomials] = sums.value[i];
@@ -91,7 +72,7 @@ void set_up(const Sums& sums, Systems& s) {
 }
 
 // Eliminates up to wanted[lane] columns; columns[lane] says how many were independent.
-CREST_CLONES void eliminate(Systems& s, const int* wanted, int* columns) {
+CREST_CLONES void eliminate(NormalEquations& s, const int* wanted, int* columns) {
   constexpr double kLoss = 1e-8;  // square of the sine below which a column is called dependent
   Lanes diagonal[kMonomials];
   for (int j = 0; j < kMonomials; ++j) diagonal[j] = s.row[j][j];
@@ -119,36 +100,31 @@ int degree_of(int columns) {
   return columns >= 15 ? 4 : columns >= 10 ? 3 : columns >= 6 ? 2 : columns >= 3 ? 1 : 0;
 }
 
-struct Solution {
-  Lanes c[kMonomials];
-  Lanes cubic_variance;  // largest (G^-1)_ii of the cubic columns
-};
-
 // Unused columns have inverse 0 and so coefficient 0.
-CREST_CLONES void solve(const Systems& s, Solution& solution) {
-  solution = Solution{};
+CREST_CLONES void solve(const NormalEquations& s, Lanes* c) {
   for (int i = kMonomials - 1; i >= 0; --i) {
     Lanes rest = s.row[i][kMonomials];
-    for (int k = i + 1; k < kMonomials; ++k) rest -= s.row[i][k] * solution.c[k];
-    solution.c[i] = rest * s.inverse[i];
+    for (int k = i + 1; k < kMonomials; ++k) rest -= s.row[i][k] * c[k];
+    c[i] = rest * s.inverse[i];
   }
-  // (G^-1)_ii is the squared length of U^-T e_i.
-  for (int column = kCubic; column < kCubic + 4; ++column) {
-    Lanes y[kMonomials], square = {};
-    for (int r = column; r < kMonomials; ++r) {
-      Lanes rest = {};
-      if (r == column) rest += 1;
-      for (int k = column; k < r; ++k) rest -= s.row[k][r] * y[k];
-      y[r] = rest * s.inverse[r];
-      square += y[r] * y[r];
-    }
-    const auto larger = square > solution.cubic_variance;
-    solution.cubic_variance = larger ? square : solution.cubic_variance;
+}
+
+// The squared length of U^-T g.
+CREST_CLONES void propagated_square(const NormalEquations& s, const JetFit::Gradient& g,
+                                    Lanes& square) {
+  Lanes y[kMonomials];
+  square = Lanes{};
+  for (int r = 1; r < kMonomials; ++r) {
+    Lanes rest = {};
+    if (r < 6) rest = g.by[r];
+    for (int k = 1; k < r; ++k) rest -= s.row[k][r] * y[k];
+    y[r] = rest * s.inverse[r];
+    square += y[r] * y[r];
   }
 }
 
 // Columns that make no full degree are not used; those before them stay as they are.
-int trim(Systems& s, std::size_t lane, int columns) {
+int trim(NormalEquations& s, std::size_t lane, int columns) {
   const int degree = degree_of(columns);
   for (int j = degree > 0 ? offset(degree + 1) : 0; j < kMonomials; ++j) s.inverse[j][lane] = 0;
   return degree;
@@ -156,41 +132,54 @@ int trim(Systems& s, std::size_t lane, int columns) {
 
 }  // namespace
 
-std::array<Jet, kLanes> fit_jets(const NeighbourhoodLanes& local, int max_degree) {
-  Sums sums;
-  accumulate(local.rows, sums);
-  Systems systems;
-  set_up(sums, systems);
+JetFit::JetFit(int max_degree) : max_degree_(max_degree) {}
+
+std::array<Jet, kLanes> JetFit::fit(std::span<const PointLanes> rows,
+                                    const std::array<std::size_t, kLanes>& count) {
+  accumulate(rows, sums_);
+  set_up(sums_, equations_);
   int wanted[kLanes], columns[kLanes];
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const int points = static_cast<int>(std::min<std::size_t>(local.size[l], 1000));
-    wanted[l] = std::min(offset(max_degree + 1), offset(degree_of(points) + 1));
+    const int points = static_cast<int>(std::min<std::size_t>(count[l], 1000));
+    wanted[l] = std::min(offset(max_degree_ + 1), offset(degree_of(points) + 1));
   }
-  eliminate(systems, wanted, columns);
+  eliminate(equations_, wanted, columns);
+  int degree[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) degree[l] = trim(equations_, l, columns[l]);
+  solve(equations_, solution_);
   std::array<Jet, kLanes> jets;
-  for (std::size_t l = 0; l < kLanes; ++l) jets[l].degree = trim(systems, l, columns[l]);
-  Solution solution;
-  solve(systems, solution);
-
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    Jet& jet = jets[l];
-    if (jet.degree == 0) continue;
-    const int n = offset(jet.degree + 1);
-    double smallest = systems.inverse[0][l], largest = smallest, explained = 0;
-    for (int i = 0; i < n; ++i) {
-      jet.c[static_cast<std::size_t>(i)] = solution.c[i][l];
-      smallest = std::min(smallest, systems.inverse[i][l]);
-      largest = std::max(largest, systems.inverse[i][l]);
-      const double y = systems.row[i][kMonomials][l];
-      explained += y * y;
-    }
-    jet.condition = largest / smallest;
-    if (jet.degree < 3) continue;
-    const double freedom = std::max(1.0, static_cast<double>(local.size[l]) - n);
-    const double variance = std::max(0.0, sums.square[l] - explained) / freedom;
-    jet.cubic_error = std::sqrt(variance * solution.cubic_variance[l]);
-  }
+  for (std::size_t l = 0; l < kLanes; ++l) jets[l] = jet_of(l, count[l], degree[l]);
   return jets;
+}
+
+Jet JetFit::jet_of(std::size_t lane, std::size_t count, int degree) const {
+  Jet jet;
+  jet.degree = degree;
+  if (degree == 0) return jet;
+  const int n = offset(degree + 1);
+  double smallest = equations_.inverse[0][lane], largest = smallest, explained = 0;
+  for (int i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    jet.c[k] = solution_[i][lane];
+    smallest = std::min(smallest, equations_.inverse[i][lane]);
+    largest = std::max(largest, equations_.inverse[i][lane]);
+    const double y = equations_.row[i][kMonomials][lane];
+    explained += y * y;
+  }
+  jet.condition = largest / smallest;
+  constexpr double kRounding = 0x1p-52;  // of the sum of squares: less is not seen
+  const double square = sums_.square[lane];
+  const double freedom = std::max(1.0, static_cast<double>(count) - n);
+  jet.residual = std::sqrt(std::max(square - explained, kRounding * square) / freedom);
+  return jet;
+}
+
+std::array<double, kLanes> JetFit::propagate(const Gradient& gradient) const {
+  Lanes square;
+  propagated_square(equations_, gradient, square);
+  std::array<double, kLanes> root;
+  for (std::size_t l = 0; l < kLanes; ++l) root[l] = std::sqrt(square[l]);
+  return root;
 }
 
 }  // namespace crest::ridges

@@ -4,9 +4,11 @@
 // Four vertices side by side: lane j of every quantity belongs to the j-th of them. Lanes never
 // mix, so a vertex gets the same bits whatever its neighbours in a batch, on any instruction set.
 #include <array>
+#include <span>
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/index.hpp"
 
 namespace crest::ridges {
 
@@ -27,10 +29,21 @@ struct alignas(8 * kLanes) PointLanes {
   Lanes x, y, z, live;
 };
 
-/// Lane j holds size[j] points; an even number of rows, filled up with points that are not live.
+/// The points of a vertex's fit, itself first; then those that only the second, wider fit has.
+struct Support {
+  std::vector<kernel::Index> points;
+  std::size_t inner = 0;  ///< points of the first fit
+};
+
+/// Lane j holds inner[j] points in the rows before `split`, the wider support's others after it;
+/// both parts have an even number of rows, filled up with points that are not live.
 struct NeighbourhoodLanes {
   std::vector<PointLanes> rows;
-  std::array<std::size_t, kLanes> size{};
+  std::size_t split = 0;
+  std::array<std::size_t, kLanes> inner{}, all{};
+
+  std::span<const PointLanes> first() const { return {rows.data(), split}; }
+  std::span<const PointLanes> second() const { return {rows.data() + split, rows.size() - split}; }
 };
 
 }  // namespace crest::ridges

@@ -47,21 +47,24 @@ bool normalise(Vec3& v) {
 }
 
 // Rows of the four neighbourhoods relative to their first points.
-void gather(const std::vector<Vec3>& points,
-            const std::array<std::vector<kernel::Index>, kLanes>& around,
+void gather(const std::vector<Vec3>& points, const std::array<Support, kLanes>& around,
             NeighbourhoodLanes& local) {
-  std::size_t rows = 0;
+  std::size_t first = 0, second = 0;
   for (std::size_t l = 0; l < kLanes; ++l) {
-    local.size[l] = around[l].size();
-    rows = std::max(rows, local.size[l]);
+    local.inner[l] = around[l].inner;
+    local.all[l] = around[l].points.size();
+    first = std::max(first, local.inner[l]);
+    second = std::max(second, local.all[l] - local.inner[l]);
   }
-  local.rows.assign(rows + rows % 2, PointLanes{});
+  local.split = first + first % 2;
+  local.rows.assign(local.split + second + second % 2, PointLanes{});
   for (std::size_t l = 0; l < kLanes; ++l) {
-    if (around[l].empty()) continue;
-    const Vec3 origin = points[around[l][0]];
-    for (std::size_t i = 0; i < around[l].size(); ++i) {
-      const Vec3& p = points[around[l][i]];
-      PointLanes& row = local.rows[i];
+    const std::vector<kernel::Index>& found = around[l].points;
+    if (found.empty()) continue;
+    const Vec3 origin = points[found[0]];
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Vec3& p = points[found[i]];
+      PointLanes& row = local.rows[i < around[l].inner ? i : local.split + i - around[l].inner];
       row.x[l] = p[0] - origin[0];
       row.y[l] = p[1] - origin[1];
       row.z[l] = p[2] - origin[2];
@@ -74,7 +77,7 @@ struct Spread {
   Lanes square, xx, xy, xz, yy, yz, zz;  // sums over the points, about the mean but for square
 };
 
-CREST_CLONES void measure(const std::vector<PointLanes>& rows, Spread& s) {
+CREST_CLONES void measure(std::span<const PointLanes> rows, Spread& s) {
   s = Spread{};
   Lanes x = {}, y = {}, z = {}, n = {};
   for (const PointLanes& p : rows) {
@@ -135,16 +138,17 @@ void orient(LocalFrame& frame, Covariance c, const Vec3& vertex_normal) {
 
 }  // namespace
 
-std::array<LocalFrame, kLanes> local_frames(
-    const std::vector<Vec3>& points, const std::array<std::vector<kernel::Index>, kLanes>& around,
-    const std::array<Vec3, kLanes>& normals, NeighbourhoodLanes& local) {
+std::array<LocalFrame, kLanes> local_frames(const std::vector<Vec3>& points,
+                                            const std::array<Support, kLanes>& around,
+                                            const std::array<Vec3, kLanes>& normals,
+                                            NeighbourhoodLanes& local) {
   gather(points, around, local);
   Spread s;
-  measure(local.rows, s);
+  measure(local.first(), s);
   std::array<LocalFrame, kLanes> frames{};
   Rotation rotation{};
   for (std::size_t l = 0; l < kLanes; ++l) {
-    if (around[l].empty()) continue;
+    if (around[l].points.empty()) continue;
     LocalFrame& f = frames[l];
     f.scale = std::sqrt(s.square[l]);
     if (!(f.scale > 0)) f.scale = 1;

@@ -16,16 +16,16 @@ struct LocalFrame {
   double scale;
 };
 
-/// z is the direction of least variance of the points (as in CGAL's jet fitting), on the side of
-/// the vertex normal; when the two disagree by more than 60 degrees (a thin or noisy part, where
-/// least variance is no tangent plane) z is the vertex normal itself. scale is the root mean square
-/// distance from the origin, 1 for a single point.
-/// Shapes: around[j], normals[j] belong to lane j; around[j] is empty in a lane that is not used.
-/// Writes the points' local coordinates to local.
-std::array<LocalFrame, kLanes> local_frames(
-    const std::vector<kernel::Vec3>& points,
-    const std::array<std::vector<kernel::Index>, kLanes>& around,
-    const std::array<kernel::Vec3, kLanes>& normals, NeighbourhoodLanes& local);
+/// z is the direction of least variance of the first fit's points (as in CGAL's jet fitting), on
+/// the side of the vertex normal; when the two disagree by more than 60 degrees (a thin or noisy
+/// part, where least variance is no tangent plane) z is the vertex normal itself. scale is the root
+/// mean square distance from the origin, 1 for a single point. Shapes: around[j], normals[j] belong
+/// to lane j; around[j] is empty in a lane that is not used. Writes the local coordinates of all
+/// points to local.
+std::array<LocalFrame, kLanes> local_frames(const std::vector<kernel::Vec3>& points,
+                                            const std::array<Support, kLanes>& around,
+                                            const std::array<kernel::Vec3, kLanes>& normals,
+                                            NeighbourhoodLanes& local);
 
 /// Unit vertex normals: sums of the incident faces' normals, weighted by area.
 std::vector<kernel::Vec3> vertex_normals(const kernel::TriangleMesh& mesh);

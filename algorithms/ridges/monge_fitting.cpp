@@ -11,6 +11,7 @@
 #include "algorithms/ridges/neighbourhood.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/smoothing.hpp"
+#include "algorithms/ridges/standard_errors.hpp"
 #include "kernel/geometry/coordinate_range.hpp"
 
 namespace crest::ridges {
@@ -21,7 +22,7 @@ using kernel::MongeForm;
 struct Workspace {
   explicit Workspace(const kernel::TriangleMesh& mesh) : collector(mesh) {}
   NeighbourhoodCollector collector;
-  std::array<std::vector<Index>, kLanes> around;
+  std::array<Support, kLanes> around;
   NeighbourhoodLanes local;
 };
 
@@ -51,130 +52,107 @@ bool finite(const MongeForm& m) {
   return sum == 0;
 }
 
-/// The Monge form and the quality of vertices[0], vertices[1], ... (at most four).
-void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                  std::span<const Index> vertices, const FitOptions& options, Workspace& work,
-                  MongeForm* forms, FitQuality* quality) {
+/// The batch's curvature errors for residuals of 1, and their residuals.
+void estimate_errors(const std::array<Jet, kLanes>& jets,
+                     const std::array<LocalFrame, kLanes>& frames, const NeighbourhoodLanes& local,
+                     JetFit& fit, std::size_t count, CurvatureError* errors, double* residuals) {
+  JetFit::Gradient by_k1{}, by_k2{}, by_gap{};
+  for (std::size_t l = 0; l < count; ++l) {
+    const CurvatureGradients g = curvature_gradients(jets[l], principal_frame(jets[l]));
+    for (std::size_t i = 0; i < 6; ++i) {
+      by_k1.by[i][l] = g.k1[i];
+      by_k2.by[i][l] = g.k2[i];
+      by_gap.by[i][l] = g.k1[i] - g.k2[i];
+    }
+  }
+  const auto k1 = fit.propagate(by_k1), k2 = fit.propagate(by_k2), gap = fit.propagate(by_gap);
+  const std::array<Jet, kLanes> wide = fit.fit(local.second(), local.all);
+  for (std::size_t l = 0; l < count; ++l) {
+    const double scale = frames[l].scale;
+    const double unit = 1 / (scale * scale);
+    const PrincipalFrame f = principal_frame(wide[l]);
+    const bool known = std::isfinite(f.k1) && std::isfinite(f.k2);
+    errors[l] = {k1[l] * unit,
+                 k2[l] * unit,
+                 gap[l] * unit,
+                 known ? f.k1 / scale : 0.0,
+                 known ? f.k2 / scale : 0.0,
+                 std::sqrt(2.0) * scale};
+    residuals[l] = jets[l].residual * scale;
+  }
+}
+
+/// What is fitted, by vertex.
+struct Rows {
+  MongeForm* forms;
+  FitQuality* quality;
+  CurvatureError* errors;  ///< null: not wanted
+  double* residuals;
+};
+
+/// Fits vertices first, first + 1, ... (at most four).
+void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, Index first,
+                  std::size_t count, const FitOptions& options, Workspace& work, const Rows& rows) {
   std::array<Vec3, kLanes> normal{};
   for (std::size_t l = 0; l < kLanes; ++l) {
-    work.around[l].clear();
-    if (l >= vertices.size()) continue;
-    work.collector.collect(vertices[l], options, work.around[l]);
-    normal[l] = normals[vertices[l]];
+    work.around[l].points.clear();
+    work.around[l].inner = 0;
+    if (l >= count) continue;
+    const Index v = first + static_cast<Index>(l);
+    work.collector.collect(v, options, work.around[l]);
+    normal[l] = normals[v];
   }
   const auto frames = local_frames(mesh.points(), work.around, normal, work.local);
-  auto jets = fit_jets(work.local, options.degree);
-  for (std::size_t l = 0; l < vertices.size(); ++l) {
+  JetFit fit(options.degree);
+  auto jets = fit.fit(work.local.first(), work.local.inner);
+  if (rows.errors) {
+    estimate_errors(jets, frames, work.local, fit, count, rows.errors + first,
+                    rows.residuals + first);
+  }
+  for (std::size_t l = 0; l < count; ++l) {
     const LocalFrame& frame = frames[l];
     Jet& jet = jets[l];
-    forms[l] = to_space(monge_form_of(jet), frame);
-    if (!finite(forms[l])) {  // overflow on absurd scales: a flat form is the honest answer
+    MongeForm& form = rows.forms[first + l];
+    form = to_space(monge_form_of(jet), frame);
+    if (!finite(form)) {  // overflow on absurd scales: a flat form is the honest answer
       jet = Jet{};
-      forms[l] = to_space(monge_form_of(jet), LocalFrame{frame.x, frame.y, frame.z, 1});
+      form = to_space(monge_form_of(jet), LocalFrame{frame.x, frame.y, frame.z, 1});
     }
-    quality[l].condition = jet.condition;
-    quality[l].degree = static_cast<std::uint8_t>(jet.degree);
-    quality[l].points =
-        static_cast<std::uint16_t>(std::min<std::size_t>(work.around[l].size(), 65535));
-    quality[l].b_error = 6 * jet.cubic_error / (frame.scale * frame.scale);
-  }
-}
-
-double mean_edge_length(const kernel::TriangleMesh& mesh) {
-  double sum = 0;
-  for (const kernel::Edge& e : mesh.edges())
-    sum += kernel::distance(mesh.points()[e.v0], mesh.points()[e.v1]);
-  return sum / mesh.edge_count();
-}
-
-// Largest extent of the bounding box.
-double extent(const kernel::TriangleMesh& mesh) {
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double low = mesh.points()[0][k], high = low;
-    for (const Vec3& p : mesh.points()) {
-      low = std::min(low, p[k]);
-      high = std::max(high, p[k]);
-    }
-    largest = std::max(largest, high - low);
-  }
-  return largest;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Median of b0's and b3's estimated error over the median of |b|, on evenly spread vertices.
-double noise_to_signal(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                       const FitOptions& options) {
-  constexpr Index kSamples = 2000;
-  Workspace work(mesh);
-  const Index step = std::max<Index>(1, mesh.vertex_count() / kSamples);
-  std::vector<double> error, signal;
-  for (Index v = 0; v < mesh.vertex_count();) {
-    Index sample[kLanes];
-    std::size_t n = 0;
-    for (; n < kLanes && v < mesh.vertex_count(); ++n, v += step) sample[n] = v;
-    MongeForm form[kLanes];
-    FitQuality quality[kLanes];
-    fit_vertices(mesh, normals, {sample, n}, options, work, form, quality);
-    for (std::size_t l = 0; l < n; ++l) {
-      error.push_back(quality[l].degree >= 3 ? quality[l].b_error : HUGE_VAL);
-      signal.push_back(std::max(std::fabs(form[l].b0), std::fabs(form[l].b3)));
-    }
-  }
-  const double s = median(signal);
-  return s > 0 ? median(error) / s : HUGE_VAL;
-}
-
-// The smallest support whose estimated error is a small part of its signal (1 %: the ellipsoid's
-// noise table in experiments/002-ridges shows the ridges' topology settle there). Supports grow by
-// a quarter from three mean edges to sixteen (some 900 points), at most a quarter of the extent; if
-// none is good enough, the best of them.
-double choose_scale(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                    FitOptions options) {
-  constexpr double kEnough = 0.01, kGrowth = 1.25, kFirst = 3, kLast = 16;
-  const double edge = mean_edge_length(mesh), limit = std::min(extent(mesh) / 4, kLast * edge);
-  options.scale = kFirst * edge;
-  double best_scale = options.scale, best = HUGE_VAL;
-  for (;; options.scale *= kGrowth) {
-    const double ratio = noise_to_signal(mesh, normals, options);
-    if (ratio < best) {
-      best = ratio;
-      best_scale = options.scale;
-    }
-    if (ratio <= kEnough || options.scale * kGrowth > limit) return best_scale;
+    rows.quality[first + l] = {
+        jet.condition,
+        static_cast<std::uint16_t>(std::min<std::size_t>(work.local.inner[l], 65535)),
+        static_cast<std::uint8_t>(jet.degree)};
   }
 }
 
 }  // namespace
 
-FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& given) {
+FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options) {
   kernel::require_carried(mesh.points());
-  FitOptions options = given;
   const std::vector<Vec3> normals = vertex_normals(mesh);
-  if (options.auto_scale) options.scale = choose_scale(mesh, normals, options);
   FitResult result;
   result.scale = options.scale;
+  if (!(options.scale > 0) && options.rings == 0) result.points = options.min_points;
   result.forms.resize(mesh.vertex_count());
   result.quality.resize(mesh.vertex_count());
+  std::vector<double> residuals;
+  if (options.errors) {
+    result.errors.resize(mesh.vertex_count());
+    residuals.resize(mesh.vertex_count());
+  }
+  const Rows rows{result.forms.data(), result.quality.data(),
+                  options.errors ? result.errors.data() : nullptr, residuals.data()};
   tbb::enumerable_thread_specific<Workspace> workspaces([&] { return Workspace(mesh); });
   // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
   tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
                     [&](const tbb::blocked_range<Index>& range) {
                       Workspace& work = workspaces.local();
-                      for (Index v = range.begin(); v != range.end();) {
-                        Index batch[kLanes];
-                        std::size_t n = 0;
-                        const Index first = v;
-                        for (; n < kLanes && v != range.end(); ++n) batch[n] = v++;
-                        fit_vertices(mesh, normals, {batch, n}, options, work, &result.forms[first],
-                                     &result.quality[first]);
+                      for (Index v = range.begin(); v < range.end(); v += kLanes) {
+                        const std::size_t count = std::min<std::size_t>(kLanes, range.end() - v);
+                        fit_vertices(mesh, normals, v, count, options, work, rows);
                       }
                     });
+  if (options.errors) scale_errors(mesh, residuals, result.quality, result.errors);
   smooth_extremalities(mesh, result.forms, options.smooth);
   return result;
 }

@@ -23,12 +23,11 @@ void add(Form<N>& f, const Form<N>& g, double factor = 1) {
   for (std::size_t i = 0; i < N; ++i) f[i] += factor * g[i];
 }
 
-struct PrincipalFrame {
-  kernel::Vec3 d1, d2, n;
-  double k1, k2, w;
-};
+}  // namespace
 
-PrincipalFrame principal_frame(double fx, double fy, const Form<3>& q) {
+PrincipalFrame principal_frame(const Jet& jet) {
+  const double fx = jet.c[1], fy = jet.c[2];
+  const Form<3> q = {jet.c[3], jet.c[4], jet.c[5]};
   PrincipalFrame f;
   f.w = std::sqrt(1 + fx * fx + fy * fy);
   f.n = {-fx / f.w, -fy / f.w, 1 / f.w};
@@ -61,12 +60,10 @@ PrincipalFrame principal_frame(double fx, double fy, const Form<3>& q) {
   return f;
 }
 
-}  // namespace
-
 kernel::MongeForm monge_form_of(const Jet& jet) {
   const auto& c = jet.c;
   const Form<3> q = {c[3], c[4], c[5]};
-  const PrincipalFrame f = principal_frame(c[1], c[2], q);
+  const PrincipalFrame f = principal_frame(jet);
   const Form<2> u = {f.d1[0], f.d2[0]}, v = {f.d1[1], f.d2[1]};  // plane part as forms in (a, b)
   const Form<3> uu = product(u, u), uv = product(u, v), vv = product(v, v);
   const double m = f.n[0], l = f.n[1];  // plane part of n

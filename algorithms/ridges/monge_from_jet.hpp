@@ -15,4 +15,11 @@ namespace crest::ridges {
 /// those of the polynomial (zero coefficients), not zero curvature.
 kernel::MongeForm monge_form_of(const Jet& jet);
 
+/// The principal curvatures and frame of the graph over the origin.
+struct PrincipalFrame {
+  kernel::Vec3 d1, d2, n;
+  double k1, k2, w;  ///< w = |(-z_x, -z_y, 1)|
+};
+PrincipalFrame principal_frame(const Jet& jet);
+
 }  // namespace crest::ridges

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/neighbourhood.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace crest::ridges {
 
 using kernel::operator-;
+namespace {
+constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+}  // namespace
 
 NeighbourhoodCollector::NeighbourhoodCollector(const kernel::TriangleMesh& mesh)
     : mesh_(mesh), mark_(mesh.vertex_count(), 0) {}
@@ -24,9 +29,8 @@ bool NeighbourhoodCollector::add_ring(std::vector<Index>& found, Index first, In
   return found.size() > last;
 }
 
-void NeighbourhoodCollector::collect(Index v, const FitOptions& options,
-                                     std::vector<Index>& found) {
-  constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+void NeighbourhoodCollector::collect(Index v, const FitOptions& options, Support& support) {
+  std::vector<Index>& found = support.points;
   ++stamp_;
   found.assign(1, v);
   mark_[v] = stamp_;
@@ -43,6 +47,39 @@ void NeighbourhoodCollector::collect(Index v, const FitOptions& options,
                   by_radius ? options.scale * options.scale : kEverywhere))
       break;
     first = last;
+  }
+  support.inner = found.size();
+  if (options.errors) widen(options, centre, first, found);
+}
+
+void NeighbourhoodCollector::widen(const FitOptions& options, const Vec3& centre, Index last_ring,
+                                   std::vector<Index>& found) {
+  constexpr double kWider = 1.25;
+  const std::size_t inner = found.size();
+  if (options.scale > 0) {  // points once too far may be near enough now
+    ++stamp_;
+    for (const Index w : found) mark_[w] = stamp_;
+    const double radius = kWider * options.scale;
+    Index first = 0;
+    for (Index last = 0; last != found.size();) {
+      last = static_cast<Index>(found.size());
+      add_ring(found, first, last, centre, radius * radius);
+      first = last;
+    }
+    if (found.size() > inner) return;
+    ++stamp_;
+    for (const Index w : found) mark_[w] = stamp_;
+    add_ring(found, 0, static_cast<Index>(inner), centre, kEverywhere);
+    return;
+  }
+  const double wanted = kWider * kWider * options.min_points;
+  const int rings = std::max(1, static_cast<int>(std::lround((kWider - 1) * options.rings)));
+  Index first = last_ring;
+  for (int ring = 1;; ++ring) {
+    const Index last = static_cast<Index>(found.size());
+    if (!add_ring(found, first, last, centre, kEverywhere)) return;
+    first = last;
+    if (options.rings > 0 ? ring == rings : static_cast<double>(found.size()) >= wanted) return;
   }
 }
 

@@ -25,13 +25,21 @@ struct FitQuality {
   double condition;      ///< of the scaled least-squares system, estimated from R
   std::uint16_t points;  ///< neighbours used
   std::uint8_t degree;   ///< of the fit that was possible: 4, 3, 2 or 0 (none: flat form)
-  double b_error;        ///< estimated standard error of b0, b3 (residual of the fit, propagated)
+};
+
+/// How far a vertex's curvatures can be trusted (standard_errors.hpp), units of the input.
+struct CurvatureError {
+  double k1 = 0, k2 = 0, gap = 0;  ///< standard errors of k1, k2, k1 - k2; infinite: no quartic fit
+  double wide_k1 = 0, wide_k2 = 0;  ///< the curvatures of the second, wider fit
+  double radius = 0;                ///< R of the first support: root 2 times the rms distance
 };
 
 struct FitResult {
   std::vector<kernel::MongeForm> forms;  ///< V
   std::vector<FitQuality> quality;       ///< V
-  double scale = 0;                      ///< support radius used with scale or auto_scale, else 0
+  std::vector<CurvatureError> errors;    ///< V with FitOptions::errors, else none
+  double scale = 0;                      ///< radius of the supports, 0: by rings
+  int points = 0;                        ///< least points of the supports, 0: not by their number
 };
 
 /// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).
@@ -43,10 +51,15 @@ struct Crossing {
   double k1, k2;   ///< interpolated curvatures
   double b;        ///< |b0| or |b3|, mean of the two ends: how steep the zero crossing is
   double p;        ///< interpolated P1 (blue) or P2 (red)
+  // Salience (salience.hpp); 0 before it is marked.
+  double significance = 0;        ///< z of the extremum of the crossing's type
+  double crest_significance = 0;  ///< z as a maximum of |k|, on the crest
+  double prominence = 0;          ///< drop of k on the lesser side, 1/length
+  std::uint8_t level = 0;         ///< 0 dropped, 1 significant, 2 salient
 };
 
-/// What a ridge's end rests on.
-enum class EndKind : std::uint8_t { none = 0, umbilic = 1, boundary = 2 };
+/// What a ridge's end rests on; cut: a filter has taken the rest of the ridge.
+enum class EndKind : std::uint8_t { none = 0, umbilic = 1, boundary = 2, cut = 3 };
 struct RidgeEnd {
   EndKind kind = EndKind::none;
   Index umbilic = kernel::kNone;  ///< index into RidgeGraph::umbilics
@@ -66,6 +79,7 @@ struct Ridge {
   double length = 0, elliptic_length = 0, hyperbolic_length = 0;
   double strength = 0;   ///< integral of |k1| (blue) or |k2| (red); no unit
   double sharpness = 0;  ///< integral of |P / (k1 - k2)| times model_size^2; no unit
+  double weight = 0;     ///< the largest of its crest pieces (salience.hpp); no unit
   std::size_t segment_count() const { return crossings.size() - (loop ? 0u : 1u); }
   /// Fourth-order type of the segment after crossing i: that of its ends, or turning.
   RidgeType fourth_order(std::size_t i) const {
@@ -83,6 +97,9 @@ struct Umbilic {
   bool coherent = false;     ///< the patch's contour has 1 or 3 crossings, as many blue as red
   std::vector<Index> patch;  ///< faces, ascending; a topological disk
   Index border_crossings[2] = {0, 0};  ///< blue and red crossings of its contour
+  // Salience (salience.hpp); 0 before it is marked.
+  std::uint8_t level = 0;      ///< 1: a significant umbilic; 2: and a salient ridge ends in it
+  int region_twice_index = 0;  ///< of the region the umbilic stands for; 0: another one does
 };
 
 /// Faces of non-zero index, before grouping into patches.

@@ -17,12 +17,12 @@ namespace crest::ridges {
 
 /// How the Monge forms are estimated (jet fitting, Cazals and Pouget 2003).
 struct FitOptions {
-  int rings = 0;            ///< rings of neighbours; 0: grow until min_points
-  int min_points = 30;      ///< used when rings == 0
-  double scale = 0;         ///< radius of the support in units of the input; 0: by rings
-  bool auto_scale = false;  ///< choose the support so that b0's estimated error is under its signal
-  int smooth = 0;           ///< smoothing steps of the extremalities
-  int degree = 4;           ///< of the fitted polynomial, 3 or 4
+  int rings = 0;        ///< rings of neighbours; 0: grow until min_points
+  int min_points = 30;  ///< used when rings == 0
+  double scale = 0;     ///< radius of the support in units of the input; 0: by rings
+  int smooth = 0;       ///< smoothing steps of the extremalities
+  int degree = 4;       ///< of the fitted polynomial, 3 or 4
+  bool errors = false;  ///< estimate the curvatures' errors: a second fit to wider supports
 };
 
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.
@@ -62,15 +62,16 @@ struct FilterOptions {
   double min_strength = 0;   ///< no unit
   double min_length = 0;     ///< units of the input
   bool crest_only = false;   ///< elliptic, and the larger of |k1|, |k2|: pieces of ridges remain
+  int min_level = 0;         ///< of the crossings (salience.hpp): pieces of ridges remain
 };
 struct FilterReport {
-  Index by_sharpness = 0, by_strength = 0, by_length = 0, by_crest = 0;  ///< ridges dropped
+  Index by_sharpness = 0, by_strength = 0, by_length = 0, by_crest = 0, by_level = 0;  ///< ridges
 };
-/// Removes ridges in place. With crest_only a ridge is cut into its crest pieces, whose cut ends
-/// are open (EndKind::none).
+/// Removes ridges in place. With crest_only or min_level a ridge is cut into the pieces that are
+/// kept; their ends that are none of the ridge's are of kind cut.
 FilterReport filter(RidgeGraph& graph, const FilterOptions& options);
 
-/// Ends that are neither umbilic nor boundary (0 before crest_only cuts ridges: theorem 2).
+/// Ends that are neither umbilic nor boundary (0 before a filter cuts ridges: theorem 2).
 Index open_ends(const RidgeGraph& graph);
 
 }  // namespace crest::ridges

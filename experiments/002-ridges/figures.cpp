@@ -7,6 +7,7 @@
 #include <iostream>
 #include <optional>
 
+#include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
 #include "experiments/program.hpp"
@@ -30,8 +31,10 @@ struct Model {
   double seconds;
 };
 
-Model extract(const std::string& name, kernel::TriangleMesh mesh, const ridges::FitOptions& fit) {
+Model extract(const std::string& name, kernel::TriangleMesh mesh, bool chosen) {
   const auto start = std::chrono::steady_clock::now();
+  ridges::FitOptions fit;
+  if (chosen) fit.min_points = ridges::choose_support(mesh, fit).points;  // a scan
   const ridges::FitResult forms = ridges::fit_monge_forms(mesh, fit);
   ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, forms.forms);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -40,7 +43,7 @@ Model extract(const std::string& name, kernel::TriangleMesh mesh, const ridges::
 
 Model sampled(const std::string& name, int vertices) {
   const sampling::SurfaceSample s = sampling::sample(name, {}, vertices, true);
-  return extract(name, kernel::TriangleMesh(s.points, s.faces), {});
+  return extract(name, kernel::TriangleMesh(s.points, s.faces), false);
 }
 
 void figure(const std::string& label, const Model& model, const ridges::FilterOptions& filter,
@@ -55,14 +58,13 @@ void figure(const std::string& label, const Model& model, const ridges::FilterOp
              c.red.segments, model.seconds, file);
 }
 
-std::optional<Model> scanned(const Options& o, const std::string& file,
-                             const ridges::FitOptions& fit) {
+std::optional<Model> scanned(const Options& o, const std::string& file, bool chosen) {
   const fs::path path = o.data / file;
   if (!fs::exists(path)) {
     std::cerr << path.string() << ": not there (see --data): figure skipped\n";
     return std::nullopt;
   }
-  return extract(file, io::read_mesh(path.string()).mesh, fit);
+  return extract(file, io::read_mesh(path.string()).mesh, chosen);
 }
 
 void run(const Options& o) {
@@ -76,14 +78,12 @@ void run(const Options& o) {
   crest.crest_only = strong.crest_only = sharp.crest_only = true;
   strong.min_strength = o.strength;
   sharp.min_sharpness = o.sharpness;
-  if (const auto part = scanned(o, "fandisk.off", {})) {
+  if (const auto part = scanned(o, "fandisk.off", false)) {
     figure("26a", *part, crest, o);
     figure("26b", *part, strong, o);
     figure("26c", *part, sharp, o);
   }
-  ridges::FitOptions wide;
-  wide.auto_scale = true;  // a scan: see the noise table
-  if (const auto scan = scanned(o, "horse.ply", wide)) figure("27", *scan, sharp, o);
+  if (const auto scan = scanned(o, "horse.ply", true)) figure("27", *scan, sharp, o);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What noise does to the ridges of the ellipsoid 1, 1.5, 2: CGAL, Crest, Crest with --scale auto.
-// The right answer is 4 umbilics of index +1/2, index sum 2, 1 loop + 2 segments a colour.
+// What noise does to the ridges of the ellipsoid 1, 1.5, 2: CGAL and Crest with 30 points, then
+// both with the support that --scale auto chooses. The right answer is 4 umbilics of index +1/2,
+// index sum 2, 1 loop + 2 segments a colour.
 #include <fmt/format.h>
 
+#include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
@@ -27,17 +29,17 @@ struct Row {
   double index_sum;
   std::string blue, red;
   int ends;
-  double scale;
+  int points;  ///< of a support, at least
 };
 
-void print(const Row& r, double percent, int seed, double edge) {
+void print(const Row& r, double percent, int seed) {
   fmt::print("| {} | {} | {} | {}, {}, {} | {} | {} | {} | {} | {} |\n", percent, seed, r.system,
-             r.plus, r.minus, r.other, r.index_sum, r.blue, r.red, r.ends,
-             r.scale > 0 ? fmt::format("{:.1f}", r.scale / edge) : "rings");
+             r.plus, r.minus, r.other, r.index_sum, r.blue, r.red, r.ends, r.points);
 }
 
-Row cgal(const kernel::TriangleMesh& mesh, const Options& o) {
+Row cgal(const kernel::TriangleMesh& mesh, const Options& o, int points) {
   peers::CgalOptions options;
+  options.min_points = static_cast<std::size_t>(points);
   options.umbilic_size = o.umbilic_size;
   const peers::CgalResult r = peers::run_cgal(mesh, options);
   const auto text = [](const peers::MergedLines& m) {
@@ -51,13 +53,16 @@ Row cgal(const kernel::TriangleMesh& mesh, const Options& o) {
           text(r.blue_lines),
           text(r.red_lines),
           r.blue_lines.open_ends + r.red_lines.open_ends,
-          0};
+          points};
 }
 
-Row crest_row(const kernel::TriangleMesh& mesh, const Options& o, bool auto_scale) {
+Row crest_row(const kernel::TriangleMesh& mesh, const Options& o, int points) {
+  const bool auto_scale = points > 0;
   ridges::FitOptions options;
-  options.auto_scale = auto_scale;
-  if (auto_scale) options.smooth = o.smooth;
+  if (auto_scale) {
+    options.smooth = o.smooth;
+    options.min_points = points;
+  }
   const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
   ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
   const peers::CrestResult all = peers::count(graph);
@@ -80,19 +85,20 @@ Row crest_row(const kernel::TriangleMesh& mesh, const Options& o, bool auto_scal
           text(all.blue, kept.blue),
           text(all.red, kept.red),
           all.open_ends,
-          fit.scale};
+          options.min_points};
 }
 
 void run(const Options& o) {
   const sampling::SurfaceSample clean =
       sampling::sample("ellipsoid", {1, 1.5, 2}, o.vertices, true);
   const double edge = sampling::mean_edge_length(clean.points, clean.faces);
+  const double edge = sampling::mean_edge_length(clean.points, clean.faces);
   fmt::print("Ellipsoid 1, 1.5, 2; {} vertices; noise along the normals, % of the mean edge\n\n",
              clean.points.size());
   fmt::print(
       "| noise % | seed | system | umbilics +1/2, -1/2, other | index sum | blue loops + segments "
       "| "
-      "red loops + segments | unjoined ends | support radius / edge |\n"
+      "red loops + segments | unjoined ends | points of a support |\n"
       "|---|---|---|---|---|---|---|---|---|\n");
   for (const double percent : o.percent)
     for (int seed = 1; seed <= (percent == 0 ? 1 : o.seeds); ++seed) {
@@ -100,9 +106,13 @@ void run(const Options& o) {
       sampling::add_normal_noise(points, sampling::normals(clean), percent / 100 * edge,
                                  static_cast<std::uint64_t>(seed));
       const kernel::TriangleMesh mesh(std::move(points), clean.faces);
-      if (!o.without_cgal) print(cgal(mesh, o), percent, seed, edge);
-      print(crest_row(mesh, o, false), percent, seed, edge);
-      print(crest_row(mesh, o, true), percent, seed, edge);
+      ridges::FitOptions fit;
+      fit.smooth = o.smooth;
+      const int chosen = ridges::choose_support(mesh, fit).points;
+      if (!o.without_cgal) print(cgal(mesh, o, 30), percent, seed);
+      print(crest_row(mesh, o, 0), percent, seed);
+      if (!o.without_cgal) print(cgal(mesh, o, chosen), percent, seed);
+      print(crest_row(mesh, o, chosen), percent, seed);
     }
 }
 

@@ -69,20 +69,51 @@ class Sight {
   double outward_;
 };
 
+/// Four steps of the means of neighbours: a zigzag of an edge's width goes, a corner is cut by less
+/// than an edge. Points inside patches and the ends of a line stay.
+void smooth(std::vector<LinePoint>& line, bool loop) {
+  const std::size_t n = line.size();
+  for (int step = 0; step < 4; ++step) {
+    const std::vector<LinePoint> old = line;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (old[i].crossing == nullptr || (!loop && (i == 0 || i + 1 == n))) continue;
+      const Vec3 &a = old[(i + n - 1) % n].point, &b = old[(i + 1) % n].point;
+      line[i].point = combine(0.5, old[i].point, 0.25, combine(1, a, 1, b));
+    }
+  }
+}
+
+/// The thin classes come before ridge_classes() and so lie under them.
+std::vector<StrokeClass> classes_by_salience() {
+  std::vector<StrokeClass> classes = ridge_classes();
+  const std::vector<StrokeClass> full = classes;
+  const auto paler = [](std::uint8_t c) { return static_cast<std::uint8_t>((c + 255) / 2); };
+  for (StrokeClass& c : classes) {
+    c.width = 1.0 / 3;
+    c.colour = {paler(c.colour.red), paler(c.colour.green), paler(c.colour.blue)};
+  }
+  classes.insert(classes.end(), full.begin(), full.end());
+  return classes;
+}
+
 void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeGraph& graph,
-                 int order, Drawing& drawing) {
+                 const PictureOptions& options, Drawing& drawing) {
+  const std::size_t thin_classes = options.by_salience ? ridge_classes().size() : 0;
   StrokeMaker maker(sight.camera(), surface, drawing);
   const auto hidden = [&](const LinePoint& p) {
     return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
   };
   for (const ridges::Ridge& ridge : graph.ridges) {
-    const std::vector<LinePoint> line = line_points(ridge);
+    std::vector<LinePoint> line = line_points(ridge);
+    if (options.by_salience) smooth(line, ridge.loop);
     const std::size_t n = line.size();
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
-      const RidgeType type = order == 3 ? line[i].third_order : line[i].fourth_order;
-      const std::size_t stroke_class = ridge_class(ridge.colour, type);
-      drawing.classes[stroke_class].in_graph = true;
+      const RidgeType type = options.order == 3 ? line[i].third_order : line[i].fourth_order;
+      const bool full = std::min(line[i].level, next.level) >= options.full_level;
+      const std::size_t base = ridge_class(ridge.colour, type);
+      const std::size_t stroke_class = base + (full ? thin_classes : 0);
+      drawing.classes[base + thin_classes].in_graph = true;
       if (hidden(line[i]) || hidden(next))
         maker.end();
       else
@@ -90,6 +121,19 @@ void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeG
     }
     maker.end();
   }
+}
+
+/// Umbilics that stand for a region of non-zero index.
+std::vector<ridges::Umbilic> significant_umbilics(const ridges::RidgeGraph& graph) {
+  std::vector<ridges::Umbilic> umbilics;
+  for (const ridges::Umbilic& u : graph.umbilics)
+    if (u.region_twice_index != 0) umbilics.push_back(u);
+  return umbilics;
+}
+
+/// The umbilic is no single one, but a region of umbilics.
+bool is_region(const ridges::Umbilic& u) {
+  return u.region_twice_index != 0 && u.level == 0;
 }
 
 /// Umbilics at which a ridge of the graph ends: filters take the others' ridges away.
@@ -108,21 +152,30 @@ void add_dots(const Sight& sight, const std::vector<ridges::Umbilic>& umbilics, 
   for (const ridges::Umbilic& umbilic : umbilics) {
     const Vec3 pixel = sight.camera().project(umbilic.point);
     if (sight.faces_eye(umbilic) && sight.free(pixel))
-      drawing.dots.push_back({pixel, dot_colour(umbilic.kind)});
+      drawing.dots.push_back(is_region(umbilic) ? Dot{pixel, kGrey, Mark::diamond}
+                                                : Dot{pixel, dot_colour(umbilic.kind)});
   }
 }
 
-void add_legend(const std::vector<ridges::Umbilic>& umbilics, Drawing& drawing) {
+void add_legend(const std::vector<ridges::Umbilic>& umbilics, const PictureOptions& options,
+                Drawing& drawing) {
   add_class_legend(drawing);
+  const bool thin = std::any_of(drawing.classes.begin(), drawing.classes.end(),
+                                [](const auto& c) { return c.width < 1 && !c.strokes.empty(); });
+  if (thin) drawing.legend.push_back({"thin, not salient", {200, 200, 200}, false});
   const std::pair<UmbilicKind, const char*> kinds[] = {
       {UmbilicKind::one_ridge, "umbilic, 1-ridge"},
       {UmbilicKind::three_ridge, "umbilic, 3-ridge"},
       {UmbilicKind::degenerate, "umbilic, degenerate"}};
   for (const auto& [kind, label] : kinds) {
-    const bool present = std::any_of(umbilics.begin(), umbilics.end(),
-                                     [&](const auto& umbilic) { return umbilic.kind == kind; });
+    const bool present = std::any_of(umbilics.begin(), umbilics.end(), [&](const auto& umbilic) {
+      return umbilic.kind == kind && !is_region(umbilic);
+    });
     if (present) drawing.legend.push_back({label, dot_colour(kind), true});
   }
+  if (std::any_of(umbilics.begin(), umbilics.end(), is_region))
+    drawing.legend.push_back({"umbilic region", kGrey, true, Mark::diamond});
+  if (options.subset) drawing.legend.push_back({"subset of the graph", {255, 255, 255}, false});
 }
 
 /// Length of the elliptic ridges that face the eye, weighted by their curvature: features count,
@@ -170,15 +223,17 @@ Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& norma
 }
 
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
-                     const std::vector<Vec3>& normals, const ridges::RidgeGraph& graph, int order) {
+                     const std::vector<Vec3>& normals, const ridges::RidgeGraph& graph,
+                     const PictureOptions& options) {
   Drawing drawing{};
-  drawing.classes = ridge_classes();
+  drawing.classes = options.by_salience ? classes_by_salience() : ridge_classes();
   const Sight sight(camera, surface, mesh, normals);
-  add_strokes(sight, surface, graph, order, drawing);
-  const std::vector<ridges::Umbilic> umbilics = joined_umbilics(graph);
+  add_strokes(sight, surface, graph, options, drawing);
+  const std::vector<ridges::Umbilic> umbilics =
+      options.by_salience ? significant_umbilics(graph) : joined_umbilics(graph);
   add_dots(sight, umbilics, drawing);
   set_sizes(camera, drawing);
-  add_legend(umbilics, drawing);
+  add_legend(umbilics, options, drawing);
   return drawing;
 }
 

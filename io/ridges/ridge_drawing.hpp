@@ -6,6 +6,7 @@
 
 #include "algorithms/ridges/ridge_graph.hpp"
 #include "io/picture/drawing.hpp"
+#include "io/ridges/ridge_picture.hpp"
 
 namespace crest::io {
 
@@ -19,10 +20,10 @@ std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
 kernel::Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<kernel::Vec3>& normals,
                         const ridges::RidgeGraph& graph);
 
-/// Cuts the ridges where the canvas's surface hides them. order: 3 or 4, which types to use.
-/// Strokes and dots become thinner where there are too many for the picture.
+/// Cuts the ridges where the canvas's surface hides them. Strokes and dots become thinner where
+/// there are too many for the picture.
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
                      const std::vector<kernel::Vec3>& normals, const ridges::RidgeGraph& graph,
-                     int order);
+                     const PictureOptions& options);
 
 }  // namespace crest::io

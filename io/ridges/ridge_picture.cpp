@@ -28,8 +28,7 @@ void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
   const Camera camera = fit_camera(mesh, view, options.width);
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
-  write_drawing(path, camera, canvas,
-                make_drawing(camera, canvas, mesh, normals, graph, options.order),
+  write_drawing(path, camera, canvas, make_drawing(camera, canvas, mesh, normals, graph, options),
                 options.show_legend);
 }
 

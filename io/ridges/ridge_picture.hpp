@@ -15,6 +15,11 @@ struct PictureOptions {
   std::optional<kernel::Vec3> view;  ///< from the eye into the scene; nothing: chosen
   bool show_legend = true;
   int order = 4;  ///< types by the fourth-order or the third-order rule (3)
+  /// By salience: dots at significant umbilics and regions, not where ridges end; the zigzag of
+  /// lines along creases smoothed; segments below full_level a third as wide, and paler.
+  bool by_salience = false;
+  int full_level = 2;
+  bool subset = false;  ///< the legend says that this is a subset of the graph
 };
 
 /// Throws: kernel::InputError for another extension than .png and .svg, a width outside

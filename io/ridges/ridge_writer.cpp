@@ -21,9 +21,12 @@ using ridges::RidgeGraph;
 using ridges::Umbilic;
 
 /// Columns of the point data, the same for every format.
-constexpr std::array kPointCodes = {"colour",        "type", "type_third_order",
-                                    "crossing_type", "kind", "coherent"};
-constexpr std::array kPointNumbers = {"k1", "k2", "b", "P", "strength", "sharpness", "index"};
+constexpr std::array kPointCodes = {"colour",   "type", "type_third_order", "crossing_type", "kind",
+                                    "coherent", "level"};
+constexpr std::array kPointNumbers = {"k1",        "k2",           "b",
+                                      "P",         "strength",     "sharpness",
+                                      "index",     "significance", "crest_significance",
+                                      "prominence"};
 
 struct Row {
   kernel::Vec3 point;
@@ -49,21 +52,24 @@ Row umbilic_row(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
     k2 += fit.forms[v].k2 / 3;
   }
   return {umbilic.point,
-          {-1, -1, -1, -1, static_cast<int>(umbilic.kind), umbilic.coherent ? 1 : 0},
-          {k1, k2, 0, 0, 0, 0, index_of(umbilic)}};
+          {-1, -1, -1, -1, static_cast<int>(umbilic.kind), umbilic.coherent ? 1 : 0, umbilic.level},
+          {k1, k2, 0, 0, 0, 0, index_of(umbilic), 0, 0, 0}};
 }
 
 Row ridge_row(const Ridge& ridge, const LinePoint& p) {
   Row row{p.point,
           {static_cast<int>(ridge.colour), static_cast<int>(p.fourth_order),
-           static_cast<int>(p.third_order), -1, -1, -1},
-          {0, 0, 0, 0, ridge.strength, ridge.sharpness, 0}};
+           static_cast<int>(p.third_order), -1, -1, -1, p.level},
+          {0, 0, 0, 0, ridge.strength, ridge.sharpness, 0, 0, 0, 0}};
   if (p.crossing != nullptr) {
     row.codes[3] = static_cast<int>(p.crossing->type);
     row.numbers[0] = p.crossing->k1;
     row.numbers[1] = p.crossing->k2;
     row.numbers[2] = p.crossing->b;
     row.numbers[3] = p.crossing->p;
+    row.numbers[7] = p.crossing->significance;
+    row.numbers[8] = p.crossing->crest_significance;
+    row.numbers[9] = p.crossing->prominence;
   }
   return row;
 }
@@ -107,6 +113,7 @@ void add_row(Columns& cells, const Cell& cell) {
   cells.add("length", r ? r->length : 0.0);
   cells.add("strength", r ? r->strength : 0.0);
   cells.add("sharpness", r ? r->sharpness : 0.0);
+  cells.add("weight", r ? r->weight : 0.0);
   cells.add("umbilic", cell.number);
   cells.add("kind", u ? static_cast<int>(u->kind) : -1);
   cells.add("coherent", u ? static_cast<int>(u->coherent) : -1);
@@ -114,7 +121,7 @@ void add_row(Columns& cells, const Cell& cell) {
 }
 
 std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::string& digest,
-                   double scale) {
+                   const ridges::FitResult& fit) {
   PolyData data;
   Columns& points = data.point_rows();
   for (const Row& row : table.rows) {
@@ -132,7 +139,8 @@ std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::strin
     add_row(data.add_line(line), {&graph.ridges[i], nullptr, -1});
   }
   data.fields().add("data_digest", digest);
-  data.fields().add("fit_scale", scale);
+  data.fields().add("fit_scale", fit.scale);
+  data.fields().add("fit_points", fit.points);
   return data.bytes();
 }
 
@@ -190,7 +198,7 @@ void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
   const Table table = table_of(mesh, fit, graph);
   std::string bytes;
   if (extension == ".vtp")
-    bytes = vtp_of(table, graph, data_digest_hex, fit.scale);
+    bytes = vtp_of(table, graph, data_digest_hex, fit);
   else if (extension == ".obj")
     bytes = obj_of(table, graph, data_digest_hex);
   else if (extension == ".ply")

@@ -16,12 +16,14 @@ namespace crest::io {
 /// defined everywhere; neutral values are -1 for codes and ids, 0 for quantities.
 ///   points: colour (0 blue, 1 red), type and type_third_order of the segment that starts in the
 ///     point, crossing_type (0 flat, 1 elliptic, 2 hyperbolic, 3 turning), k1, k2, b (|b0| or
-///     |b3|), P (P1 or P2), strength and sharpness of the ridge; index, kind (1, 3: 1-ridge,
-///     3-ridge; 0 degenerate) and coherent of an umbilic.
-///   cells: colour, loop, length, strength, sharpness, end_kind_0, end_kind_1 (0 open, 1 umbilic,
-///     2 boundary), end_umbilic_0, end_umbilic_1 (number of the umbilic), umbilic (number of its
-///     own), index, kind, coherent.
-///   field: data_digest, the digest a certificate of the run carries; fit_scale.
+///     |b3|), P (P1 or P2), strength and sharpness of the ridge, significance,
+///     crest_significance, prominence; index, kind (1, 3: 1-ridge, 3-ridge; 0 degenerate) and
+///     coherent of an umbilic; level (0 dropped, 1 significant, 2 salient) of both.
+///   cells: colour, loop, length, strength, sharpness, weight, end_kind_0, end_kind_1 (0 open,
+///     1 umbilic, 2 boundary, 3 cut), end_umbilic_0, end_umbilic_1 (number of the umbilic),
+///     umbilic (number of its own), index, kind, coherent.
+///   field: data_digest, the digest a certificate of the run carries; fit_scale, fit_points: the
+///     supports' radius or least number of points, 0 if neither was given.
 /// .obj: v, p (umbilics, ridges of one point) and l lines, a group a colour. .ply: text, vertices
 /// with the point data above, then an edge element with colour and type. Guarantees: the same bytes
 /// for the same graph; no half-written file. Throws: kernel::InputError for another extension or a

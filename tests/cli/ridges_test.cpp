@@ -110,6 +110,7 @@ TEST_CASE("the report has its keys, also without a certificate") {
                           "fit",
                           "paper_umbilics",
                           "dropped",
+                          "salience",
                           "data_digest"}) {
     INFO(key);
     CHECK(report.contains(key));
@@ -182,6 +183,65 @@ TEST_CASE("filters drop ridges from the output and say how many, the certificate
   CHECK(none["dropped"]["by_length"] == ridges(all));
   CHECK(none["umbilics"] == all["umbilics"]);
   CHECK((read_text(folder / "all.crest") == read_text(folder / "none.crest")));
+  CHECK(all["certificate"]["subset"] == false);
+  CHECK(none["certificate"]["subset"] == true);
+  CHECK(none["certificate"]["counts"] == all["certificate"]["counts"]);
+  CHECK(none["certificate"]["counts"]["umbilics"] == 4);
+}
+
+TEST_CASE("salience: what is written is said to be a subset of what is certified") {
+  const TemporaryFolder folder;
+  require_done("crest sample blend --vertices 6000 --noise 0.02 --rotate -o b.off", folder.path());
+  const auto whole = require_done(
+      "crest ridges b.off --certificate all.crest --report all.json -o all.vtp", folder.path());
+  CHECK(whole.out.find("a subset") == std::string::npos);
+  CHECK(whole.out.find("whole graph: ") != std::string::npos);
+  CHECK(whole.out.find("salient") != std::string::npos);
+  const auto all = read_json(folder / "all.json");
+  const std::size_t ridges = all["certificate"]["counts"]["blue"]["loops"].get<std::size_t>() +
+                             all["certificate"]["counts"]["blue"]["segments"].get<std::size_t>() +
+                             all["certificate"]["counts"]["red"]["loops"].get<std::size_t>() +
+                             all["certificate"]["counts"]["red"]["segments"].get<std::size_t>();
+  for (const std::string level : {"significant", "salient"}) {
+    const auto run = require_done("crest ridges b.off --certificate " + level + ".crest --" +
+                                      level + " --report " + level + ".json -o " + level + ".vtp",
+                                  folder.path());
+    CHECK(run.out.find("a subset of the certified graph: ") != std::string::npos);
+    CHECK(run.out.find(" of " + std::to_string(ridges) + " ridges\n") != std::string::npos);
+    const auto report = read_json(folder / (level + ".json"));
+    CHECK(report["certificate"]["subset"] == true);
+    CHECK(report["certificate"]["counts"] == all["certificate"]["counts"]);
+    CHECK(report["salience"]["ridges_" + level].get<std::size_t>() +
+              report["dropped"]["by_level"].get<std::size_t>() ==
+          ridges);
+    CHECK((read_text(folder / (level + ".crest")) == read_text(folder / "all.crest")));
+    CHECK(read_text(folder / (level + ".vtp")).size() < read_text(folder / "all.vtp").size());
+  }
+  const auto counted = require_done("crest ridges b.off --all", folder.path());
+  CHECK(counted.out.find("salient") == std::string::npos);
+}
+
+TEST_CASE("salience: a cylinder has nothing significant, and the summary says so") {
+  const TemporaryFolder folder;
+  require_done("crest sample cylinder --vertices 3000 --rotate -o c.off", folder.path());
+  const auto run =
+      require_done("crest ridges c.off --report c.json --picture c.svg", folder.path());
+  CHECK(run.out.find("nothing significant: k1, k2 constant along their lines within the error of "
+                     "the fit\n") != std::string::npos);
+  CHECK(read_json(folder / "c.json")["salience"]["degenerate"] == true);
+  CHECK(read_json(folder / "c.json")["salience"]["support_points"] == 30);
+}
+
+TEST_CASE("salience: options that contradict each other are usage errors") {
+  const EllipsoidFolder folder;
+  for (const char* options :
+       {"--salient --significant", "--all --salient", "--salient --significance 0",
+        "--scale auto --significance 0", "--significance -1", "--min-weight x"})
+    CHECK(run_crest(std::string("crest ridges e.off ") + options, folder.path()).exit_code == 2);
+  const auto run =
+      require_done("crest ridges e.off --significance 0 --report e.json", folder.path());
+  CHECK(run.out.find("salient") == std::string::npos);
+  CHECK_FALSE(read_json(folder / "e.json").contains("salience"));
 }
 
 TEST_CASE("options change what they name") {
@@ -193,7 +253,10 @@ TEST_CASE("options change what they name") {
   require_done("crest ridges e.off --quiet --rings 4 --report rings.json", folder.path());
   CHECK(read_json(folder / "third.json")["order"] == 3);
   CHECK(read_json(folder / "scale.json")["scale"] == 0.4);
-  CHECK(read_json(folder / "auto.json")["scale"].get<double>() > 0);
+  const auto chosen = read_json(folder / "auto.json")["salience"];
+  CHECK(chosen["support_choice"].size() >= 3);
+  CHECK(chosen["support_choice"][0]["points"] == 30);
+  CHECK(chosen["support_points"].get<int>() >= 30);
   const auto crest = read_json(folder / "crest.json");
   for (const char* colour : {"blue", "red"})
     CHECK(crest["ridges"][colour]["hyperbolic_length"] == 0);

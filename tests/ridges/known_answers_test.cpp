@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
+#include "algorithms/ridges/auto_scale.hpp"
 #include "tests/ridges/ridge_cases.hpp"
 
 using namespace crest;
@@ -91,7 +92,7 @@ TEST_CASE("noise: the ellipsoid keeps its topology with the automatic scale") {
     sampling::add_normal_noise(s.points, {}, noise * edge, 7);
     const kernel::TriangleMesh mesh(s.points, s.faces);
     ridges::FitOptions options;
-    options.auto_scale = true;
+    options.min_points = ridges::choose_support(mesh, {}).points;
     RidgeCase c{mesh, ridges::fit_monge_forms(mesh, options).forms, s.known};
     CAPTURE(noise);
     const ridges::RidgeGraph g = ridges::extract_ridge_graph(c.mesh, c.forms);

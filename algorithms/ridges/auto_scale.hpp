@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The support chosen from the mesh itself. Supports of 30 * 1.5^i points are tried, by rings, so
+// that they follow the local density:  J = S^2 / L,  S the length of the salient pieces before a
+// weight is asked for (of all significant ones if no support has a salient piece), L the length of
+// the whole graph. The smallest support with J >= 95 % of the largest is taken; two decreases of J
+// in a row end the search. Where nothing is significant it is 30 points.
+#include "algorithms/ridges/salience.hpp"
+
+namespace crest::ridges {
+
+struct SupportTrial {
+  int points;
+  double length, salient_length, significant_length, j;
+};
+
+struct SupportChoice {
+  int points = 30;
+  std::vector<SupportTrial> trials;  ///< in the order tried; J of each by the S that was used
+};
+
+/// Requires: nothing of options but degree and smooth matters. Guarantees: the same for any number
+/// of threads. Cost: of seven fits and extractions, the last of them 340 points, at most.
+SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions& options,
+                             const GraphOptions& graph_options = {},
+                             const SalienceOptions& salience = {});
+
+}  // namespace crest::ridges

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/ridges/hysteresis.hpp"
+
+#include <algorithm>
+
+namespace crest::ridges {
+namespace {
+
+/// The profile read from a start, so that a loop is a line that ends where it began.
+class Line {
+ public:
+  Line(const Profile& profile, std::size_t start) : p_(profile), start_(start), place_(1, 0.0) {
+    for (std::size_t i = 0; i < p_.gap.size(); ++i) place_.push_back(place_[i] + p_.gap[index(i)]);
+  }
+  std::size_t size() const { return p_.z.size(); }
+  std::size_t index(std::size_t i) const { return (start_ + i) % size(); }
+  double z(std::size_t i) const { return p_.z[index(i)]; }
+  double around() const { return place_.back(); }
+  /// From i to j; past the end once around.
+  double length(std::size_t i, std::size_t j) const {
+    const std::size_t n = size();
+    return place_[j % n] - place_[i % n] + static_cast<double>(j / n - i / n) * around();
+  }
+  double radius(std::size_t i, std::size_t j) const {
+    return (p_.radius[index(i)] + p_.radius[index(j)]) / 2;
+  }
+
+ private:
+  const Profile& p_;
+  std::size_t start_;
+  std::vector<double> place_;
+};
+
+double strong_share(const Profile& p, double threshold) {
+  double all = 0, strong = 0;
+  for (std::size_t i = 0; i < p.gap.size(); ++i) {
+    const std::size_t j = (i + 1) % p.z.size();
+    all += p.gap[i];
+    strong += p.gap[i] * ((p.z[i] >= threshold ? 0.5 : 0) + (p.z[j] >= threshold ? 0.5 : 0));
+  }
+  if (!(all > 0)) return p.z.front() >= threshold ? 1 : 0;
+  return strong / all;
+}
+
+/// Runs with z >= threshold / 2 that hold a point with z >= threshold.
+std::vector<Run> strong_runs(const Line& line, double threshold) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t count = 0;
+    bool strong = false;
+    for (; i + count < line.size() && line.z(i + count) >= threshold / 2; ++count)
+      strong = strong || line.z(i + count) >= threshold;
+    if (strong) runs.push_back({i, count});
+    i += count + 1;
+  }
+  return runs;
+}
+
+/// Runs with the gaps of at most R between them closed.
+std::vector<Run> join_runs(const Line& line, const std::vector<Run>& runs, std::size_t& closed) {
+  std::vector<Run> joined;
+  for (const Run& run : runs) {
+    const std::size_t last = joined.empty() ? 0 : joined.back().first + joined.back().count - 1;
+    if (!joined.empty() && line.length(last, run.first) <= line.radius(last, run.first)) {
+      joined.back().count = run.first + run.count - joined.back().first;
+      ++closed;
+    } else {
+      joined.push_back(run);
+    }
+  }
+  return joined;
+}
+
+/// Closes gaps at ends that hold.
+void reach_ends(const Line& line, const Profile& p, std::vector<Run>& runs, std::size_t& closed) {
+  const std::size_t n = line.size(), first = runs.front().first;
+  const std::size_t end = runs.back().first + runs.back().count;
+  const auto near = [&](std::size_t i, std::size_t j) {
+    return line.length(i, j) <= line.radius(i, j);
+  };
+  const auto hidden = [&](std::size_t i, std::size_t j) {
+    return !p.hidden.empty() && std::find(p.hidden.begin() + static_cast<std::ptrdiff_t>(i),
+                                          p.hidden.begin() + static_cast<std::ptrdiff_t>(j),
+                                          0) == p.hidden.begin() + static_cast<std::ptrdiff_t>(j);
+  };
+  if (p.holds[1] && end < n && (near(end - 1, n - 1) || hidden(end, n))) {
+    runs.back().count += n - end;
+    ++closed;
+  }
+  if (p.holds[0] && first > 0 && (near(0, first) || hidden(0, first))) {
+    runs.front().count += first;
+    runs.front().first = 0;
+    ++closed;
+  }
+}
+
+/// Closes a loop's gap between its last run and its first.
+void close_loop(const Line& line, std::vector<Run>& runs, std::size_t& closed) {
+  const std::size_t n = line.size(), first = runs.front().first;
+  const std::size_t end = runs.back().first + runs.back().count;
+  if (line.around() - line.length(first, end - 1) > line.radius(first, end - 1)) return;
+  ++closed;
+  if (runs.size() == 1) {
+    runs.front() = {0, n};
+    return;
+  }
+  runs.back().count = n - runs.back().first + first + runs.front().count;
+  runs.erase(runs.begin());
+}
+
+}  // namespace
+
+Runs hysteresis(const Profile& p, double threshold) {
+  constexpr double kWhole = 0.8;
+  Runs result;
+  const std::size_t n = p.z.size();
+  if (n == 0) return result;
+  const auto weak =
+      std::find_if(p.z.begin(), p.z.end(), [&](double z) { return !(z >= threshold / 2); });
+  const bool whole_loop =
+      p.loop && weak == p.z.end() && *std::max_element(p.z.begin(), p.z.end()) >= threshold;
+  if (whole_loop || strong_share(p, threshold) >= kWhole) return {{{0, n}}, 1, 0};
+  if (p.loop && weak == p.z.end()) return result;
+  const Line line(p, p.loop ? static_cast<std::size_t>(weak - p.z.begin()) : 0);
+  std::vector<Run> runs = strong_runs(line, threshold);
+  result.found = runs.size();
+  if (runs.empty()) return result;
+  runs = join_runs(line, runs, result.closed);
+  if (p.loop)
+    close_loop(line, runs, result.closed);
+  else
+    reach_ends(line, p, runs, result.closed);
+  for (const Run& run : runs) {
+    const std::size_t last = run.first + run.count - 1;
+    const bool whole = run.count == n;
+    if (whole || line.length(run.first, last) >= line.radius(run.first, last))
+      result.kept.push_back({whole ? 0 : line.index(run.first), run.count});
+  }
+  return result;
+}
+
+}  // namespace crest::ridges

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Salient ridges against the noise-free graph, on surfaces without ridges, and on scans.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include "algorithms/ridges/auto_scale.hpp"
+#include "algorithms/sampling/mesh_surface.hpp"
+#include "experiments/002-ridges/line_match.hpp"
+#include "experiments/program.hpp"
+#include "io/read/mesh_reader.hpp"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::dashes;
+using experiments::near_share;
+
+struct Options {
+  std::string table = "noise";
+  fs::path data = "../shared/data/meshes";
+  std::vector<double> percent = {0, 0.1, 0.3, 1, 3};
+  std::vector<std::string> surfaces = {"ellipsoid", "blend"};
+  std::vector<std::string> meshes = {"max-planck_decimated.obj", "rocker-arm.obj", "armadillo.off",
+                                     "stanford-bunny.obj", "horse.ply"};
+  std::vector<int> points;
+  int vertices = 0;
+  int seeds = 1;
+  double z = 4, weight = 1.5;
+  ridges::SalienceOptions salience() const { return {z, weight}; }
+};
+
+struct Marked {
+  ridges::RidgeGraph graph;
+  ridges::SalienceReport report;
+  double fit = 0, extract = 0, mark = 0;
+};
+
+Marked marked(const kernel::TriangleMesh& mesh, int points, const ridges::SalienceOptions& o) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+  };
+  ridges::FitOptions options;
+  options.min_points = points;
+  options.errors = true;
+  const auto t0 = Clock::now();
+  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
+  const auto t1 = Clock::now();
+  Marked m{ridges::extract_ridge_graph(mesh, fit.forms), {}};
+  const auto t2 = Clock::now();
+  m.report = ridges::mark_salience(mesh, fit, m.graph, o);
+  m.fit = seconds(t0, t1);
+  m.extract = seconds(t1, t2);
+  m.mark = seconds(t2, Clock::now());
+  return m;
+}
+
+kernel::TriangleMesh noisy(const sampling::SurfaceSample& clean, double percent, int seed) {
+  std::vector<sampling::Vec3> points = clean.points;
+  const double edge = sampling::mean_edge_length(clean.points, clean.faces);
+  if (percent > 0)
+    sampling::add_normal_noise(points, sampling::normals(clean), percent / 100 * edge,
+                               static_cast<std::uint64_t>(seed));
+  return {std::move(points), clean.faces};
+}
+
+/// "+1/2: 4, -1/2: 2, others: 1, of index 0: 12"
+std::string regions_text(const std::vector<ridges::UmbilicRegion>& regions) {
+  int plus = 0, minus = 0, other = 0, zero = 0;
+  for (const ridges::UmbilicRegion& r : regions)
+    ++(r.twice_index == 0 ? zero : !r.is_umbilic() ? other : r.twice_index > 0 ? plus : minus);
+  return fmt::format("{}, {}, {} ({})", plus, minus, other, zero);
+}
+
+int vertices_of(const std::string& surface, const Options& o) {
+  return o.vertices > 0 ? o.vertices : surface == "blend" ? 40000 : 10000;
+}
+
+int chosen(const kernel::TriangleMesh& mesh, const Options& o, std::size_t i) {
+  if (i < o.points.size()) return o.points[i];
+  return ridges::choose_support(mesh, {}, {}, o.salience()).points;
+}
+
+void noise_row(const std::string& surface, const sampling::SurfaceSample& clean,
+               const Marked& truth, double percent, int seed, std::size_t which, const Options& o) {
+  const kernel::TriangleMesh mesh = noisy(clean, percent, seed);
+  const int points = chosen(mesh, o, which);
+  const Marked m = marked(mesh, points, o.salience());
+  const double size = m.graph.model_size, near = 0.06 * size;
+  const auto whole = dashes(truth.graph, 0), salient = dashes(truth.graph, 2);
+  const auto got1 = dashes(m.graph, 1), got2 = dashes(m.graph, 2);
+  fmt::print(
+      "| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.2f} | {:.3f} | {:.3f} | {} | "
+      "{} |\n",
+      surface, percent, seed, points, m.report.length / size, length_of(got1) / size,
+      near_share(got1, whole, near), near_share(whole, got1, near), length_of(got2) / size,
+      near_share(got2, salient, near), near_share(salient, got2, near),
+      regions_text(m.report.regions), 0.5 * m.graph.twice_index_sum);
+  std::fflush(stdout);
+}
+
+void noise_table(const Options& o) {
+  fmt::print(
+      "| surface | noise % | seed | points | graph | significant | precision | recall | salient | "
+      "precision "
+      "| recall | regions +1/2, -1/2, other (0) | index sum "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& surface : o.surfaces) {
+    const std::vector<double> parameters =
+        surface == "ellipsoid" ? std::vector<double>{1, 1.5, 2} : std::vector<double>{};
+    const sampling::SurfaceSample clean =
+        sampling::sample(surface, parameters, vertices_of(surface, o), true);
+    const Marked truth = marked(noisy(clean, 0, 1), 30, o.salience());
+    for (const double percent : o.percent)
+      for (int seed = 1; seed <= (percent == 0 ? 1 : o.seeds); ++seed) {
+        if (o.points.empty()) noise_row(surface, clean, truth, percent, seed, 0, o);
+        for (std::size_t i = 0; i < o.points.size(); ++i)
+          noise_row(surface, clean, truth, percent, seed, i, o);
+      }
+  }
+}
+
+void print_marked(const std::string& name, int points, const Marked& m) {
+  const auto& r = m.report;
+  const double size = m.graph.model_size;
+  fmt::print(
+      "| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {}, {}, {}, {}, {}, {} | {} | {} | {} "
+      "| {:.2f} {:.2f} {:.2f} |\n",
+      name, points, r.length / size, r.length_significant / size, r.length_unweighted / size,
+      r.length_salient / size, m.graph.ridges.size(), r.significant, r.salient, r.insignificant,
+      r.short_runs, r.not_crest, r.light, m.graph.umbilics.size(), regions_text(r.regions),
+      0.5 * m.graph.twice_index_sum, m.fit, m.extract, m.mark);
+  std::fflush(stdout);
+}
+
+void print_head() {
+  fmt::print(
+      "| model | points | graph | significant | salient, W >= 0 | salient | ridges | significant, "
+      "salient, insignificant, short, not crest, light | umbilics | regions +1/2, -1/2, other (0) "
+      "| "
+      "index sum | fit, extract, mark s |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+}
+
+void samples_table(const Options& o) {
+  print_head();
+  for (const std::string& surface : o.surfaces) {
+    // name or name:1,2,3
+    const std::size_t colon = surface.find(':');
+    std::vector<double> parameters;
+    for (std::size_t at = colon; at != std::string::npos && at < surface.size();) {
+      parameters.push_back(std::stod(surface.substr(at + 1)));
+      at = surface.find('/', at + 1);
+    }
+    const std::string name = surface.substr(0, colon);
+    const sampling::SurfaceSample clean =
+        sampling::sample(name, parameters, vertices_of(name, o), true);
+    for (const double percent : o.percent)
+      for (int seed = 1; seed <= (percent == 0 ? 1 : o.seeds); ++seed) {
+        const kernel::TriangleMesh mesh = noisy(clean, percent, seed);
+        for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points)
+          print_marked(fmt::format("{}, {} %", surface, percent), points,
+                       marked(mesh, points, o.salience()));
+      }
+  }
+}
+
+void scans_table(const Options& o) {
+  print_head();
+  for (const std::string& file : o.meshes) {
+    const fs::path path = o.data / file;
+    if (!fs::exists(path)) {
+      std::cerr << path.string() << ": not there (see --data): skipped\n";
+      continue;
+    }
+    const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
+    for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points)
+      print_marked(file, points, marked(mesh, points, o.salience()));
+  }
+}
+
+/// Crest pieces in the order of falling sharpness, up to a length; levels are set to 2.
+ridges::RidgeGraph sharpest(ridges::RidgeGraph graph, double length) {
+  ridges::FilterOptions crest;
+  crest.crest_only = true;
+  ridges::filter(graph, crest);
+  std::stable_sort(graph.ridges.begin(), graph.ridges.end(),
+                   [](const auto& a, const auto& b) { return a.sharpness > b.sharpness; });
+  double sum = 0;
+  for (ridges::Ridge& r : graph.ridges) {
+    for (ridges::Crossing& c : r.crossings) c.level = sum < length ? 2 : 0;
+    sum += r.length;
+  }
+  return graph;
+}
+
+/// Both ways, within 2 % of the model size.
+double agreement(const ridges::RidgeGraph& a, const ridges::RidgeGraph& b) {
+  const auto p = dashes(a, 2), q = dashes(b, 2);
+  const double near = 0.02 * a.model_size;
+  return (near_share(p, q, near) + near_share(q, p, near)) / 2;
+}
+
+/// Salient lines of a scan under 5 % noise of two seeds against each other, beside the sharpest
+/// crest lines of the same length.
+void repeat_table(const Options& o) {
+  fmt::print(
+      "| scan | seeds | points | salient length | agreement, salience | sharpness at equal length "
+      "|\n|---|---|---|---|---|---|\n");
+  for (const std::string& file : o.meshes) {
+    const fs::path path = o.data / file;
+    if (!fs::exists(path)) continue;
+    const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
+    const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
+    std::vector<Marked> runs;
+    std::vector<int> points;
+    for (int seed = 1; seed <= 2 * o.seeds; ++seed) {
+      std::vector<sampling::Vec3> moved = mesh.points();
+      sampling::add_normal_noise(moved, {}, 0.05 * edge, static_cast<std::uint64_t>(seed));
+      const kernel::TriangleMesh noisy(std::move(moved), mesh.faces());
+      points.push_back(chosen(noisy, o, 0));
+      runs.push_back(marked(noisy, points.back(), o.salience()));
+    }
+    for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
+      const auto sharp = [](const Marked& m) { return sharpest(m.graph, m.report.length_salient); };
+      fmt::print("| {} | {}, {} | {}, {} | {:.2f}, {:.2f} | {:.3f} | {:.3f} |\n", file, i + 1,
+                 i + 2, points[i], points[i + 1],
+                 runs[i].report.length_salient / runs[i].graph.model_size,
+                 runs[i + 1].report.length_salient / runs[i].graph.model_size,
+                 agreement(runs[i].graph, runs[i + 1].graph),
+                 agreement(sharp(runs[i]), sharp(runs[i + 1])));
+      std::fflush(stdout);
+    }
+  }
+}
+
+/// The edges of dihedral angle over 40 degrees.
+std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh) {
+  constexpr double kCosine = 0.766044443118978;
+  const auto normal = [&](kernel::Index f) {
+    const auto [a, b, c] = mesh.faces()[f];
+    const auto& p = mesh.points();
+    const kernel::Vec3 n =
+        kernel::cross(kernel::operator-(p[b], p[a]), kernel::operator-(p[c], p[a]));
+    return kernel::operator*(1 / kernel::norm(n), n);
+  };
+  std::vector<experiments::Dash> all;
+  for (const kernel::Edge& e : mesh.edges()) {
+    if (e.f0 == kernel::kNone || e.f1 == kernel::kNone) continue;
+    if (kernel::dot(normal(e.f0), normal(e.f1)) > kCosine) continue;
+    const kernel::Vec3 &p = mesh.points()[e.v0], &q = mesh.points()[e.v1];
+    all.push_back({kernel::operator*(0.5, kernel::operator+(p, q)), kernel::distance(p, q),
+                   ridges::Colour::blue});
+  }
+  return all;
+}
+
+/// fandisk: how much of the sharp edges has a line within an edge, how much of the lines has no
+/// sharp edge within two.
+void fandisk_table(const Options& o) {
+  const fs::path path = o.data / "fandisk.off";
+  if (!fs::exists(path)) return;
+  const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
+  const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
+  const auto sharp = sharp_edges(mesh);
+  fmt::print(
+      "{} edges over 40 degrees\n\n| points | lines | length / size | sharp length covered | off "
+      "any sharp edge |\n|---|---|---|---|---|\n",
+      sharp.size());
+  for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points) {
+    const Marked m = marked(mesh, points, o.salience());
+    const auto row = [&](const char* name, const std::vector<experiments::Dash>& lines) {
+      fmt::print("| {} | {} | {:.2f} | {:.3f} | {:.3f} |\n", points, name,
+                 length_of(lines) / m.graph.model_size, near_share(sharp, lines, edge, true),
+                 1 - near_share(lines, sharp, 2 * edge, true));
+    };
+    row("graph", dashes(m.graph, 0));
+    row("significant", dashes(m.graph, 1));
+    row("salient", dashes(m.graph, 2));
+    row("sharpest at the salient length", dashes(sharpest(m.graph, m.report.length_salient), 2));
+  }
+}
+
+int run(const Options& o) {
+  if (o.table == "repeat") repeat_table(o);
+  if (o.table == "fandisk") fandisk_table(o);
+  if (o.table == "noise") noise_table(o);
+  if (o.table == "samples") samples_table(o);
+  if (o.table == "scans") scans_table(o);
+  return 0;
+}
+
+}  // namespace
+}  // namespace crest
+
+int main(int argc, char** argv) {
+  crest::Options o;
+  crest::experiments::Program program("Salient ridges of samples and scans");
+  program.option("--table", o.table, "what to print",
+                 {"noise", "samples", "scans", "repeat", "fandisk"});
+  program.option("--data", o.data, "folder of meshes");
+  program.list("--noise", o.percent, "percents of the mean edge length");
+  program.option("--surfaces", o.surfaces, "samples, NAME or NAME:P/P/P");
+  program.option("--meshes", o.meshes, "scans");
+  program.list("--points", o.points, "supports (default: chosen)");
+  program.option("--vertices", o.vertices, "of a sample");
+  program.option("--seeds", o.seeds, "noisy meshes a level");
+  program.option("--significance", o.z, "Z");
+  program.option("--min-weight", o.weight, "W");
+  program.echo("experiments/002-ridges/salience_table");
+  return program.run(argc, argv, [&] { return crest::run(o); });
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/ridges/hysteresis.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace crest::ridges;
+
+namespace {
+
+/// Points a length of 1 apart, R = 2.
+Profile line(std::vector<double> z, bool loop = false) {
+  Profile p;
+  p.loop = loop;
+  p.gap.assign(z.size() - (loop ? 0 : 1), 1.0);
+  p.radius.assign(z.size(), 2.0);
+  p.z = std::move(z);
+  return p;
+}
+
+void check(const Runs& runs, const std::vector<std::pair<std::size_t, std::size_t>>& expected) {
+  REQUIRE(runs.kept.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(runs.kept[i].first == expected[i].first);
+    CHECK(runs.kept[i].count == expected[i].second);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("hysteresis: a run goes on where z is half the threshold and holds a strong point") {
+  check(hysteresis(line({0, 2, 3, 4, 2, 0, 0, 0, 3, 3, 3, 0}), 4), {{1, 4}});
+  check(hysteresis(line({0, 2, 3, 3.9, 2, 0, 0, 0}), 4), {});
+}
+
+TEST_CASE("hysteresis: runs shorter than R are dropped, a strong line is kept however short") {
+  const Runs runs = hysteresis(line({0, 9, 9, 0, 0, 0, 9, 9, 9, 0, 0, 0, 0}), 4);
+  check(runs, {{6, 3}});
+  CHECK(runs.found == 2);
+  check(hysteresis(line({9, 9}), 4), {{0, 2}});
+  check(hysteresis(line({9}), 4), {{0, 1}});
+  check(hysteresis(line({0}), 4), {});
+}
+
+TEST_CASE("hysteresis: gaps up to R are closed, longer ones are not") {
+  const Runs closed = hysteresis(line({9, 9, 9, 0, 9, 9, 9, 0, 0, 9, 9, 9}), 4);
+  check(closed, {{0, 7}, {9, 3}});
+  CHECK(closed.closed == 1);
+}
+
+TEST_CASE("hysteresis: gaps are closed to the ends that hold") {
+  Profile p = line({0, 0, 9, 9, 9, 0, 0, 0, 0, 9, 9, 9, 0});
+  check(hysteresis(p, 4), {{2, 3}, {9, 3}});
+  p.holds[0] = true;
+  check(hysteresis(p, 4), {{0, 5}, {9, 3}});
+  p.holds[1] = true;
+  check(hysteresis(p, 4), {{0, 5}, {9, 4}});
+  // Hidden points are the end's own, however many.
+  Profile far = line({0, 0, 0, 0, 9, 9, 9, 0, 0, 0, 0});
+  far.holds[0] = true;
+  check(hysteresis(far, 4), {{4, 3}});
+  far.hidden = {1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
+  far.holds[1] = true;
+  check(hysteresis(far, 4), {{0, 7}});
+}
+
+TEST_CASE("hysteresis: a line that is strong on 80 % of its length is kept whole") {
+  std::vector<double> z(21, 9.0);
+  z[5] = z[6] = z[7] = 0;  // two gaps and two halves of 20
+  check(hysteresis(line(z), 4), {{0, 21}});
+  z[8] = z[9] = 0;
+  check(hysteresis(line(z), 4), {{0, 5}, {10, 11}});
+}
+
+TEST_CASE("hysteresis: loops have no end") {
+  check(hysteresis(line({9, 9, 0, 0, 0, 0, 9, 9}, true), 4), {{6, 4}});
+  check(hysteresis(line({0, 9, 9, 9, 0, 0, 9, 9, 9, 0}, true), 4), {{6, 7 - 3}});
+  // Every gap closed: the loop is whole.
+  check(hysteresis(line({0, 9, 9, 9, 0, 9, 9, 9}, true), 4), {{0, 8}});
+  check(hysteresis(line({3, 3, 4, 3, 3}, true), 4), {{0, 5}});
+  check(hysteresis(line({3, 3, 3}, true), 4), {});
+}
