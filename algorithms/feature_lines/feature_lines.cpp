@@ -75,7 +75,10 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
   }
   if (o.close_branches > 0) {
     Marks closed = result.marks;
-    result.joined = feature_lines::close_branches(mesh, result.graph, o.close_branches, closed);
+    const auto paths = joining_paths(mesh, result.graph, {2, o.close_branches});
+    for (const auto& path : paths)
+      for (const Index v : path) closed[v] = 1;
+    result.joined = static_cast<Index>(paths.size());
     if (result.joined > 0) take_result(mesh, thin(mesh, std::move(closed), o.prune, field), result);
   }
   return result;
