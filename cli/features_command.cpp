@@ -37,7 +37,7 @@ struct FeaturesOptions {
   int rings = 0, over = 0;
   bool absolute = false;
   double value = 0;
-  CLI::Option *value_given = nullptr, *rings_given = nullptr;
+  CLI::Option *quantile_given = nullptr, *value_given = nullptr, *rings_given = nullptr;
   std::vector<CLI::Option*> for_regions;  ///< that sharp edges have no use for
 
   /// Edges above an angle, not a region of vertices.
@@ -69,9 +69,11 @@ std::string decimal_angle(const std::string& text) {
 }
 
 void add_field_options(CLI::App& app, FeaturesOptions& o) {
-  auto* quantile =
+  auto* quantile = o.quantile_given =
       app.add_option("--threshold", o.lines.quantile,
-                     "mark the vertices from this quantile of the field on (default 0.85)");
+                     "mark the vertices from this quantile of the field on, and all of equal "
+                     "value (default: 0.85, or a gap in the values that marks half to twice as "
+                     "many)");
   quantile->check(CLI::Range(0.0, 1.0))->check(finite_number(0))->type_name("Q");
   o.value_given = app.add_option("--value", o.value, "mark where the field is at least V");
   o.value_given->check(finite_number(-HUGE_VAL))->type_name("V")->excludes(quantile);
@@ -149,13 +151,12 @@ void add_features_options(CLI::App& app, FeaturesOptions& o) {
 
 void check_options(FeaturesOptions& o) {
   if (o.value_given->count() > 0) o.lines.value = o.value;
+  o.lines.seek_gap = o.quantile_given->count() == 0;
   if (o.sharp()) {
     for (const CLI::Option* option : o.for_regions)
       if (option->count() > 0)
         throw UsageError(option->get_name() +
                          " belongs to regions of vertices; with --angle give --over, too");
-    if (!o.common.certificate.empty())
-      throw UsageError("--certificate: sharp edges have no claim; with --over thinning has one");
   }
   if (o.rings_given->count() > 0) {
     if (o.method != "fit" && o.method != "normal-cycle")
@@ -228,6 +229,7 @@ std::vector<std::string> used_references(const FeaturesOptions& o) {
   const char* method = o.field.empty() && o.angle.empty() ? curvature_reference(o.method) : nullptr;
   if (method) keys.push_back(method);
   if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");
+  if (o.sharp()) keys = {"niven1956irrational"};
   if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
   return keys;
 }
@@ -276,15 +278,22 @@ Outcome find_sharp_edges(Run& run, const FeaturesOptions& o, const kernel::Trian
                                                 {o.lines.prune, o.lines.close_branches});
     });
   });
-  if (lines.ties > 0)
+  if (lines.ties > 0) {
     run.warn(
-        fmt::format("{} edges have exactly {} degrees and are not above them; take a smaller "
-                    "--angle to mark them",
-                    lines.ties, o.angle));
+        fmt::format("edges of exactly {} degrees ({}) are not above it; a smaller --angle marks "
+                    "them",
+                    o.angle, lines.ties));
+  }
+  const certify::Bytes certificate = run.step("certificate", "composing the certificate", [&] {
+    return certify::encode(feature_lines::make_certificate(mesh, angle, lines));
+  });
+  const std::string digest = certify::hex(certify::data_digest(certificate));
   run.step("write", "writing", [&] {
-    write_lines(run, o, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), "");
+    write_lines(run, o, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), digest);
+    run.write_certificate("sharp-edges", certificate);
   });
   report_sharp(run.report(), lines);
+  run.report()["data_digest"] = digest;
   return {sharp_summary(lines, o.angle), used_references(o)};
 }
 

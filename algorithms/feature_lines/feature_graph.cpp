@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <span>
+#include <utility>
 
 #include "algorithms/feature_lines/topology.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
@@ -13,6 +15,7 @@ namespace {
 
 using kernel::TriangleMesh;
 using kernel::Vec3;
+using kernel::operator-;
 
 /// The feature edges at each vertex, in the order of the edges.
 class Incidence {

@@ -61,7 +61,9 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
   }
   kernel::require_carried(mesh.points());
   FeatureLines result;
-  result.value = o.value ? *o.value : field_quantile(field, o.quantile);
+  result.value = o.value      ? *o.value
+                 : o.seek_gap ? gap_threshold(field, o.quantile)
+                              : quantile_threshold(field, o.quantile);
   Marks region = feature_region(mesh, field, result.value, o);
   result.marked = count(region);
   take_result(mesh, thin(mesh, std::move(region), o.prune, field), result);

@@ -80,7 +80,7 @@ std::string vtp_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
   add_points(data, mesh, graph, field);
   add_lines(data, graph);
   add_faces(data, mesh, graph);
-  if (!digest.empty()) data.fields().add("data_digest", digest);
+  data.fields().add("data_digest", digest);
   return data.bytes();
 }
 

@@ -27,7 +27,9 @@ Rational rational_of(std::string text) {
   // A leading zero would make it octal.
   const std::size_t first = text.find_first_not_of('0');
   if (first == text.npos) return 0;
-  return Rational(text.substr(first)) / Rational("1" + std::string(decimals, '0'));
+  std::string unit(decimals + 1, '0');
+  unit[0] = '1';
+  return Rational(text.substr(first)) / Rational(unit);
 }
 
 void require_decimal(const std::string& text) {
