@@ -168,11 +168,10 @@ double gap_threshold(const std::vector<double>& field, double quantile) {
   const std::vector<double> sorted = sorted_numbers(field);
   const std::size_t n = sorted.size(), place = place_of(quantile, n), marked = n - place;
   std::size_t best = 0;
-  double widest = 0;
+  double widest = sorted[place] > 0 ? sorted[place] / 4 : HUGE_VAL;
   for (std::size_t i = n - (marked + 1) / 2; i > 0 && i + 2 * marked >= n; --i) {
     const double gap = sorted[i] - sorted[i - 1];
-    if (sorted[i] <= 0 || sorted[i - 1] > 2.0 / 3 * sorted[i] || gap <= widest * (1 + 0x1p-10))
-      continue;
+    if (gap <= widest * (1 + 0x1p-10)) continue;
     widest = gap;
     best = i;
   }

@@ -33,10 +33,11 @@ double field_quantile(const std::vector<double>& field, double quantile);
 /// Requires, Throws: as field_quantile. Cost: O(V log V).
 double quantile_threshold(const std::vector<double>& field, double quantile);
 
-/// The same where the quantile is only a guess at how many vertices lie on features: if one of the
-/// thresholds that mark half to twice as many has a gap below it, the next lower value being at
-/// most two thirds of it, the one with the widest gap (of gaps alike to a thousandth the upper
-/// one). Models from CAD have such gaps, between the values at edges and on faces; scans do not.
+/// The same where the quantile is only a guess at how many vertices lie on features: if among the
+/// thresholds that mark half to twice as many there are gaps, the next lower value being lower by
+/// more than a quarter of the quantile's value, the one above the widest (of gaps alike to a
+/// thousandth the uppermost). Models from CAD have such gaps, between the values at edges and on
+/// faces; scans do not.
 double gap_threshold(const std::vector<double>& field, double quantile);
 
 /// What nhd(i), the structure element, is. All contain i.

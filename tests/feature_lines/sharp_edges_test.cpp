@@ -37,7 +37,7 @@ TriangleMesh moved(const TriangleMesh& mesh, double turn, double scale) {
   for (const Vec3& p : mesh.points()) {
     const Vec3 q = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
     points.push_back(
-        {scale * q[0] + 1, scale * (c * q[1] - s * q[2]), scale * (s * q[1] + c * q[2])});
+        {scale * (q[0] + 1), scale * (c * q[1] - s * q[2]), scale * (s * q[1] + c * q[2])});
   }
   return TriangleMesh(points, mesh.faces());
 }

@@ -112,7 +112,7 @@ TEST_CASE("dihedral angle: each stage decides, and none contradicts a later one"
   // Far from the origin: the differences are exact, so doubles still decide.
   const double far = 0x1p30;
   const DihedralEdge away{
-      {far, far, far}, {far, far, far + 1}, {far + 1, far, far}, {far, far + 1, far}};
+      {far, far, far}, {far, far, far + 1}, {far + 1, far, far}, {far - 1, far + 1, far}};
   CHECK(dihedral_angle(away, DecimalAngle("60")).stage == Stage::triage);
 }
 
