@@ -8,12 +8,15 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/feature_lines/certificate.hpp"
 #include "algorithms/feature_lines/feature_lines.hpp"
+#include "algorithms/feature_lines/sharp_edges.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
+#include "cli/features_report.hpp"
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
@@ -23,18 +26,22 @@
 namespace crest::cli {
 namespace {
 
+using feature_lines::FeatureGraph;
 using feature_lines::FeatureLines;
-using feature_lines::LineKind;
 using feature_lines::Neighbourhood;
 
 struct FeaturesOptions {
   CommonOptions common;
   feature_lines::Options lines;
-  std::string method = "fit", field;
-  int rings = 0;
+  std::string method = "fit", field, angle, patches;
+  int rings = 0, over = 0;
   bool absolute = false;
   double value = 0;
-  CLI::Option *value_given = nullptr, *rings_given = nullptr;
+  CLI::Option *quantile_given = nullptr, *value_given = nullptr, *rings_given = nullptr;
+  std::vector<CLI::Option*> for_regions;  ///< that sharp edges have no use for
+
+  /// Edges above an angle, not a region of vertices.
+  bool sharp() const { return !angle.empty() && over == 0; }
 };
 
 /// CLI::Range lets NaN pass and prints its ends to the last digit.
@@ -48,14 +55,25 @@ CLI::Validator finite_number(double least) {
           ""};
 }
 
-void add_structure(CLI::App& app, const char* name, double& size, const char* help) {
-  app.add_option(name, size, help)->check(finite_number(0))->type_name("N");
+CLI::Option* add_structure(CLI::App& app, const char* name, double& size, const char* help) {
+  return app.add_option(name, size, help)->check(finite_number(0))->type_name("N");
+}
+
+std::string decimal_angle(const std::string& text) {
+  try {
+    kernel::DecimalAngle{text};
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return text + " " + error.what();
+  }
 }
 
 void add_field_options(CLI::App& app, FeaturesOptions& o) {
-  auto* quantile =
+  auto* quantile = o.quantile_given =
       app.add_option("--threshold", o.lines.quantile,
-                     "mark the vertices from this quantile of the field on (default 0.85)");
+                     "mark the vertices from this quantile of the field on, and all of equal "
+                     "value (default: 0.85, or a gap in the values that marks half to twice as "
+                     "many)");
   quantile->check(CLI::Range(0.0, 1.0))->check(finite_number(0))->type_name("Q");
   o.value_given = app.add_option("--value", o.value, "mark where the field is at least V");
   o.value_given->check(finite_number(-HUGE_VAL))->type_name("V")->excludes(quantile);
@@ -78,6 +96,18 @@ void add_field_options(CLI::App& app, FeaturesOptions& o) {
       ->excludes(method)
       ->excludes(o.rings_given);
   app.add_flag("--absolute", o.absolute, "take the field's absolute values")->needs(field);
+  auto* angle = app.add_option("--angle", o.angle,
+                               "sharp edges instead of a field: those whose faces' normals make an "
+                               "angle above A degrees (a decimal, compared exactly)");
+  angle->check(decimal_angle)->type_name("A");
+  for (auto* other : {quantile, o.value_given, method, o.rings_given, field})
+    angle->excludes(other);
+  app.add_option("--over", o.over,
+                 "for noisy meshes: mark the vertices of edges whose normals, summed over R rings "
+                 "on each side, make an angle of at least A")
+      ->check(CLI::Range(1, 100))
+      ->type_name("R")
+      ->needs(angle);
 }
 
 void add_features_options(CLI::App& app, FeaturesOptions& o) {
@@ -88,34 +118,46 @@ void add_features_options(CLI::App& app, FeaturesOptions& o) {
       {"geodesic", Neighbourhood::geodesic}};
   const CLI::Range whole(0u, 1000000000u);
   add_field_options(app, o);
-  add_structure(app, "--dilate", o.lines.dilate, "then dilate the marked region");
-  add_structure(app, "--erode", o.lines.erode, "then erode it");
-  add_structure(app, "--open", o.lines.open, "then open it (erode, dilate)");
-  add_structure(app, "--close", o.lines.close, "then close it (dilate, erode)");
-  app.add_option(
-         "--neighbourhood", o.lines.neighbourhood,
-         "what N of these four is: rings of neighbours (default), or a length in units of "
-         "the input: Euclidean, along edge paths, or over the surface from the whole region")
-      ->transform(CLI::CheckedTransformer(kinds))
-      ->type_name("ring|euclidean|path|geodesic");
+  o.for_regions = {add_structure(app, "--dilate", o.lines.dilate, "then dilate the marked region"),
+                   add_structure(app, "--erode", o.lines.erode, "then erode it"),
+                   add_structure(app, "--open", o.lines.open, "then open it (erode, dilate)"),
+                   add_structure(app, "--close", o.lines.close, "then close it (dilate, erode)")};
+  o.for_regions.push_back(
+      app.add_option(
+             "--neighbourhood", o.lines.neighbourhood,
+             "what N of these four is: rings of neighbours (default), or a length in units of "
+             "the input: Euclidean, along edge paths, or over the surface from the whole region")
+          ->transform(CLI::CheckedTransformer(kinds))
+          ->type_name("ring|euclidean|path|geodesic"));
   app.add_option("--prune", o.lines.prune, "drop branches of at most M vertices (default 0)")
       ->check(whole)
       ->type_name("M");
-  app.add_option("--min-patch", o.lines.min_patch,
-                 "fill patches of fewer than N vertices and thin again; the certificate is then "
-                 "of this thinning, not of the first")
-      ->check(whole)
-      ->type_name("N");
+  o.for_regions.push_back(
+      app.add_option("--min-patch", o.lines.min_patch,
+                     "fill patches of fewer than N vertices and thin again; the certificate is "
+                     "then of this thinning, not of the first")
+          ->check(whole)
+          ->type_name("N"));
   app.add_option(
          "--close-branches", o.lines.close_branches,
          "join open ends at most N edges apart in one patch and thin again; the certificate "
          "is then of this thinning")
       ->check(whole)
       ->type_name("N");
+  app.add_option("--patches", o.patches,
+                 "the mesh with the number of its patch at each face (.vtp .ply)")
+      ->type_name("FILE");
 }
 
 void check_options(FeaturesOptions& o) {
   if (o.value_given->count() > 0) o.lines.value = o.value;
+  o.lines.seek_gap = o.quantile_given->count() == 0;
+  if (o.sharp()) {
+    for (const CLI::Option* option : o.for_regions)
+      if (option->count() > 0)
+        throw UsageError(option->get_name() +
+                         " belongs to regions of vertices; with --angle give --over, too");
+  }
   if (o.rings_given->count() > 0) {
     if (o.method != "fit" && o.method != "normal-cycle")
       throw UsageError("--rings belongs to fit and normal-cycle; " + o.method + " has none");
@@ -153,6 +195,8 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
 }
 
 std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh, Run& run) {
+  if (!o.angle.empty())
+    return feature_lines::vertex_angles(mesh, static_cast<kernel::Index>(o.over));
   if (o.field.empty()) {
     return run.with_input([&] {
       return o.method == "fit" ? fitted_curvature(mesh, o.rings)
@@ -169,80 +213,46 @@ std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMes
   return field;
 }
 
-Json betti_json(const feature_lines::Topology& t) {
-  const auto one = [](const feature_lines::Betti& b) {
-    return Json{{"euler_characteristic", b.euler},
-                {"components", b.b0},
-                {"loops", b.b1},
-                {"closed_surfaces", b.b2}};
-  };
-  return {{"marked", one(t.marked)}, {"complement", one(t.complement)}};
-}
-
-Json lengths_json(const feature_lines::FeatureGraph& graph) {
-  std::array<double, 4> length{};
-  for (const auto& line : graph.lines) length[static_cast<std::size_t>(line.kind)] += line.length;
-  return {
-      {"arcs", length[0]}, {"branches", length[1]}, {"loops", length[2]}, {"isolated", length[3]}};
-}
-
-void fill_report(Report& report, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
-                 const FeatureLines& f, const std::string& digest) {
-  report["vertices"] = mesh.vertex_count();
-  report["faces"] = mesh.face_count();
-  report["euler_characteristic"] = mesh.euler_characteristic();
-  report["boundary_loops"] = mesh.boundary_loops();
+void report_field(Report& report, const FeaturesOptions& o) {
+  if (!o.angle.empty()) {
+    report["field"] = "dihedral angle";
+    report["angle"] = kernel::DecimalAngle(o.angle).degrees();
+    report["over"] = o.over;
+    return;
+  }
   report["field"] = o.field.empty() ? "max(|k1|, |k2|)" : o.field;
   if (o.field.empty()) report["method"] = o.method;
-  report["threshold"] = f.value;
-  report["marked"] = f.marked;
-  report["line_vertices"] = feature_lines::count(f.marks);
-  report["nodes"] = f.graph.nodes.size();
-  report["arcs"] = f.graph.count(LineKind::arc);
-  report["branches"] = f.graph.count(LineKind::branch);
-  report["loops"] = f.graph.count(LineKind::loop);
-  report["isolated"] = f.graph.count(LineKind::isolated);
-  report["patches"] = f.graph.patch_sizes.size();
-  report["length"] = lengths_json(f.graph);
-  report["filled_patches"] = f.filled_patches;
-  report["joined_ends"] = f.joined;
-  report["thinnings"] = f.thinnings;
-  report["thinned"] = feature_lines::count(f.thinning.before);
-  report["dropped_lines"] = f.thinning.dropped.size();
-  report["betti_before"] = betti_json(f.thinning.topology_before);
-  report["betti_after"] = betti_json(f.thinning.topology_after);
-  report["data_digest"] = digest;
-}
-
-std::string summary_text(const FeatureLines& f) {
-  const auto& b = f.thinning.topology_after;
-  const std::string which =
-      f.thinnings == 1 ? "" : fmt::format("the last of {} rounds of ", f.thinnings);
-  return fmt::format("region: {} of {} vertices from {:.6g} on\n", f.marked, f.marks.size(),
-                     f.value) +
-         fmt::format("lines: {} arcs, {} branches, {} loops, {} isolated; {} nodes, {} patches\n",
-                     f.graph.count(LineKind::arc), f.graph.count(LineKind::branch),
-                     f.graph.count(LineKind::loop), f.graph.count(LineKind::isolated),
-                     f.graph.nodes.size(), f.graph.patch_sizes.size()) +
-         fmt::format("kept by {}thinning: {} components, {} loops; complement {}, {}\n", which,
-                     b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1);
 }
 
 std::vector<std::string> used_references(const FeaturesOptions& o) {
   std::vector<std::string> keys = {"roessl2005surfaces"};
-  const char* method = o.field.empty() ? curvature_reference(o.method) : nullptr;
+  const char* method = o.field.empty() && o.angle.empty() ? curvature_reference(o.method) : nullptr;
   if (method) keys.push_back(method);
   if (o.lines.neighbourhood == Neighbourhood::geodesic) keys.push_back("kimmel1998computing");
+  if (o.sharp()) keys = {"niven1956irrational"};
   if (!o.common.certificate.empty()) keys.push_back("mcconnell2011certifying");
   return keys;
 }
 
-Outcome work(Run& run, const FeaturesOptions& o) {
-  const io::MeshFile file = run.read(io::read_mesh);
-  const kernel::TriangleMesh& mesh = file.mesh;
+void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                 const FeatureGraph& graph, const std::vector<double>& field,
+                 const std::string& digest) {
+  run.write("-o",
+            [&](const std::string& path) { io::write_features(path, mesh, graph, field, digest); });
+  run.write("--patches",
+            [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
+  run.write("--picture", [&](const std::string& path) {
+    io::write_feature_picture(path, mesh, graph, o.sharp());
+  });
+  report_lines(run.report(), mesh, graph);
+}
+
+/// A region of vertices, thinned.
+Outcome thin_region(Run& run, FeaturesOptions& o, const kernel::TriangleMesh& mesh) {
   const std::vector<double> field =
       run.step("fit", o.field.empty() ? "fitting curvatures" : "reading " + o.field,
                [&] { return field_of(o, mesh, run); });
+  if (!o.angle.empty()) o.lines.value = kernel::DecimalAngle(o.angle).degrees();
   const FeatureLines f = run.step("extract", "thinning", [&] {
     return run.with_input(
         [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
@@ -252,21 +262,52 @@ Outcome work(Run& run, const FeaturesOptions& o) {
   });
   const std::string digest = certify::hex(certify::data_digest(certificate));
   run.step("write", "writing", [&] {
-    run.write("-o", [&](const std::string& path) {
-      io::write_features(path, mesh, f.graph, field, digest);
-    });
-    run.write("--picture",
-              [&](const std::string& path) { io::write_feature_picture(path, mesh, f.graph); });
+    write_lines(run, o, mesh, f.graph, field, digest);
     run.write_certificate("features-mesh", certificate);
   });
-  fill_report(run.report(), o, mesh, f, digest);
-  return {summary_text(f), used_references(o)};
+  report_region(run.report(), f);
+  run.report()["data_digest"] = digest;
+  return {region_summary(f), used_references(o)};
+}
+
+Outcome find_sharp_edges(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh& mesh) {
+  const kernel::DecimalAngle angle(o.angle);
+  const auto lines = run.step("extract", "comparing angles", [&] {
+    return run.with_input([&] {
+      return feature_lines::extract_sharp_lines(mesh, angle,
+                                                {o.lines.prune, o.lines.close_branches});
+    });
+  });
+  if (lines.ties > 0) {
+    run.warn(
+        fmt::format("edges of exactly {} degrees ({}) are not above it; a smaller --angle marks "
+                    "them",
+                    o.angle, lines.ties));
+  }
+  const certify::Bytes certificate = run.step("certificate", "composing the certificate", [&] {
+    return certify::encode(feature_lines::make_certificate(mesh, angle, lines));
+  });
+  const std::string digest = certify::hex(certify::data_digest(certificate));
+  run.step("write", "writing", [&] {
+    write_lines(run, o, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), digest);
+    run.write_certificate("sharp-edges", certificate);
+  });
+  report_sharp(run.report(), lines);
+  run.report()["data_digest"] = digest;
+  return {sharp_summary(lines, o.angle), used_references(o)};
+}
+
+Outcome work(Run& run, FeaturesOptions& o) {
+  const io::MeshFile file = run.read(io::read_mesh);
+  report_field(run.report(), o);
+  return o.sharp() ? find_sharp_edges(run, o, file.mesh) : thin_region(run, o, file.mesh);
 }
 
 int run_features(FeaturesOptions& o) {
   check_options(o);
-  return run_command({"features", o.common, {".vtp", ".obj"}},
-                     [&](Run& run) { return work(run, o); });
+  return run_command(
+      {"features", o.common, {".vtp", ".obj"}, {{"--patches", o.patches, {".vtp", ".ply"}}}},
+      [&](Run& run) { return work(run, o); });
 }
 
 std::function<int()> add_features(CLI::App& app) {
@@ -284,7 +325,8 @@ const Command features_command = {
     "features",
     "feature lines of a triangle mesh",
     add_features,
-    {"crest features ellipsoid.off --threshold 0.9 --close 1 --prune 4 -o features.vtp",
+    {"crest features ellipsoid.off --angle 10 --prune 2 -o edges.vtp --patches patches.vtp",
+     "crest features ellipsoid.off --threshold 0.9 --close 1 --prune 4 -o features.vtp",
      "crest features ellipsoid.off --method ne --value 1.5 --certificate features.crest --picture "
      "features.svg"}};
 

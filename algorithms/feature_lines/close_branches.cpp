@@ -30,19 +30,18 @@ class GapSearch {
   GapSearch(const kernel::TriangleMesh& mesh, const Marks& marks)
       : mesh_(mesh), marks_(marks), from_(mesh.vertex_count()), seen_(mesh.vertex_count(), 0) {}
 
-  /// Calls meet(w, edges) for every marked vertex met within `longest` edges.
+  /// Calls meet(w, edges) for every marked vertex met after `shortest` to `longest` edges.
   template <class Meet>
-  void run(Index start, Index longest, Meet&& meet) {
+  void run(Index start, Gap gap, Meet&& meet) {
     ++search_;
     seen_[start] = search_;
     front_.assign(1, start);
-    for (Index edges = 1; edges <= longest && !front_.empty(); ++edges) {
+    for (Index edges = 1; edges <= gap.longest && !front_.empty(); ++edges) {
       next_.clear();
       for (const Index v : front_) {
         for (const Index w : mesh_.ring(v)) {
           if (seen_[w] == search_) continue;
-          // An edge between marked vertices is no gap.
-          if (marks_[w] && v == start) continue;
+          if (marks_[w] && edges < gap.shortest) continue;
           seen_[w] = search_;
           from_[w] = v;
           if (marks_[w])
@@ -72,16 +71,19 @@ struct Pair {
 
 }  // namespace
 
-Index close_branches(const kernel::TriangleMesh& mesh, const FeatureGraph& graph, Index longest,
-                     Marks& marks) {
-  if (longest < 2) return 0;
+std::vector<std::vector<Index>> joining_paths(const kernel::TriangleMesh& mesh,
+                                              const FeatureGraph& graph, Gap gap) {
+  std::vector<std::vector<Index>> paths;
+  if (gap.longest < gap.shortest) return paths;
+  Marks marks(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) marks[v] = graph.labels[v] != Label::patch;
   const std::vector<OpenEnd> ends = open_ends(graph);
   std::vector<Index> line_of(mesh.vertex_count(), kNone);
   for (const OpenEnd& end : ends) line_of[end.vertex] = end.line;
   GapSearch search(mesh, marks);
   std::vector<Pair> pairs;
   for (const OpenEnd& end : ends) {
-    search.run(end.vertex, longest, [&](Index w, Index edges) {
+    search.run(end.vertex, gap, [&](Index w, Index edges) {
       if (line_of[w] == kNone || w < end.vertex) return;
       const bool curl =
           line_of[w] == end.line && graph.lines[end.line].vertices.size() <= 2 * edges;
@@ -89,18 +91,21 @@ Index close_branches(const kernel::TriangleMesh& mesh, const FeatureGraph& graph
     });
   }
   std::sort(pairs.begin(), pairs.end());
-  Index joined = 0;
   for (const Pair& pair : pairs) {
     if (line_of[pair.a] == kNone || line_of[pair.b] == kNone) continue;
     // Earlier joins may lie in the way: search again in the marks as they are now.
     bool reached = false;
-    search.run(pair.a, longest, [&](Index w, Index) { reached = reached || w == pair.b; });
+    search.run(pair.a, gap, [&](Index w, Index) { reached = reached || w == pair.b; });
     if (!reached) continue;
-    for (Index v = search.from(pair.b); v != pair.a; v = search.from(v)) marks[v] = 1;
+    auto& path = paths.emplace_back(std::vector<Index>{pair.b});
+    for (Index v = search.from(pair.b); v != pair.a; v = search.from(v)) {
+      marks[v] = 1;
+      path.push_back(v);
+    }
+    path.push_back(pair.a);
     line_of[pair.a] = line_of[pair.b] = kNone;
-    ++joined;
   }
-  return joined;
+  return paths;
 }
 
 }  // namespace crest::feature_lines

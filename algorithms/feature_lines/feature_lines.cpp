@@ -61,7 +61,9 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
   }
   kernel::require_carried(mesh.points());
   FeatureLines result;
-  result.value = o.value ? *o.value : field_quantile(field, o.quantile);
+  result.value = o.value      ? *o.value
+                 : o.seek_gap ? gap_threshold(field, o.quantile)
+                              : quantile_threshold(field, o.quantile);
   Marks region = feature_region(mesh, field, result.value, o);
   result.marked = count(region);
   take_result(mesh, thin(mesh, std::move(region), o.prune, field), result);
@@ -75,7 +77,10 @@ FeatureLines extract_feature_lines(const TriangleMesh& mesh, const std::vector<d
   }
   if (o.close_branches > 0) {
     Marks closed = result.marks;
-    result.joined = feature_lines::close_branches(mesh, result.graph, o.close_branches, closed);
+    const auto paths = joining_paths(mesh, result.graph, {2, o.close_branches});
+    for (const auto& path : paths)
+      for (const Index v : path) closed[v] = 1;
+    result.joined = static_cast<Index>(paths.size());
     if (result.joined > 0) take_result(mesh, thin(mesh, std::move(closed), o.prune, field), result);
   }
   return result;

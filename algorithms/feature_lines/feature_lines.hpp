@@ -11,7 +11,8 @@
 namespace crest::feature_lines {
 
 struct Options {
-  double quantile = 0.85;       ///< of the field, used without `value`
+  double quantile = 0.85;       ///< of the field, used without `value` (quantile_threshold)
+  bool seek_gap = false;        ///< the quantile is a guess (gap_threshold)
   std::optional<double> value;  ///< vertices with field >= value are marked
   Neighbourhood neighbourhood = Neighbourhood::rings;
   /// Sizes of the structure element (see Structure), applied in this order; 0: not applied.

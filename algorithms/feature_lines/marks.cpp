@@ -26,6 +26,36 @@ void require_numbers(const std::vector<double>& field) {
   }
 }
 
+std::vector<double> sorted_numbers(std::vector<double> field) {
+  if (field.empty()) throw kernel::InputError("field: has no values; give one a vertex");
+  require_numbers(field);
+  std::sort(field.begin(), field.end());
+  return field;
+}
+
+std::size_t place_of(double quantile, std::size_t values) {
+  const auto last = static_cast<double>(values - 1);
+  return static_cast<std::size_t>(
+      std::min(last, std::floor(quantile * static_cast<double>(values))));
+}
+
+/// The value above the widest gap among those that equal the one at `place` but for rounding.
+double above_equal(const std::vector<double>& sorted, std::size_t place) {
+  const double value = sorted[place];
+  const double largest = std::max(std::fabs(sorted.front()), std::fabs(sorted.back()));
+  const double least = value - std::max(0x1p-20 * std::fabs(value), 0x1p-36 * largest);
+  std::size_t best = place;
+  double widest = -1;
+  for (std::size_t i = place; sorted[i] >= least; --i) {
+    if (i == 0) return sorted[0];
+    if (const double gap = sorted[i] - sorted[i - 1]; gap > widest) {
+      widest = gap;
+      best = i;
+    }
+  }
+  return sorted[best];
+}
+
 Marks complement(Marks marks) {
   for (auto& mark : marks) mark ^= 1;
   return marks;
@@ -125,14 +155,27 @@ Marks threshold_by_value(const std::vector<double>& field, double value) {
 }
 
 double field_quantile(const std::vector<double>& field, double quantile) {
-  if (field.empty()) throw kernel::InputError("field: has no values; give one a vertex");
-  require_numbers(field);
-  std::vector<double> sorted = field;
-  const auto last = static_cast<double>(sorted.size() - 1);
-  const auto at = std::min(last, std::floor(quantile * static_cast<double>(sorted.size())));
-  const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(at);
-  std::nth_element(sorted.begin(), nth, sorted.end());
-  return *nth;
+  const std::vector<double> sorted = sorted_numbers(field);
+  return sorted[place_of(quantile, sorted.size())];
+}
+
+double quantile_threshold(const std::vector<double>& field, double quantile) {
+  const std::vector<double> sorted = sorted_numbers(field);
+  return above_equal(sorted, place_of(quantile, sorted.size()));
+}
+
+double gap_threshold(const std::vector<double>& field, double quantile) {
+  const std::vector<double> sorted = sorted_numbers(field);
+  const std::size_t n = sorted.size(), place = place_of(quantile, n), marked = n - place;
+  std::size_t best = 0;
+  double widest = sorted[place] > 0 ? sorted[place] / 4 : HUGE_VAL;
+  for (std::size_t i = n - (marked + 1) / 2; i > 0 && i + 2 * marked >= n; --i) {
+    const double gap = sorted[i] - sorted[i - 1];
+    if (gap <= widest * (1 + 0x1p-10)) continue;
+    widest = gap;
+    best = i;
+  }
+  return best > 0 ? sorted[best] : above_equal(sorted, place);
 }
 
 Marks dilate(const TriangleMesh& mesh, const Marks& marks, const Structure& s) {

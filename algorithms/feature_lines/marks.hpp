@@ -25,6 +25,21 @@ Marks threshold_by_value(const std::vector<double>& field, double value);
 /// Requires: 0 <= quantile <= 1. Throws: InputError as above, or for an empty field.
 double field_quantile(const std::vector<double>& field, double quantile);
 
+/// A threshold that marks the vertices from a quantile on, and with them all whose values equal it
+/// but for rounding. Values count as equal that differ by less than 2^-20 of the quantile's value
+/// or 2^-36 of the largest absolute value; the threshold is the value above the widest gap among
+/// those that equal the quantile's from below, so that no group of equal values is split whose
+/// spread is less than the gap under it. Guarantees: at most field_quantile, by no more than that.
+/// Requires, Throws: as field_quantile. Cost: O(V log V).
+double quantile_threshold(const std::vector<double>& field, double quantile);
+
+/// The same where the quantile is only a guess at how many vertices lie on features: if among the
+/// thresholds that mark half to twice as many there are gaps, the next lower value being lower by
+/// more than a quarter of the quantile's value, the one above the widest (of gaps alike to a
+/// thousandth the uppermost). Models from CAD have such gaps, between the values at edges and on
+/// faces; scans do not.
+double gap_threshold(const std::vector<double>& field, double quantile);
+
 /// What nhd(i), the structure element, is. All contain i.
 enum class Neighbourhood {
   rings,      ///< vertices at most `size` edges away

@@ -136,13 +136,13 @@ int run(const std::string& file, const std::string& folder, Index centre) {
   figure_19a(folder);
   const fl::FeatureGraph graph = fl::build_feature_graph(mesh, thinner.marks());
   experiments::write_close_up(at("19-b.svg"), mesh, labelled_view(mesh, graph, view));
-  io::write_feature_picture(at("19-c.png"), mesh, graph);
+  io::write_feature_picture(at("19-c.png"), mesh, graph, false);
   fl::Options options;
   options.quantile = 0.885;
   options.prune = 4;
   const auto lines =
       fl::extract_feature_lines(mesh, experiments::curvature_field(mesh, "ne"), options);
-  io::write_feature_picture(at("15-c.png"), mesh, lines.graph);
+  io::write_feature_picture(at("15-c.png"), mesh, lines.graph, false);
   fmt::print("Pictures of {} in {}\n", file, folder);
   return 0;
 }

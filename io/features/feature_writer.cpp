@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/features/feature_writer.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "io/formats/files.hpp"
@@ -69,10 +68,9 @@ void add_lines(PolyData& data, const FeatureGraph& graph) {
 }
 
 void add_faces(PolyData& data, const kernel::TriangleMesh& mesh, const FeatureGraph& graph) {
-  for (const kernel::Triangle& f : mesh.faces()) {
-    int patch = -1;
-    for (const Index v : f) patch = std::max(patch, id(graph.patch_of[v]));
-    add_row(data.add_triangle(f[0], f[1], f[2]), 0, {-1, -1}, {-1, -1}, patch, 0);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.faces()[f];
+    add_row(data.add_triangle(a, b, c), 0, {-1, -1}, {-1, -1}, id(graph.face_patch[f]), 0);
   }
 }
 
@@ -114,7 +112,43 @@ std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
   return text.text();
 }
 
+std::string patches_vtp(const kernel::TriangleMesh& mesh, const std::vector<Index>& face_patch) {
+  PolyData data;
+  data.add_points(mesh.points());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.faces()[f];
+    data.add_triangle(a, b, c).add("patch", id(face_patch[f]));
+  }
+  return data.bytes();
+}
+
+std::string patches_ply(const kernel::TriangleMesh& mesh, const std::vector<Index>& face_patch) {
+  Text text;
+  text.add(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n"
+      "property int patch\nend_header\n",
+      mesh.vertex_count(), mesh.face_count());
+  for (const kernel::Vec3& p : mesh.points()) text.add("{} {} {}\n", p[0], p[1], p[2]);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.faces()[f];
+    text.add("3 {} {} {} {}\n", a, b, c, id(face_patch[f]));
+  }
+  return text.text();
+}
+
 }  // namespace
+
+void write_patches(const std::string& path, const kernel::TriangleMesh& mesh,
+                   const std::vector<Index>& face_patch) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".vtp")
+    write_atomically(path, patches_vtp(mesh, face_patch));
+  else if (extension == ".ply")
+    write_atomically(path, patches_ply(mesh, face_patch));
+  else
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .ply");
+}
 
 void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const FeatureGraph& graph, const std::vector<double>& field,

@@ -18,8 +18,8 @@ namespace crest::io {
 ///     lines), field (the thresholded number).
 ///   cells: kind (1 node, 2 arc, 3 branch, 4 loop, 5 isolated line; 0 for faces), length (0 for
 ///     faces and node edges), end_0 and end_1 (0 open, 1 node, 2 mesh boundary, 3 none; -1 for
-///     faces and node edges), node_0 and node_1 (number of the node, else -1), patch (of a face: of
-///     its corners the largest, -1 if all are on lines).
+///     faces and node edges), node_0 and node_1 (number of the node, else -1), patch (of a face; -1
+///     on lines, and where all of a component is marked).
 ///   field: data_digest, the digest a certificate of the run carries.
 /// .obj: v for the points of lines; the same lines as l (of a single vertex: p), in groups.
 /// Requires: one label, patch and field value a vertex. Guarantees: the same bytes for the same
@@ -29,10 +29,18 @@ void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const feature_lines::FeatureGraph& graph, const std::vector<double>& field,
                     const std::string& data_digest_hex);
 
+/// Writes the mesh with the patch each face belongs to, as numbers from 0: .vtp (cell array
+/// `patch`) or .ply (a face property `patch`, int, after the face's vertices), by the extension in
+/// any case. -1: of a component whose vertices are all marked.
+/// Guarantees, Throws: as write_features.
+void write_patches(const std::string& path, const kernel::TriangleMesh& mesh,
+                   const std::vector<kernel::Index>& face_patch);
+
 /// Writes .png or .svg: arcs blue, branches red, loops green, isolated lines yellow, nodes black
-/// dots and lines. Hidden parts are not drawn.
-/// Throws: kernel::InputError for another extension or a place that cannot be written.
+/// dots and lines. Hidden parts are not drawn. `patches`: each in a tint of its own, shaded flat up
+/// to its edges. Throws: kernel::InputError for another extension or a place that cannot be
+/// written.
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
-                           const feature_lines::FeatureGraph& graph);
+                           const feature_lines::FeatureGraph& graph, bool patches);
 
 }  // namespace crest::io

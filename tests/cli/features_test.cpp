@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest features as a user runs it.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/cli/run_crest.hpp"
+#include "tests/support/shared_data.hpp"
 
 using namespace crest::tests;
 
@@ -67,6 +70,18 @@ TEST_CASE("crest features refuses wrong options with exit code 2 and bad meshes 
                               "--prune -1",
                               "--prune 1.5",
                               "--min-patch x",
+                              "--angle 181",
+                              "--angle 6o",
+                              "--angle -1",
+                              "--angle 60 --threshold 0.5",
+                              "--angle 60 --value 1",
+                              "--angle 60 --method ne",
+                              "--angle 60 --field k1",
+                              "--angle 60 --close 1",
+                              "--angle 60 --min-patch 3",
+                              "--over 2",
+                              "--angle 60 --over 0",
+                              "--patches t.off",
                               "-o t.ply",
                               "--picture t.pdf"}) {
     const auto run = run_crest(std::string("crest features t.off ") + options, folder.path());
@@ -159,4 +174,122 @@ TEST_CASE("crest features takes the values of vertices, and refuses those that a
   CHECK(run.err.find("nan.vtp") != std::string::npos);
   CHECK(run.err.find("nan.vtp") == run.err.rfind("nan.vtp"));
   CHECK_FALSE(fs::exists(folder / "o.vtp"));
+}
+
+namespace {
+
+double total_length(const nlohmann::json& report) {
+  double sum = 0;
+  for (const auto& [kind, length] : report["length"].items()) sum += length.get<double>();
+  return sum;
+}
+
+void check_cube(const nlohmann::json& report, double length) {
+  CHECK(report["nodes"] == 8);
+  CHECK(report["arcs"] == 12);
+  CHECK(report["branches"] == 0);
+  CHECK(report["loops"] == 0);
+  CHECK(report["isolated"] == 0);
+  CHECK(report["patches"] == 6);
+  CHECK(total_length(report) == Approx(length).epsilon(1e-9));
+}
+
+/// The mesh turned about two axes and scaled.
+std::string turned(const std::string& off, double turn, double scale) {
+  const auto lines = split_lines(off);
+  const std::size_t vertices = std::stoul(lines.at(1));
+  const double c = std::cos(turn), s = std::sin(turn);
+  std::ostringstream text;
+  text.precision(17);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::istringstream words(lines[i]);
+    double x = 0, y = 0, z = 0;
+    if (i >= 2 && i < 2 + vertices && words >> x >> y >> z) {
+      const double u = c * x - s * y, v = s * x + c * y;
+      text << scale * u << ' ' << scale * (c * v - s * z) << ' ' << scale * (s * v + c * z);
+    } else {
+      text << lines[i];
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("crest features: a cube's lines are its edges, by default, by ne and by angle") {
+  const auto file = shared_data("reported/geo_cube_8.off");
+  if (!file) return;
+  const TemporaryFolder folder;
+  const std::string cube = read_text(*file);
+  for (const auto& [turn, scale] :
+       std::vector<std::pair<double, double>>{{0, 1}, {0.7, 1}, {1.9, 1e-3}, {2.6, 777}}) {
+    write_text(folder / "c.off", turn == 0 ? cube : turned(cube, turn, scale));
+    for (const char* options :
+         {"", "--method ne", "--angle 60", "--angle 30", "--angle 89.99999"}) {
+      INFO(options << ", turned by " << turn << ", scale " << scale);
+      const auto run = run_crest(std::string("crest features c.off --report r.json "
+                                             "--certificate c.crest ") +
+                                     options,
+                                 folder.path());
+      INFO(run.err);
+      REQUIRE(run.exit_code == 0);
+      check_cube(read_json(folder / "r.json"), 24 * scale);
+      CHECK(run_crest("crest-verify c.crest --input c.off", folder.path()).exit_code == 0);
+    }
+  }
+  write_text(folder / "c.off", cube);
+  const auto right = run_crest("crest features c.off --angle 90 --report r.json", folder.path());
+  CHECK(right.err.find("edges of exactly 90 degrees (96)") != std::string::npos);
+  const auto report = read_json(folder / "r.json");
+  CHECK(report["sharp_edges"] == 0);
+  CHECK(report["sharp_ties"] == 96);
+  CHECK(report["patches"] == 1);
+  CHECK(report["predicates"]["dihedral_angle"]["calls"] == 1152);
+}
+
+TEST_CASE(
+    "crest features --angle: fandisk's 699 edges above 60 degrees, its patches, a certificate") {
+  const auto file = shared_data("meshes/fandisk.off");
+  if (!file) return;
+  const TemporaryFolder folder;
+  const auto run = run_crest("crest features '" + *file +
+                                 "' --angle 60 -o f.vtp --patches p.ply --report r.json "
+                                 "--certificate f.crest --cite",
+                             folder.path());
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("{niven1956irrational,") != std::string::npos);
+  const auto report = read_json(folder / "r.json");
+  CHECK(report["sharp_edges"] == 699);
+  CHECK(report["line_edges"] == 699);
+  CHECK(report["arcs"] == 32);
+  CHECK(report["branches"] == 2);
+  CHECK(report["nodes"] == 22);
+  CHECK(report["patches"] == 12);
+  CHECK(report["certificate"]["claims"] == nlohmann::json::array({"sharp-edges"}));
+  const auto verdict = run_crest("crest-verify f.crest --input '" + *file + "'", folder.path());
+  INFO(verdict.out);
+  CHECK(verdict.exit_code == 0);
+  CHECK(verdict.out.find("699 of 19419 edges, and no others, are above 60 degrees") !=
+        std::string::npos);
+  CHECK(verdict.out.find(report["data_digest"].get<std::string>()) != std::string::npos);
+  // A patch number a face, from 0, in the order of the first faces.
+  const auto lines = split_lines(read_text(folder / "p.ply"));
+  CHECK(std::count(lines.begin(), lines.end(), "property int patch") == 1);
+  int most = -1;
+  for (std::size_t i = lines.size() - 12946; i < lines.size(); ++i) {
+    const int patch = std::stoi(lines[i].substr(lines[i].rfind(' ') + 1));
+    CHECK(patch <= most + 1);
+    most = std::max(most, patch);
+  }
+  CHECK(most == 11);
+  // The mesh with patches is a mesh; joining takes both dangling ends on, or none.
+  CHECK(run_crest("crest features p.ply --angle 60 --report q.json", folder.path()).exit_code == 0);
+  CHECK(read_json(folder / "q.json")["sharp_edges"] == 699);
+  REQUIRE(run_crest("crest features p.ply --angle 60 --prune 1000 --report q.json", folder.path())
+              .exit_code == 0);
+  CHECK(read_json(folder / "q.json")["branches"] == 0);
+  CHECK(read_json(folder / "q.json")["sharp_edges"] == 699);
+  CHECK(read_json(folder / "q.json")["dropped_lines"] == 2);
 }

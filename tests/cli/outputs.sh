@@ -49,6 +49,10 @@ run 0 crest features blend.ply --threshold 0.8 --close 1 --prune 3 --min-patch 4
   -o f1.vtp --picture f1.svg --certificate f1.crest --report f1.json --cite
 run 0 crest features c1.vtp --field H --absolute -o f2.obj --picture f2.png --certificate f2.crest --report f2.json
 
+run 0 crest features handles.off --angle 25 --prune 2 --close-branches 2 -o f3.vtp --patches f3-patches.ply \
+  --picture f3.png --certificate f3.crest --report f3.json --cite
+run 0 crest features noisy.obj --angle 20 --over 2 --prune 3 -o f4.obj --patches f4-patches.vtp --report f4.json
+
 run 0 crest reeb handles.off --expression x --linear --persistence 0.05 --cancel-loops -o g1.vtp \
   --picture g1.svg --certificate g1.crest --report g1.json --cite
 run 0 crest reeb ellipsoid.off --expression 'x*x - y*z' --join-tree --split-tree --contour-tree --level 0.1 \

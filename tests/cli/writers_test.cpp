@@ -142,11 +142,15 @@ TEST_CASE("features: no vertex, one vertex and all vertices marked") {
   for (const std::string input :
        {"peak.vtp --field f --value 0.5", "peak.vtp --field f --value 2", "peak.vtp --threshold 0",
         "peak.vtp --field f --threshold 0", "peaks.vtp --field f --value 0.5",
-        "ends.vtp --field f --value 0.5", "e.off --value 1e9", "e.off --threshold 0", "e.off"}) {
+        "ends.vtp --field f --value 0.5", "e.off --value 1e9", "e.off --threshold 0", "e.off",
+        "e.off --angle 5", "e.off --angle 0", "e.off --angle 180", "peak.vtp --angle 0.001",
+        "e.off --angle 5 --over 2", "peak.vtp --angle 0 --over 1"}) {
     const std::string line = "features " + input;
     INFO(line);
-    write_all(folder, line + " --picture p.svg --certificate c.crest --report r.json",
+    write_all(folder,
+              line + " --picture p.svg --certificate c.crest --report r.json --patches q.vtp",
               {"o.vtp", "o.obj"});
+    check_data_set(folder / "q.vtp");
     CHECK(run_crest("crest-verify c.crest", folder.path()).exit_code == 0);
     CHECK(vtp_lines(folder / "o.vtp") == obj_lines(folder / "o.obj"));
   }

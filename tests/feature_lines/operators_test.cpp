@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/feature_lines/marks.hpp"
+#include "kernel/geometry/input_error.hpp"
 #include "tests/feature_lines/meshes.hpp"
 #include "tests/support/environment.hpp"
 
@@ -34,6 +35,54 @@ TEST_CASE("quantiles and values mark the vertices from them on") {
   CHECK(fl::field_quantile(field, 1) == 9);
   CHECK(fl::count(fl::threshold_by_value(field, 5)) == 4);
   CHECK(fl::count(fl::threshold_by_value(field, 9.5)) == 0);
+}
+
+TEST_CASE("thresholds do not split values that are equal but for rounding") {
+  // Ten flat vertices, five whose values differ in the last bits, one peak.
+  std::vector<double> field(10, 0.1);
+  for (const int ulps : {3, -2, 0, 1, -1}) field.push_back(4 + ulps * 0x1p-50);
+  field.push_back(9);
+  for (const double quantile : {0.63, 0.7, 0.8, 0.85, 0.9}) {
+    CHECK(fl::count(fl::threshold_by_value(field, fl::quantile_threshold(field, quantile))) == 6);
+    CHECK(fl::quantile_threshold(field, quantile) <= fl::field_quantile(field, quantile));
+  }
+  CHECK(fl::quantile_threshold(field, 0.5) == 0.1);
+  CHECK(fl::quantile_threshold(field, 0.95) == 9);
+  // Noise around zero is equal, too, beside values that are not.
+  std::vector<double> noise = {5};
+  for (int i = 1; i < 20; ++i) noise.push_back(i % 3 * 1e-16);
+  CHECK(fl::quantile_threshold(noise, 0.5) == 0);
+  // Without groups the threshold stays where it is, to a millionth.
+  std::vector<double> smooth;
+  for (int i = 0; i < 5000; ++i) smooth.push_back(1 + std::sin(i * 0.7) + 1e-7 * i);
+  for (const double quantile : {0.1, 0.5, 0.85}) {
+    const double moved = fl::quantile_threshold(smooth, quantile);
+    CHECK(moved <= fl::field_quantile(smooth, quantile));
+    CHECK(moved >= fl::field_quantile(smooth, quantile) * (1 - 0x1p-20));
+    CHECK(fl::gap_threshold(smooth, quantile) == moved);
+  }
+  CHECK(fl::quantile_threshold({2, 2, 2}, 0.9) == 2);
+  CHECK_THROWS_AS(fl::quantile_threshold({}, 0.5), crest::kernel::InputError);
+}
+
+TEST_CASE("a guessed quantile moves to a gap that marks half to twice as many") {
+  const auto marked = [](std::size_t low, std::size_t middle, std::size_t high) {
+    std::vector<double> field;
+    for (std::size_t i = 0; i < low; ++i) field.push_back(1 + 0.001 * static_cast<double>(i));
+    for (std::size_t i = 0; i < middle; ++i) field.push_back(2 + 0.001 * static_cast<double>(i));
+    for (std::size_t i = 0; i < high; ++i) field.push_back(4 + 0.001 * static_cast<double>(i));
+    return fl::count(fl::threshold_by_value(field, fl::gap_threshold(field, 0.85)));
+  };
+  CHECK(marked(76, 0, 24) == 24);   // below the quantile
+  CHECK(marked(90, 0, 10) == 10);   // above it
+  CHECK(marked(60, 0, 40) == 15);   // too far below
+  CHECK(marked(96, 0, 4) == 15);    // too far above: not a few outliers instead
+  CHECK(marked(75, 15, 10) == 10);  // two gaps: the wider one
+  CHECK(marked(75, 20, 5) == 25);
+  // Values below zero have no ratio.
+  std::vector<double> negative;
+  for (int i = 0; i < 100; ++i) negative.push_back(i < 80 ? -8 : -1);
+  CHECK(fl::gap_threshold(negative, 0.85) == -1);
 }
 
 TEST_CASE("dilation of one vertex of a grid: rings, Euclidean balls, edge paths") {
