@@ -73,15 +73,15 @@ const Case kCases[] = {
     {"range.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 4\n",
      "face 0 (line 7): vertex 4 does not"},
     {"negative.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 -1\n", "vertex -1 does not exist"},
-    {"repeat.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 1\n", "face 0: repeats vertex 1"},
+    {"repeat.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 1\n",
+     "faces: all have repeated corners"},
     {"collinear.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "face 0: its area is exactly"},
-    {"duplicate.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 1 2 0\n",
-     "face 1: has the vertices of face 0"},
     {"edge.off", "OFF\n5 3 0\n" + kTetrahedron + "0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
      "edge 0-1: is in faces 0, 1 and 2"},
     // Vertex 0 is unreferenced: the number in the message is still the file's.
-    {"fans.off", "OFF\n6 2 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 1 4 5\n",
-     "vertex 1: joins several fans"},
+    {"unused.off",
+     "OFF\n6 3 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 2 1 4\n3 1 2 5\n",
+     "edge 1-2: is in faces 0, 1 and 2"},
     {"no_faces.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "faces: there are none"},
     {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0',
      "byte 36: is zero"},
@@ -178,7 +178,7 @@ TEST_CASE("what only looks bad is read", "[io]") {
   CHECK(obj.mesh.face_count() == 2);
   CHECK(obj.mesh.vertex_count() == 4);
   REQUIRE(obj.warnings.size() == 1);
-  CHECK(obj.warnings[0] == "dropped 1 vertices that belong to no face");
+  CHECK(obj.warnings[0] == "left out 1 vertex that no face uses");
 
   store(folder / "colours.off",
         "STCNOFF 3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 9 9\n");
@@ -199,7 +199,7 @@ TEST_CASE("the minority of each component is flipped, a tie keeps the first face
         "OFF\n4 4 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto one = read_mesh(folder / "tetrahedron.off");
   REQUIRE(one.warnings.size() == 1);
-  CHECK(one.warnings[0] == "flipped 1 faces oriented against the majority of their component");
+  CHECK(one.warnings[0] == "flipped 1 face oriented against the majority of their component");
   CHECK(one.mesh.faces()[1] == crest::kernel::Triangle{0, 1, 3});
   CHECK(one.mesh.faces()[0] == crest::kernel::Triangle{0, 2, 1});
   store(folder / "tie.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n");

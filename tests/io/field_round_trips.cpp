@@ -82,7 +82,7 @@ TEST_CASE("linear files give functions linear on each face", "[io]") {
     CHECK(file.mesh.linear());
     CHECK(file.mesh.vertex_count() == 9);
     REQUIRE(file.warnings.size() == 1);
-    CHECK(file.warnings[0] == "dropped 16 vertices that belong to no face");
+    CHECK(file.warnings[0] == "left out 16 vertices that no face uses");
   }
 }
 
