@@ -162,7 +162,7 @@ Surface triangulate(const Soup& soup, bool curved, CleanUp& done) {
   if (soup.points.size() >= kNone || soup.cells.size() >= kNone)
     fail("mesh", "has more than 4.2 billion vertices or cells", "split it");
   Surface surface = Triangulation(soup, curved, done).run();
-  if (surface.faces.empty())
+  if (surface.faces.empty() && done.repeated_corners == 0)
     fail("faces", "there are none", "export the mesh with its faces");
   return surface;
 }

@@ -5,22 +5,22 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
 
-/// The polygons: vertices and lines beside them are what other programs draw.
 Soup read_vtp(std::string bytes, const FieldRequest& request) {
   Soup soup;
   vtkNew<vtkXMLPolyDataReader> reader;
-  auto& data = static_cast<vtkPolyData&>(read_vtk(*reader, bytes, "VTP", request, soup));
-  if (data.GetNumberOfStrips() > 0)
-    fail("faces", "there are triangle strips", "convert these to triangles");
-  const auto type_of = [](std::size_t, std::size_t nodes) {
-    return nodes == 3 ? CellType::triangle : nodes == 4 ? CellType::quad : CellType::polygon;
+  auto& data = static_cast<vtkPolyData&>(read_xml(*reader, bytes, "VTP", request, soup));
+  const auto take = [&](vtkCellArray* cells, const char* element, PolyKind kind) {
+    const auto type_of = [kind](std::size_t, std::size_t nodes) { return poly_type(kind, nodes); };
+    if (cells && cells->GetNumberOfCells() > 0) take_cells(*cells, element, type_of, soup.cells);
   };
-  if (data.GetNumberOfPolys() > 0) take_cells(*data.GetPolys(), "face", type_of, soup.cells);
+  take(data.GetVerts(), "vertex cell", PolyKind::vertices);
+  take(data.GetLines(), "line", PolyKind::lines);
+  take(data.GetPolys(), "face", PolyKind::polygons);
+  take(data.GetStrips(), "strip", PolyKind::strips);
   return soup;
 }
 

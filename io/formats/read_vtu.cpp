@@ -26,7 +26,7 @@ Soup read_vtu(std::string bytes, const FieldRequest& request) {
   refuse_polyhedra(bytes);
   Soup soup;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  auto& grid = static_cast<vtkUnstructuredGrid&>(read_vtk(*reader, bytes, "VTU", request, soup));
+  auto& grid = static_cast<vtkUnstructuredGrid&>(read_xml(*reader, bytes, "VTU", request, soup));
   vtkCellArray* cells = grid.GetCells();
   vtkUnsignedCharArray* types = grid.GetCellTypesArray();
   if (!cells || !types) return soup;

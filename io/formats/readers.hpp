@@ -40,12 +40,4 @@ using SoupReader = std::function<Soup(std::string, const FieldRequest&)>;
 /// format has none; fails for an unknown extension.
 SoupReader soup_reader(const std::string& extension);
 
-// Until each format has its own reader:
-Soup parse_off(std::string_view text);
-void check_obj(std::string& text);
-void check_ply(const std::string& bytes);
-void check_stl(std::string& bytes);
-void check_vtp(const std::string& bytes);  ///< and VTU
-std::vector<Field> ply_normals(const std::string& bytes);
-
 }  // namespace crest::io

@@ -45,15 +45,14 @@ enum class CellType : std::uint8_t {
   lagrange_quad = 70,
   lagrange_tetrahedron = 71,
   lagrange_hexahedron = 72,
-  lagrange_wedge = 73
+  lagrange_wedge = 73,
+  lagrange_pyramid = 74
 };
 
 /// What a list of so many corners of a face is: a triangle, a quad or a polygon, which may have
 /// fewer than 3.
 constexpr CellType face_type(std::size_t corners) {
-  return corners == 3   ? CellType::triangle
-         : corners == 4 ? CellType::quad
-                        : CellType::polygon;
+  return corners == 3 ? CellType::triangle : corners == 4 ? CellType::quad : CellType::polygon;
 }
 
 /// 0 to 3 for VTK's types, -1 for another number.
@@ -71,6 +70,7 @@ class Cells {
   }
   std::size_t size() const { return types_.size(); }
   bool empty() const { return types_.empty(); }
+  std::size_t node_count() const { return nodes_.size(); }
   CellType type(std::size_t c) const { return types_[c]; }
   std::span<const Node> nodes(std::size_t c) const {
     return {nodes_.data() + begin_[c], nodes_.data() + begin_[c + 1]};

@@ -2,89 +2,149 @@
 #include "io/formats/text_scan.hpp"
 
 #include <fmt/format.h>
+#include <locale.h>
+#include <stdlib.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cstdlib>
 
 #include "io/formats/files.hpp"
 
 namespace crest::io {
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-/// from_chars refuses a leading plus, istream does not.
-std::string_view without_plus(std::string_view word) {
-  const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
-  return plus ? word.substr(1) : word;
-}
-
-template <class T>
-std::optional<T> whole_word(std::string_view word) {
-  word = without_plus(word);
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size()) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    // Too large reads as infinity, too small as zero or subnormal, as with an istream.
-    if (error == std::errc::result_out_of_range)
-      return std::strtod(std::string(word).c_str(), nullptr);
+/// What from_chars does not know: overflow as infinity, underflow as an istream rounds it, and the
+/// spellings of Fortran (1.5D+00) and of old Windows libraries (-1.#IND).
+std::optional<double> rare_number(std::string word) {
+  const std::size_t sign = word.find(".#");
+  if (sign != word.npos && word.find_first_not_of("+-01") == sign) {
+    const std::string_view name = std::string_view(word).substr(sign + 2);
+    const double size = name.starts_with("INF") ? HUGE_VAL : NAN;
+    const bool known = name.starts_with("INF") || name.starts_with("IND") ||
+                       name.starts_with("QNAN") || name.starts_with("SNAN");
+    if (known) return word[0] == '-' ? -size : size;
   }
-  if (error != std::errc{}) return std::nullopt;
+  if (word.find_first_not_of("+-.0123456789eEdD") != word.npos) return std::nullopt;
+  std::replace_if(
+      word.begin(), word.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+  char* end = nullptr;
+  const double value = strtod_l(word.c_str(), &end, plain);
+  if (word.empty() || end != word.c_str() + word.size()) return std::nullopt;
   return value;
 }
 
 }  // namespace
 
-bool LineScanner::next(char comment) {
-  while (next_ < text_.size()) {
-    begin_ = next_;
-    const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
-    next_ = end + 1;
-    ++number_;
-    line_ = text_.substr(begin_, end - begin_);
-    if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
-    words_.clear();
-    for (std::size_t i = 0; i < line_.size();) {
-      if (is_space(line_[i])) {
-        ++i;
-        continue;
-      }
-      std::size_t j = i;
-      while (j < line_.size() && !is_space(line_[j])) ++j;
-      words_.push_back(line_.substr(i, j - i));
-      i = j;
-    }
-    if (!words_.empty()) return true;
-  }
-  return false;
+TextScan::TextScan(std::string_view text, char comment)
+    : begin_(text.data()),
+      at_(begin_),
+      end_(begin_ + text.size()),
+      comment_(comment),
+      counted_(begin_) {
+  if (text.starts_with("\xef\xbb\xbf")) at_ += 3;
 }
 
-std::optional<double> number_of(std::string_view word) {
-  return whole_word<double>(word);
+bool TextScan::next_line() {
+  skip_to_line_end();
+  if (at_ == end_) return false;
+  const bool pair = *at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n';
+  at_ += pair ? 2 : 1;
+  return at_ != end_;
 }
-std::optional<std::int64_t> integer_of(std::string_view word) {
-  return whole_word<std::int64_t>(word);
+
+std::string_view TextScan::peek(std::size_t limit) const {
+  const char* end = at_;
+  const char* const most = at_ + std::min(limit, room());
+  while (end != most && !ends_word(*end)) ++end;
+  return {at_, static_cast<std::size_t>(end - at_)};
+}
+
+std::string_view TextScan::rest_of_line() {
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+  const char* const begin = at_;
+  skip_to_line_end();
+  const char* end = at_;
+  while (end != begin && is_blank(end[-1])) --end;
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+template <class Integer>
+bool TextScan::take_any(Integer& value) {
+  const std::string_view w = peek();
+  const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+  if (w.empty() || error != std::errc{} || end != w.data() + w.size()) return false;
+  at_ = end;
+  return true;
+}
+
+bool TextScan::take_long(std::int64_t& value) {
+  return take_any(value);
+}
+bool TextScan::take(std::uint64_t& value) {
+  return take_any(value);
+}
+
+bool TextScan::take(double& value) {
+  // from_chars refuses a leading plus, an istream does not.
+  const bool plus = room() > 1 && *at_ == '+' && at_[1] != '-' && at_[1] != '+';
+  const auto [end, error] = std::from_chars(at_ + (plus ? 1 : 0), end_, value);
+  if (error != std::errc{} || (end != end_ && !ends_word(*end))) return take_rare(value);
+  at_ = end;
+  return true;
+}
+
+bool TextScan::take_rare(double& value) {
+  const std::string_view w = peek();
+  const auto rare = rare_number(std::string(w));
+  if (!rare) return false;
+  value = *rare;
+  at_ += w.size();
+  return true;
+}
+
+std::size_t TextScan::line() const {
+  if (at_ < counted_) {
+    counted_ = begin_;
+    lines_ = 0;
+  }
+  for (; counted_ != at_; ++counted_) {
+    const bool first_of_pair = *counted_ == '\r' && counted_ + 1 != end_ && counted_[1] == '\n';
+    lines_ += (is_line_end(*counted_) && !first_of_pair) || *counted_ == '\v' ? 1 : 0;
+  }
+  return lines_ + 1;
+}
+
+std::string quoted(std::string_view word) {
+  return fmt::format("'{}'", word.substr(0, 40));
+}
+
+bool is_keyword(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](char a, char b) {
+    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
+  });
 }
 
 std::string numbered(const char* what, std::size_t index, std::size_t line) {
   return fmt::format("{} {} (line {})", what, index, line);
 }
 
-void fail_coordinates(const std::vector<std::string_view>& words, std::size_t first,
-                      const std::string& element) {
-  if (words.size() < first + 3) {
-    fail(element, fmt::format("has {} coordinates", words.size() - std::min(first, words.size())),
-         "give x y z");
+void take_point(TextScan& scan, const char* what, Soup& soup) {
+  kernel::Vec3 point{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool given = scan.in_line();
+    if (given && scan.take(point[k])) continue;
+    const std::string name = numbered(what, soup.points.size(), scan.line());
+    if (!given) fail(name, fmt::format("has {} coordinates", k), "give x y z");
+    fail(name, fmt::format("coordinate {} is not a number", quoted(scan.peek())), "correct it");
   }
-  std::size_t k = first;
-  while (k + 1 < first + 3 && number_of(words[k]) && std::isfinite(*number_of(words[k]))) ++k;
-  const std::string quoted(words[k].substr(0, 40));
-  if (!number_of(words[k]))
-    fail(element, "coordinate '" + quoted + "' is not a number", "correct it");
-  fail(element, "coordinate '" + quoted + "' is not finite", "remove or repair the vertex");
+  soup.points.push_back(point);
+  note_not_finite(soup, soup.points.size() - 1, scan);
+}
+
+void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertices) {
+  fail(face, fmt::format("vertex {} does not exist", index),
+       fmt::format("the file has {} vertices, numbered from 0", vertices));
 }
 
 void check_corner_count(std::int64_t corners, const std::string& element) {

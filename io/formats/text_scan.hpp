@@ -1,60 +1,154 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Lines and words of text formats, for the checks that name a faulty element.
+// The scanner of all text formats: it walks over the bytes once, and a number is checked and
+// converted where it stands. Own code: stream readers take ten times as long, and those of VTK and
+// assimp narrow to float.
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "io/formats/soup.hpp"
 
 namespace crest::io {
 
-/// Walks over the lines of a text that holds still.
-class LineScanner {
+/// A place in a text that holds still. A word ends at a blank, a line's end or a comment; a line
+/// ends with LF, CR LF or CR. A vertical tab is a blank that counts as a line's end.
+class TextScan {
  public:
-  explicit LineScanner(std::string_view text) : text_(text) {}
-  /// Moves to the next line that has a word once everything after `comment` is cut off.
-  bool next(char comment = '\0');
-  std::size_t number() const { return number_; }  ///< of the current line, from 1
-  std::string_view line() const { return line_; }
-  std::size_t offset() const { return begin_; }  ///< of the current line in the text
-  const std::vector<std::string_view>& words() const { return words_; }
+  /// Past a byte order mark. `comment`: what starts a comment up to the line's end; 0: nothing.
+  explicit TextScan(std::string_view text, char comment = '\0');
+
+  /// Moves to the next word of the line; false at its end.
+  bool in_line() {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    if (at_ == end_ || is_line_end(*at_)) return false;
+    if (*at_ != comment_ || comment_ == '\0') return true;
+    skip_to_line_end();
+    return false;
+  }
+  /// Moves to the next word of the text; false at its end.
+  bool more() {
+    while (!in_line())
+      if (!next_line()) return false;
+    return true;
+  }
+  /// Moves past the line's end; false at the end of the text.
+  bool next_line();
+
+  /// The word here, up to `limit` characters of it; empty at the end of a line.
+  std::string_view peek(std::size_t limit = std::string_view::npos) const;
+  /// Takes the word here.
+  std::string_view word() {
+    const std::string_view w = peek();
+    at_ += w.size();
+    return w;
+  }
+  /// Takes what is left of the line, comments included, without blanks around it.
+  std::string_view rest_of_line();
+  void skip_word() {
+    while (at_ != end_ && !ends_word(*at_)) ++at_;
+  }
+
+  /// Takes the word here as a number, correctly rounded, NaN and infinities included; stays where
+  /// it is none.
+  bool take(double& value);
+  bool take(std::int64_t& value) {
+    const char* const before = at_;
+    if (take_prefix(value) && (at_ == end_ || ends_word(*at_))) return true;
+    at_ = before;
+    return take_long(value);
+  }
+  bool take(std::uint64_t& value);
+  /// Takes the integer that the word here starts with.
+  bool take_prefix(std::int64_t& value) {
+    const char* p = at_;
+    const bool negative = p != end_ && *p == '-';
+    if (negative || (p != end_ && *p == '+')) ++p;
+    const char* const first = p;
+    std::int64_t sum = 0;
+    constexpr std::ptrdiff_t most = 18;  // digits of which an int64 holds any
+    for (; p != end_ && *p >= '0' && *p <= '9'; ++p) {
+      if (p - first == most) return false;
+      sum = 10 * sum + (*p - '0');
+    }
+    if (p == first) return false;
+    value = negative ? -sum : sum;
+    at_ = p;
+    return true;
+  }
+  /// Takes the character if it stands here.
+  bool take(char c) {
+    const bool here = at_ != end_ && *at_ == c;
+    at_ += here ? 1 : 0;
+    return here;
+  }
+  /// Whether a word has just ended.
+  bool after_word() const { return at_ == end_ || ends_word(*at_); }
+
+  /// The bytes from here on, up to `limit`.
+  std::string_view peek_bytes(std::size_t limit) const {
+    return {at_, limit < room() ? limit : room()};
+  }
+  /// Takes bytes. Requires: no more than room().
+  std::string_view take_bytes(std::size_t count) {
+    at_ += count;
+    return {at_ - count, count};
+  }
+  std::size_t room() const { return static_cast<std::size_t>(end_ - at_); }
+
+  std::size_t position() const { return static_cast<std::size_t>(at_ - begin_); }
+  void move_to(std::size_t position) { at_ = begin_ + position; }
+  /// The number of this line, from 1. Cost: the text since the last call.
+  std::size_t line() const;
 
  private:
-  std::string_view text_, line_;
-  std::size_t begin_ = 0, next_ = 0, number_ = 0;
-  std::vector<std::string_view> words_;
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+  bool ends_word(char c) const {
+    return (c <= ' ' && (is_blank(c) || is_line_end(c))) || (c == comment_ && c != '\0');
+  }
+  void skip_to_line_end() {
+    while (at_ != end_ && !is_line_end(*at_)) ++at_;
+  }
+  template <class Integer>
+  bool take_any(Integer& value);
+  bool take_long(std::int64_t& value);
+  bool take_rare(double& value);
+
+  const char *begin_, *at_, *end_;
+  char comment_;
+  mutable const char* counted_;  ///< the lines before it: lines_
+  mutable std::size_t lines_ = 0;
 };
 
-/// The whole word as a number, nan and infinities included; nothing when it is none.
-std::optional<double> number_of(std::string_view word);
-std::optional<std::int64_t> integer_of(std::string_view word);
+/// A word in quotation marks, cut if it is long.
+std::string quoted(std::string_view word);
+
+/// Whether a word is `lower`, whatever its case.
+bool is_keyword(std::string_view word, std::string_view lower);
 
 /// "vertex 7 (line 12)".
 std::string numbered(const char* what, std::size_t index, std::size_t line);
 
-/// Says which of words[first], .. [first + 2] is no finite coordinate.
-[[noreturn]] void fail_coordinates(const std::vector<std::string_view>& words, std::size_t first,
-                                   const std::string& element);
+/// Takes three coordinates of a line as the next point of the soup, in which a line is noted if
+/// they are not finite. Throws: kernel::InputError unless they are numbers.
+void take_point(TextScan& scan, const char* what, Soup& soup);
 
-/// words[first], .. [first + 2], which must be finite coordinates of `element`, a function that is
-/// called for its name only where they are not.
-template <class Name>
-std::array<double, 3> coordinates(const std::vector<std::string_view>& words, std::size_t first,
-                                  const Name& element) {
-  std::array<double, 3> result{};
-  bool good = words.size() >= first + 3;
-  for (std::size_t k = 0; good && k < 3; ++k) {
-    const auto value = number_of(words[first + k]);
-    good = value && std::isfinite(*value);
-    if (good) result[k] = *value;
-  }
-  if (!good) fail_coordinates(words, first, element());
-  return result;
+/// Notes the line if the soup's point is not finite.
+inline void note_not_finite(Soup& soup, std::size_t point, const TextScan& scan) {
+  const kernel::Vec3& p = soup.points[point];
+  // The sum of finite coordinates may overflow, hence the second look.
+  if (std::isfinite(p[0] + p[1] + p[2])) return;
+  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    soup.lines_not_finite.emplace_back(point, scan.line());
 }
+
+/// Throws for an index that is no vertex's.
+[[noreturn]] void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertices);
 
 /// Throws for a face whose number of corners is not 3.
 void check_corner_count(std::int64_t corners, const std::string& element);

@@ -68,22 +68,27 @@ bool is_scalar(vtkDataSet& data, const std::string& name) {
   return array && array->GetNumberOfComponents() == 1;
 }
 
+void select(const FieldRequest& request, bool all, vtkDataArraySelection& names) {
+  names.DisableAllArrays();
+  for (int i = 0; i < names.GetNumberOfArrays(); ++i) {
+    const char* name = names.GetArrayName(i);
+    if (all || request.asks_for(name)) names.EnableArray(name);
+  }
+}
+
 }  // namespace
 
-vtkPointSet& read_vtk(vtkXMLReader& reader, const std::string& bytes, const char* format,
+vtkPointSet& read_xml(vtkXMLReader& reader, const std::string& bytes, const char* format,
                       const FieldRequest& request, Soup& soup) {
-  check_vtp(bytes);
+  check_xml(bytes);
   const VtkQuiet quiet;
   reader.ReadFromInputStringOn();
   reader.SetInputString(bytes);
   reader.UpdateInformation();
   vtkDataArraySelection& of_points = *reader.GetPointDataArraySelection();
   vtkDataArraySelection& of_cells = *reader.GetCellDataArraySelection();
-  of_cells.DisableAllArrays();
-  of_points.DisableAllArrays();
-  if (request.wanted && request.name.empty()) of_points.EnableAllArrays();
-  if (request.wanted && of_points.ArrayExists(request.name.c_str()) != 0)
-    of_points.EnableArray(request.name.c_str());
+  select(request, request.normals, of_points);  // which are normals is known once they are read
+  select(request, false, of_cells);
   const auto update = [&]() -> vtkPointSet& {
     reader.Update();
     auto* data = vtkPointSet::SafeDownCast(reader.GetOutputAsDataSet());
@@ -115,16 +120,7 @@ void take_cells(vtkCellArray& from, const char* element,
     fail(fmt::format("{}s", element), "cannot be read", "export the mesh again");
   const std::vector<std::int64_t> begins = integers_of(*offsets),
                                   nodes = integers_of(*connectivity);
-  const auto size = static_cast<std::int64_t>(nodes.size());
-  const std::size_t count = begins.empty() ? 0 : begins.size() - 1;
-  cells.reserve(count, nodes.size());
-  for (std::size_t c = 0; c < count; ++c) {
-    const std::int64_t begin = begins[c], end = begins[c + 1];
-    if (begin < 0 || end < begin || end > size)
-      fail(fmt::format("{} {}", element, c), "its offsets are wrong", "export the mesh again");
-    const auto length = static_cast<std::size_t>(end - begin);
-    cells.add(type_of(c, length), {nodes.data() + begin, length});
-  }
+  add_cells(begins, nodes, element, type_of, cells);
 }
 
 }  // namespace crest::io

@@ -2,10 +2,10 @@
 #pragma once
 
 // What the readers of VTK's XML formats share.
-#include <functional>
 #include <string>
 
 #include "io/formats/readers.hpp"
+#include "io/formats/vtk_cells.hpp"
 
 class vtkCellArray;
 class vtkPointSet;
@@ -13,14 +13,17 @@ class vtkXMLReader;
 
 namespace crest::io {
 
+/// Before VTK reads VTP or VTU: throws where a header or a block announces more than the bytes may
+/// hold, which VTK would allocate.
+void check_xml(const std::string& bytes);
+
 /// Checks the bytes, reads them and takes over points and fields: a named field alone if it is a
-/// scalar of the points, else, for the message, all fields; any: all of the points.
-/// The data set belongs to the reader.
-vtkPointSet& read_vtk(vtkXMLReader& reader, const std::string& bytes, const char* format,
+/// scalar of the points, else, for the message, all fields; any: all. The data set belongs to the
+/// reader.
+vtkPointSet& read_xml(vtkXMLReader& reader, const std::string& bytes, const char* format,
                       const FieldRequest& request, Soup& soup);
 
-/// Takes over cells; `type_of` cell c with so many nodes. Throws, naming `element` c, when the
-/// file's offsets are wrong: VTK does not check them.
+/// Takes over cells; as add_cells: VTK does not check offsets.
 void take_cells(vtkCellArray& from, const char* element,
                 const std::function<CellType(std::size_t c, std::size_t nodes)>& type_of,
                 Cells& cells);

@@ -63,7 +63,7 @@ TEST_CASE("bad values name their node", "[io]") {
     grid = kSquare;
     grid.nodes[6][1] = bad;
     check_error("a.vtu", vtu_text(grid), "vertex 6: its coordinate y is not ");
-    check_error("a.msh", msh_text(grid, 2), "node 28 (line 12): coordinate");
+    check_error("a.msh", msh_text(grid, 2), "vertex 28 (line 12): its coordinate y is not ");
   }
   check_error("a.msh", replaced(msh_text(kSquare, 2), "\n16 0.75", "\n17 0.75"),
               "field 'T': node 17 does not exist");
@@ -166,15 +166,16 @@ TEST_CASE("other cells and formats are refused, lines and points left out", "[io
   check_error("a.vtu", replaced(vtu, "NumberOfCells=\"2\"", "NumberOfCells=\"99999999999\""),
               "NumberOfCells is 99999999999, more than the file holds");
   const std::string msh = msh_text(kSquare, 2);
-  check_error("a.msh", replaced(msh, "2.2 0 8", "2.2 1 8"), "$MeshFormat: is binary");
+  check_error("a.msh", replaced(msh, "2.2 0 8", "2.2 1 8"), "$MeshFormat: has no mark of the byte");
   check_error("a.msh", replaced(msh, "2.2 0 8", "4 0 8"), "$MeshFormat: is neither 2.2 nor 4.1");
   check_error("a.msh", msh.substr(0, msh.find("$Elements") + 12), "$Elements: ends early");
   check_error("a.msh", msh.substr(0, msh.find("$EndNodeData")), "$NodeData: does not end");
   check_error("a.msh", replaced(msh, "\n10 9 2 1 1", "\n10 4 2 1 1"),
-              "element 10 (line 19): has type 4");
-  check_error("a.msh", replaced(msh, "$Nodes\n9", "$Nodes\nnine"), "word 1 is not an integer");
+              "element 10 (line 19): has more than 4 nodes");
+  check_error("a.msh", replaced(msh, "$Nodes\n9", "$Nodes\nnine"),
+              "line 5: 'nine' is not an integer");
   check_error("a.msh", replaced(msh, "$Nodes\n9", "$Nodes\n99999999999"), "$Nodes: ends early");
-  check_error("a.msh", replaced(msh, "\n13 ", "\n10 "), "node 10 (line 7): is there twice");
+  check_error("a.msh", replaced(msh, "\n13 ", "\n10 "), "node 10: is there twice");
   check_error("a.msh", "hello\n", "file: has no $MeshFormat");
   check_error("a.xyz", "hello\n", "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk or .msh");
 }

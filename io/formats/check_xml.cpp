@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "io/formats/files.hpp"
-#include "io/formats/readers.hpp"
+#include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
 namespace {
@@ -150,7 +150,7 @@ void check_points(std::string_view text) {
 
 }  // namespace
 
-void check_vtp(const std::string& bytes) {
+void check_xml(const std::string& bytes) {
   const Storage storage = storage_of(bytes);
   const std::uint64_t room = bytes.size() * (storage.compressed ? 100 : 1);
   for (const char* name :

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wavefront OBJ: vertices, faces, lines, points and the normals of face corners. Colours, weights,
+// textures, groups and materials are passed over.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
+#include "io/formats/text_scan.hpp"
+
+namespace crest::io {
+namespace {
+
+/// A backslash at a line's end continues it: both become blanks that still count as a line's end.
+void join_continued_lines(std::string& text) {
+  for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
+    const std::size_t end = at + 1;
+    if (end == text.size() || (text[end] != '\n' && text[end] != '\r')) continue;
+    if (text.compare(end, 2, "\r\n") == 0) text[end + 1] = ' ';
+    text[at] = ' ';
+    text[end] = '\v';
+  }
+}
+
+/// Of vertices, as face corners name them. A vertex whose corners have different normals has none
+/// of its own: their mean would be an estimate.
+class CornerNormals {
+ public:
+  void add(const kernel::Vec3& normal) { normals_.push_back(normal); }
+  std::int64_t size() const { return static_cast<std::int64_t>(normals_.size()); }
+  void corner(Cells::Node vertex, std::int64_t normal) { corners_.emplace_back(vertex, normal); }
+
+  void finish(Soup& soup) const {
+    if (corners_.empty()) return;
+    std::vector<const kernel::Vec3*> of(soup.points.size(), nullptr);
+    std::vector<bool> missing(soup.points.size(), true);
+    std::vector<bool> several(soup.points.size(), false);
+    for (const auto& [vertex, number] : corners_) {
+      if (number < 0 || number >= size()) continue;
+      const auto v = static_cast<std::size_t>(vertex);
+      const kernel::Vec3& normal = normals_[static_cast<std::size_t>(number)];
+      if (of[v] && *of[v] != normal) several[v] = true;
+      of[v] = &normal;
+      missing[v] = several[v];
+    }
+    std::vector<double> numbers;
+    numbers.reserve(3 * of.size());
+    for (std::size_t v = 0; v < of.size(); ++v)
+      for (std::size_t k = 0; k < 3; ++k) numbers.push_back(missing[v] ? 0 : (*of[v])[k]);
+    Field& field = soup.point_fields.emplace_back(
+        Field{.name = "Normals", .components = 3, .numbers = std::move(numbers), .normals = true});
+    if (std::find(missing.begin(), missing.end(), true) != missing.end())
+      field.missing = std::move(missing);
+    const auto left_out = std::count(several.begin(), several.end(), true);
+    if (left_out > 0) {
+      soup.warnings.push_back(fmt::format(
+          "left out the normals of {} vertices, at which faces have different ones", left_out));
+    }
+  }
+
+ private:
+  std::vector<kernel::Vec3> normals_;
+  std::vector<std::pair<Cells::Node, std::int64_t>> corners_;  ///< vertex, normal
+};
+
+class ObjReader {
+ public:
+  ObjReader(const std::string& text, bool normals) : scan_(text, '#'), with_normals_(normals) {}
+
+  Soup read() {
+    while (scan_.more()) {
+      const std::string_view keyword = scan_.word();
+      if (keyword == "v")
+        take_point(scan_, "vertex", soup_);
+      else if (keyword == "f")
+        read_face();
+      else if (keyword == "vn" && with_normals_)
+        read_normal();
+      else if (keyword == "l" || keyword == "p")
+        read_thin(keyword == "l" ? CellType::poly_line : CellType::poly_vertex);
+      scan_.next_line();
+    }
+    if (highest_ > soup_.points.size()) {
+      fail(numbered(highest_is_face_ ? "face" : "line", highest_cell_, highest_line_),
+           fmt::format("index {} is out of range", highest_),
+           fmt::format("the file has {} vertices, numbered from 1", soup_.points.size()));
+    }
+    // After the faces, which thus keep their numbers.
+    for (std::size_t c = 0; c < thin_.size(); ++c) soup_.cells.add(thin_.type(c), thin_.nodes(c));
+    normals_.finish(soup_);
+    return std::move(soup_);
+  }
+
+ private:
+  void read_normal() {
+    kernel::Vec3 normal{};
+    for (double& x : normal) {
+      if (!scan_.in_line() || !scan_.take(x))
+        fail(numbered("normal", static_cast<std::size_t>(normals_.size()), scan_.line()),
+             "is not three numbers", "correct it");
+    }
+    normals_.add(normal);
+  }
+
+  /// The vertex that a corner "7", "7/1", "7//3" or "7/1/3" starts with.
+  Cells::Node take_vertex(bool face) {
+    const std::size_t cell = face ? soup_.cells.size() : thin_.size();
+    const auto name = [&] { return numbered(face ? "face" : "line", cell, scan_.line()); };
+    std::int64_t index = 0;
+    const std::size_t begin = scan_.position();
+    if (!scan_.take_prefix(index) || !(scan_.after_word() || scan_.take('/'))) {
+      scan_.move_to(begin);
+      fail(name(), "index " + quoted(scan_.peek()) + " is not an integer", "correct it");
+    }
+    const auto vertices = static_cast<std::int64_t>(soup_.points.size());
+    if (index == 0) fail(name(), "index 0 does not exist", "OBJ counts from 1");
+    if (index < -vertices)
+      fail(name(), fmt::format("index {} is out of range", index), "correct it");
+    if (index > vertices && static_cast<std::size_t>(index) > highest_) {
+      highest_ = static_cast<std::size_t>(index);
+      highest_cell_ = cell;
+      highest_line_ = scan_.line();
+      highest_is_face_ = face;
+    }
+    return index > 0 ? index - 1 : vertices + index;
+  }
+
+  /// The rest of a corner.
+  void take_normal(Cells::Node vertex) {
+    std::int64_t number = 0;
+    scan_.take_prefix(number);  // of the texture
+    if (!scan_.take('/') || !scan_.take_prefix(number) || number == 0) return;
+    normals_.corner(vertex, number > 0 ? number - 1 : normals_.size() + number);
+  }
+
+  void read_face() {
+    corners_.clear();
+    while (scan_.in_line()) {
+      corners_.push_back(take_vertex(true));
+      if (scan_.after_word()) continue;
+      if (with_normals_) take_normal(corners_.back());
+      scan_.skip_word();
+    }
+    soup_.cells.add(face_type(corners_.size()), corners_);
+  }
+
+  void read_thin(CellType type) {
+    corners_.clear();
+    while (scan_.in_line()) {
+      corners_.push_back(take_vertex(false));
+      scan_.skip_word();
+    }
+    thin_.add(type, corners_);
+  }
+
+  TextScan scan_;
+  bool with_normals_;
+  Soup soup_;
+  Cells thin_;
+  CornerNormals normals_;
+  std::vector<Cells::Node> corners_;
+  /// The highest index beyond the vertices before it, and where it stands.
+  std::size_t highest_ = 0, highest_cell_ = 0, highest_line_ = 0;
+  bool highest_is_face_ = false;
+};
+
+}  // namespace
+
+Soup read_obj(std::string bytes, const FieldRequest& request) {
+  check_text(bytes);
+  join_continued_lines(bytes);
+  return ObjReader(bytes, request.normals || request.asks_for("Normals")).read();
+}
+
+}  // namespace crest::io

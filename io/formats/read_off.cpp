@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OFF: [ST][C][N]OFF, counts, vertices, faces.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
+#include "io/formats/text_scan.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+const std::string kStart = "start the file with 'OFF' and the line 'vertices faces edges'";
+const std::string kTruncated = "the file is truncated; export the mesh again";
+
+/// A colour after a face's corners has no mark of its own and lines may be wrapped, so a file is
+/// read by the first of these rules that it obeys to its end; the message is that of the first.
+enum class Layout {
+  /// Vertices and faces have a line each. What follows on it is a colour and the like.
+  lines,
+  /// Geomview's rule: a vertex has as many numbers as the keyword says, which may be on several
+  /// lines, as may a face's corners; what follows them on their last line is a colour.
+  wrapped,
+  /// A sequence of words without colours of faces, wherever lines end.
+  words,
+  words_without_edges  ///< the same, with two counts
+};
+
+class OffReader {
+ public:
+  OffReader(const std::string& bytes, bool normals) : scan_(bytes, '#') {
+    read_keyword();
+    normals_ = normals && has_normals_;
+    start_ = scan_.position();
+  }
+
+  Soup read() {
+    try {
+      return read_by(Layout::lines);
+    } catch (const kernel::InputError&) {
+      for (const Layout layout : {Layout::wrapped, Layout::words, Layout::words_without_edges}) {
+        try {
+          return read_by(layout);
+        } catch (const kernel::InputError&) {
+        }
+      }
+      throw;
+    }
+  }
+
+ private:
+  void read_keyword() {
+    if (!scan_.more()) fail("header", "is missing", kStart);
+    std::string_view keyword = scan_.peek();
+    std::int64_t count = 0;
+    const std::size_t begin = scan_.position();
+    if (scan_.take(count)) return scan_.move_to(begin);  // the keyword may be left out
+    for (const std::string_view prefix : {"ST", "C", "N"}) {
+      if (!keyword.starts_with(prefix)) continue;
+      keyword.remove_prefix(prefix.size());
+      if (prefix == "N") has_normals_ = true;
+      numbers_behind_ += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
+    }
+    if (keyword != "OFF" && keyword != "off") {
+      fail(fmt::format("header (line {})", scan_.line()), quoted(scan_.peek()) + " is not read",
+           kStart);
+    }
+    scan_.skip_word();
+    if (scan_.in_line() && scan_.peek() == "BINARY")
+      fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
+  }
+
+  std::size_t read_count(const char* what) {
+    std::int64_t count = 0;
+    const bool given = scan_.more();
+    const std::string line = fmt::format("header (line {})", scan_.line());
+    if (!given) fail(line, fmt::format("has no number of {}", what), kStart);
+    if (!scan_.take(count) || count < 0)
+      fail(line, fmt::format("has a bad count {}", quoted(scan_.peek())), kStart);
+    return static_cast<std::size_t>(count);
+  }
+
+  void read_counts(Layout layout) {
+    vertices_ = read_count("vertices");
+    faces_ = read_count("faces");
+    // The shortest vertex is "0 0 0", the shortest face "1 0", each with a line end.
+    const std::size_t room = scan_.room() + 1;
+    if (vertices_ > room / 6 || faces_ > room / 4) {
+      fail(fmt::format("header (line {})", scan_.line()),
+           fmt::format("announces {} vertices and {} faces, more than the file holds", vertices_,
+                       faces_),
+           "the file is truncated or its header wrong; export the mesh again");
+    }
+    if (layout == Layout::words) read_count("edges");
+    if (layout != Layout::lines && layout != Layout::wrapped) return;
+    if (scan_.in_line()) read_count("edges");
+    scan_.next_line();
+  }
+
+  Soup read_by(Layout layout) {
+    scan_.move_to(start_);
+    read_counts(layout);
+    Soup soup;
+    soup.points.reserve(vertices_);
+    soup.cells.reserve(faces_, 3 * faces_);
+    of_normals_.clear();
+    missing_.assign(normals_ ? vertices_ : 0, false);
+    for (std::size_t v = 0; v < vertices_; ++v)
+      layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup);
+    for (std::size_t f = 0; f < faces_; ++f) read_face(f, layout, soup.cells);
+    if (layout != Layout::lines && scan_.more()) fail("faces", "are too many", kStart);
+    if (normals_) {
+      soup.point_fields.emplace_back(Field{
+          .name = "Normals", .components = 3, .numbers = std::move(of_normals_), .normals = true});
+      if (std::find(missing_.begin(), missing_.end(), true) != missing_.end())
+        soup.point_fields.back().missing = std::move(missing_);
+    }
+    return soup;
+  }
+
+  void require_more(const char* what, std::size_t number) {
+    if (scan_.more()) return;
+    fail(fmt::format("{} {}", what, number), "is missing, the file ends before it", kTruncated);
+  }
+
+  void read_vertex_line(Soup& soup) {
+    require_more("vertex", soup.points.size());
+    take_point(scan_, "vertex", soup);
+    double normal[3] = {};
+    for (std::size_t k = 0; k < 3 && normals_; ++k)
+      if (!scan_.in_line() || !scan_.take(normal[k])) missing_[soup.points.size() - 1] = true;
+    if (normals_) of_normals_.insert(of_normals_.end(), normal, normal + 3);
+    scan_.next_line();
+  }
+
+  /// A number on this line or a later one.
+  double take_wrapped(std::size_t vertex) {
+    require_more("vertex", vertex);
+    double value = 0;
+    if (!scan_.take(value))
+      fail(numbered("vertex", vertex, scan_.line()), quoted(scan_.peek()) + " is not a number",
+           "correct it");
+    return value;
+  }
+
+  void read_vertex_words(Soup& soup) {
+    const std::size_t v = soup.points.size();
+    kernel::Vec3 point{};
+    for (double& x : point) x = take_wrapped(v);
+    soup.points.push_back(point);
+    note_not_finite(soup, v, scan_);
+    for (std::size_t k = 0; k < 3 && has_normals_; ++k) {
+      const double x = take_wrapped(v);
+      if (normals_) of_normals_.push_back(x);
+    }
+    for (std::size_t k = 0; k < numbers_behind_; ++k) take_wrapped(v);
+  }
+
+  void read_face(std::size_t f, Layout layout, Cells& cells) {
+    const auto name = [&] { return numbered("face", f, scan_.line()); };
+    require_more("face", f);
+    std::int64_t corners = 0;
+    if (!scan_.take(corners) || corners < 0)
+      fail(name(), "does not start with a number of vertices", "correct it");
+    if (layout != Layout::lines && corners < 3) fail(name(), "has too few corners", "correct it");
+    face_.clear();
+    for (std::int64_t k = 0; k < corners; ++k) {
+      if (layout == Layout::lines ? !scan_.in_line() : !scan_.more())
+        fail(name(), "has fewer indices than it announces", "correct it");
+      std::int64_t index = 0;
+      if (!scan_.take(index))
+        fail(name(), "index " + quoted(scan_.peek()) + " is not an integer", "correct it");
+      if (index < 0 || index >= static_cast<std::int64_t>(vertices_))
+        fail_vertex(name(), index, vertices_);
+      face_.push_back(index);
+    }
+    cells.add(face_type(face_.size()), face_);
+    if (layout == Layout::lines || layout == Layout::wrapped) scan_.next_line();
+  }
+
+  TextScan scan_;
+  bool has_normals_ = false, normals_ = false;  ///< in the file; asked for, too
+  std::size_t numbers_behind_ = 0;  ///< of a vertex after place and normal: colour, texture
+  std::size_t start_ = 0, vertices_ = 0, faces_ = 0;
+  std::vector<double> of_normals_;
+  std::vector<bool> missing_;
+  std::vector<Cells::Node> face_;
+};
+
+}  // namespace
+
+Soup read_off(std::string bytes, const FieldRequest& request) {
+  const bool normals = request.normals || request.asks_for("Normals");
+  OffReader reader(bytes, normals);
+  check_text(bytes);
+  return reader.read();
+}
+
+}  // namespace crest::io
