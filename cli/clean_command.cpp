@@ -26,10 +26,11 @@ Outcome work(Run& run) {
   report["components"] = mesh.components();
   report["vertex_numbers"] = file.numbers.vertices;
   report["face_numbers"] = file.numbers.faces;
-  return {fmt::format("mesh: {} vertices, {} faces, Euler characteristic {}, {} boundary loops, {} "
-                      "components\n",
-                      mesh.vertex_count(), mesh.face_count(), mesh.euler_characteristic(),
-                      mesh.boundary_loops(), mesh.components())};
+  return {
+      fmt::format("mesh: {} vertices, {} faces, Euler characteristic {}, {} boundary loops, {} "
+                  "components\n",
+                  mesh.vertex_count(), mesh.face_count(), mesh.euler_characteristic(),
+                  mesh.boundary_loops(), mesh.components())};
 }
 
 std::function<int()> add_clean(CLI::App& app) {

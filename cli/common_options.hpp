@@ -10,20 +10,20 @@
 namespace CLI {
 class App;
 class Validator;
-}
+}  // namespace CLI
 
 namespace crest::cli {
 
 struct CommonOptions {
-  std::string input;        ///< INPUT; a file
-  std::string output;       ///< -o; geometry, by extension
-  std::string report;       ///< --report; JSON
-  std::string certificate;  ///< --certificate; certify/SPEC.md
-  std::string picture;      ///< --picture; .svg or .png
-  int threads = 0;          ///< --threads; 0: as many as the machine has
-  bool quiet = false;       ///< --quiet; no summary, no progress
-  bool cite = false;        ///< --cite; BibTeX of what the run used
-  io::CleanOptions clean;   ///< --weld, --split, --outward; how INPUT is cleaned
+  std::string input;                 ///< INPUT; a file
+  std::string output;                ///< -o; geometry, by extension
+  std::string report;                ///< --report; JSON
+  std::string certificate;           ///< --certificate; certify/SPEC.md
+  std::string picture;               ///< --picture; .svg or .png
+  int threads = 0;                   ///< --threads; 0: as many as the machine has
+  bool quiet = false;                ///< --quiet; no summary, no progress
+  bool cite = false;                 ///< --cite; BibTeX of what the run used
+  io::CleanOptions clean;            ///< --weld, --split, --outward; how INPUT is cleaned
   std::optional<std::int64_t> step;  ///< --step; of INPUT's fields
 };
 

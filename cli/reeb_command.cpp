@@ -39,8 +39,8 @@ struct ReebOptions {
 };
 
 void add_reeb_options(CLI::App& app, ReebOptions& o) {
-  auto* field = app.add_option(
-      "--field", o.field, "scalar field of the file (default: its only one)");
+  auto* field =
+      app.add_option("--field", o.field, "scalar field of the file (default: its only one)");
   field->type_name("NAME");
   app.add_option("--expression", o.expression,
                  "function of x, y, z instead of a field, sampled at vertices and, unless it is "
@@ -307,10 +307,10 @@ int run_reeb(const ReebOptions& o) {
 
 std::function<int()> add_reeb(CLI::App& app) {
   auto options = std::make_shared<ReebOptions>();
-  add_common_options(app, options->common,
-                     fmt::format("surface with a function, or mesh with --expression ({})",
-                                 kMeshFormats),
-                     "graph, critical points and level lines (.vtp) or tiles (.vtu)");
+  add_common_options(
+      app, options->common,
+      fmt::format("surface with a function, or mesh with --expression ({})", kMeshFormats),
+      "graph, critical points and level lines (.vtp) or tiles (.vtu)");
   add_reeb_options(app, *options);
   add_clean_options(app, options->common.clean, false);
   add_step_option(app, options->common);

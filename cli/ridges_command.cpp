@@ -160,10 +160,9 @@ int run_ridges(RidgesOptions& o) {
 
 std::function<int()> add_ridges(CLI::App& app) {
   auto options = std::make_shared<RidgesOptions>();
-  add_common_options(
-      app, options->common,
-      fmt::format("mesh ({}), unless --surface or --param is given", kMeshFormats),
-      "ridges and umbilics as polylines (.vtp .obj .ply)");
+  add_common_options(app, options->common,
+                     fmt::format("mesh ({}), unless --surface or --param is given", kMeshFormats),
+                     "ridges and umbilics as polylines (.vtp .obj .ply)");
   app.get_option("INPUT")->required(false);
   add_ridges_options(app, *options);
   add_clean_options(app, options->common.clean, true);

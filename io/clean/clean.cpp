@@ -113,11 +113,12 @@ class Cleaning {
     const std::vector<Index> flat = collapse_flat_faces(surface_, done_);
     if (surface_.faces.empty()) fail("faces", "none has an area", "export the mesh again");
     if (flat.empty()) return;
-    fail(face_name(soup_, surface_, flat[0]),
-         fmt::format("its area is exactly zero, and no edge of it can be collapsed without a change "
-                     "of the surface's topology ({} such faces)",
-                     flat.size()),
-         "move its vertices apart, or join those that are equal with --weld 0");
+    fail(
+        face_name(soup_, surface_, flat[0]),
+        fmt::format("its area is exactly zero, and no edge of it can be collapsed without a change "
+                    "of the surface's topology ({} such faces)",
+                    flat.size()),
+        "move its vertices apart, or join those that are equal with --weld 0");
   }
 
   /// Vertices that are split are no others.

@@ -19,10 +19,10 @@ enum class Purpose {
 /// one-sided parts are cut if asked for, minorities turned, closed parts turned outward if asked
 /// for, faces of area zero collapsed.
 /// Guarantees: every vertex is used, has one fan and is finite; every edge is in one or two faces;
-/// no two faces have the same vertices; vertices and faces keep the file's order, but split vertices
-/// come last. A surface that is clean already is not changed.
-/// Throws: kernel::InputError in the file's numbers for what must not be mended without being asked
-/// for, naming the option that does, or cannot be mended. Cost: O(n log n).
+/// no two faces have the same vertices; vertices and faces keep the file's order, but split
+/// vertices come last. A surface that is clean already is not changed. Throws: kernel::InputError
+/// in the file's numbers for what must not be mended without being asked for, naming the option
+/// that does, or cannot be mended. Cost: O(n log n).
 Surface clean(const Soup& soup, const CleanOptions& options, Purpose purpose, CleanUp& done);
 
 }  // namespace crest::io

@@ -68,8 +68,7 @@ std::vector<std::string> words(const CleanUp& done) {
   say(done.trimmed_faces, "left out {} of area zero at the boundary", "face", "faces");
   say(done.turned_faces, "flipped {} oriented against the majority of their component", "face",
       "faces");
-  say(done.turned_parts, "turned {} with negative volume", "closed component",
-      "closed components");
+  say(done.turned_parts, "turned {} with negative volume", "closed component", "closed components");
   say(done.coincident_vertices,
       "{} at the place of another one, faces that only meet there are not joined; --weld 0 makes "
       "them one",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Termination: collapses and omissions leave fewer faces. Flips keep their number, and of the faces
-// of area zero either one goes or two get shorter longest sides (exactly: corners inside a segment).
+// of area zero either one goes or two get shorter longest sides (exactly: corners inside a
+// segment).
 #include "io/clean/collapse.hpp"
 
 #include <algorithm>

@@ -17,7 +17,8 @@ std::size_t drop_repeated_corners(Surface& surface);
 /// Requires: the surface's sides, no repeated corners.
 std::size_t drop_duplicates(Surface& surface, const std::vector<Side>& sides);
 
-/// Vertices of no face; those of curved faces beside their corners go uncounted. Renumbers the rest.
+/// Vertices of no face; those of curved faces beside their corners go uncounted. Renumbers the
+/// rest.
 std::size_t drop_unused(Surface& surface);
 
 }  // namespace crest::io

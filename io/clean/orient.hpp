@@ -11,9 +11,9 @@ struct Parts {
     std::size_t faces = 0, against = 0;
     bool closed = true;  ///< every side has a face across
   };
-  std::vector<Part> parts;             ///< in the order of their first faces
-  std::vector<kernel::Index> of;       ///< F: number of its part
-  std::vector<std::uint8_t> against;   ///< F: not oriented like the part's first face
+  std::vector<Part> parts;            ///< in the order of their first faces
+  std::vector<kernel::Index> of;      ///< F: number of its part
+  std::vector<std::uint8_t> against;  ///< F: not oriented like the part's first face
   /// Sides across which this cannot be so: there are some iff a part is one-sided. The others are
   /// enough to keep each part together.
   std::vector<std::pair<kernel::Index, std::uint8_t>> clashes;

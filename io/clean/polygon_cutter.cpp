@@ -75,9 +75,8 @@ void PolygonCutter::cut_quadrilateral() {
 std::size_t PolygonCutter::blocker(std::size_t tip) const {
   const std::size_t a = before_[tip], c = next_[tip], u = axes_[0];
   const auto [low, high] = std::minmax({corners_[a][u], corners_[tip][u], corners_[c][u]});
-  for (auto at = not_left_.lower_bound({low, 0}); at != not_left_.end() && at->first <= high; ++at) {
+  for (auto at = not_left_.lower_bound({low, 0}); at != not_left_.end() && at->first <= high; ++at)
     if (covers({a, tip, c}, at->second)) return at->second;
-  }
   return kNobody;
 }
 
@@ -130,8 +129,8 @@ void PolygonCutter::remove(std::size_t tip) {
   }
 }
 
-const std::vector<PolygonCutter::Local>& PolygonCutter::cut(std::span<const Vec3> corners,
-                                                            std::span<const kernel::Index> numbers) {
+const std::vector<PolygonCutter::Local>& PolygonCutter::cut(
+    std::span<const Vec3> corners, std::span<const kernel::Index> numbers) {
   corners_ = corners;
   numbers_ = numbers;
   triangles_.clear();

@@ -2,8 +2,9 @@
 #pragma once
 
 // Polygons cut into triangles by one rule for all formats. Own code: a rule that can be stated in a
-// few sentences, does not depend on where a polygon begins, and never fails (CGAL's refuse corners that
-// are not plane, straight or cross themselves, or leave the choice among equals to their algorithm).
+// few sentences, does not depend on where a polygon begins, and never fails (CGAL's refuse corners
+// that are not plane, straight or cross themselves, or leave the choice among equals to their
+// algorithm).
 #include <array>
 #include <set>
 #include <span>
@@ -49,8 +50,8 @@ class PolygonCutter {
   std::array<std::size_t, 2> axes_{};  ///< the plane seen, counter-clockwise
   std::vector<Local> triangles_;
   std::vector<std::size_t> next_, before_;
-  std::vector<std::vector<std::size_t>> blocked_;       ///< tips that wait for this corner
-  std::set<std::pair<double, std::size_t>> not_left_;   ///< corners that do not turn left, by place
+  std::vector<std::vector<std::size_t>> blocked_;      ///< tips that wait for this corner
+  std::set<std::pair<double, std::size_t>> not_left_;  ///< corners that do not turn left, by place
   std::set<Key> ears_, others_;
 };
 

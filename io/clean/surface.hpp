@@ -16,12 +16,13 @@ namespace crest::io {
 /// V vertices, F faces. Positions may coincide and faces overlap: cleaning is what ends that.
 struct Surface {
   std::vector<kernel::Vec3> points;
-  std::vector<kernel::Index> point_of;   ///< V: the soup's point it is
+  std::vector<kernel::Index> point_of;  ///< V: the soup's point it is
   std::vector<kernel::Triangle> faces;
-  std::vector<kernel::Index> cell_of;    ///< F: the soup's cell it is of
+  std::vector<kernel::Index> cell_of;  ///< F: the soup's cell it is of
   /// F or none: the soup's points in the middle of the sides (0 1), (1 2), (2 0), or kNone thrice.
   std::vector<std::array<kernel::Index, 3>> midside = {};
-  std::vector<kernel::Index> between = {};  ///< the soup's points of curved faces beside the corners
+  std::vector<kernel::Index> between =
+      {};  ///< the soup's points of curved faces beside the corners
 
   kernel::Index vertex_count() const { return static_cast<kernel::Index>(points.size()); }
   kernel::Index face_count() const { return static_cast<kernel::Index>(faces.size()); }
@@ -36,7 +37,8 @@ inline std::string vertex_name(const Soup& soup, const Surface& surface, kernel:
 }
 
 /// What the file calls a surface's vertices and faces: V, F. The triangles of a polygon have one
-/// number, as have the vertices that one was split into; welded and collapsed ones have the first's.
+/// number, as have the vertices that one was split into; welded and collapsed ones have the
+/// first's.
 struct FileNumbers {
   std::vector<std::int64_t> vertices, faces;
 };

@@ -71,15 +71,14 @@ class Triangulation {
     for (std::size_t c = 0; c < soup_.cells.size(); ++c) {
       const CellType type = soup_.cells.type(c);
       const int dimension = dimension_of(type);
-      if (dimension != 2 && dimension >= 0) {
+      if (dimension != 2 && dimension >= 0)
         ++done_.other_cells[type];
-      } else if (type == CellType::triangle && soup_.cells.nodes(c).size() == 3) {
+      else if (type == CellType::triangle && soup_.cells.nodes(c).size() == 3)
         add(c, {node(soup_, c, 0), node(soup_, c, 1), node(soup_, c, 2)});
-      } else if (type == CellType::triangle_strip) {
+      else if (type == CellType::triangle_strip)
         add_strip(c);
-      } else {
+      else
         add_polygon(c);
-      }
     }
     if (!surface_.midside.empty()) surface_.midside.resize(surface_.faces.size(), kStraight);
     return std::move(surface_);
@@ -100,8 +99,8 @@ class Triangulation {
     if (nodes > 3) ++done_.polygons;
     for (std::size_t i = 0; i + 2 < nodes; ++i) {
       const std::size_t odd = i % 2;
-      add(cell, {node(soup_, cell, i + odd), node(soup_, cell, i + 1 - odd),
-                 node(soup_, cell, i + 2)});
+      add(cell,
+          {node(soup_, cell, i + odd), node(soup_, cell, i + 1 - odd), node(soup_, cell, i + 2)});
     }
   }
 
@@ -120,8 +119,7 @@ class Triangulation {
       add(cell, {corners[0], corners[1], corners[2]});
       if (!keeps_sides) return;
       surface_.midside.resize(surface_.faces.size(), kStraight);
-      for (std::size_t k = 0; k < 3; ++k)
-        surface_.midside.back()[k] = node(soup_, cell, 3 + k);
+      for (std::size_t k = 0; k < 3; ++k) surface_.midside.back()[k] = node(soup_, cell, 3 + k);
       return;
     }
     ++done_.polygons;

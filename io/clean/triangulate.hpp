@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// From a soup's cells to triangles: polygons and strips are cut, cells of other dimensions left out.
+// From a soup's cells to triangles: polygons and strips are cut, cells of other dimensions left
+// out.
 #include "io/clean/clean_up.hpp"
 #include "io/clean/surface.hpp"
 

@@ -39,8 +39,7 @@ struct Axis {
 bool is_decimal(double x, int power) {
   const double scale = std::pow(10.0, std::abs(power));
   const double multiple = std::nearbyint(power < 0 ? x * scale : x / scale);
-  return std::fabs(multiple) < 0x1p53 &&
-         (power < 0 ? multiple / scale : multiple * scale) == x;
+  return std::fabs(multiple) < 0x1p53 && (power < 0 ? multiple / scale : multiple * scale) == x;
 }
 
 /// The largest power of two or ten above `least` that divides an axis, or 0. Powers of ten beyond

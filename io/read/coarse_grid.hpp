@@ -13,9 +13,9 @@ namespace crest::io {
 inline constexpr double kFinestGrid = 64;
 
 /// A line about them, or nothing. The rule: along an axis on which the coordinates differ, all are
-/// whole multiples of a power of two or (as decimals) of ten, g, and g > h / 64, h being the median of
-/// the lengths of the faces' first sides. Lattices are meant to be so: not where g >= h / 2, unless
-/// a coordinate is beyond 2^20 g. The line names the largest g of all axes.
+/// whole multiples of a power of two or (as decimals) of ten, g, and g > h / 64, h being the median
+/// of the lengths of the faces' first sides. Lattices are meant to be so: not where g >= h / 2,
+/// unless a coordinate is beyond 2^20 g. The line names the largest g of all axes.
 std::optional<std::string> coarse_grid(const kernel::TriangleMesh& mesh);
 
 }  // namespace crest::io

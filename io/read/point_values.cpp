@@ -35,8 +35,7 @@ std::string known_fields(const Soup& soup, const std::string& remedy) {
   if (of_points.empty() && of_cells.empty()) return "the file has no scalar field, " + remedy;
   std::string known = "the scalar fields are ";
   known += quoted_list(of_points);
-  if (!of_cells.empty())
-    known += (of_points.empty() ? "" : ", of cells ") + quoted_list(of_cells);
+  if (!of_cells.empty()) known += (of_points.empty() ? "" : ", of cells ") + quoted_list(of_cells);
   return known;
 }
 

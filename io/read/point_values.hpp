@@ -11,8 +11,8 @@
 
 namespace crest::io {
 
-/// A scalar field of a soup: of its points, or of its cells, taken as the mean over the faces around
-/// a point.
+/// A scalar field of a soup: of its points, or of its cells, taken as the mean over the faces
+/// around a point.
 class PointValues {
  public:
   /// The scalar field of that name, points first; an empty name: the only one of the points, or if
@@ -34,13 +34,13 @@ class PointValues {
   const Soup& soup_;
   const Field* field_ = nullptr;
   bool of_cells_ = false;
-  std::vector<double> means_;        ///< of fields of cells
+  std::vector<double> means_;         ///< of fields of cells
   std::vector<std::uint32_t> faces_;  ///< around each point
 };
 
-/// The normals of these points, as long as the file has them: those that it says are normals, else a
-/// field "Normals". Throws: kernel::InputError if there are none, or naming a point whose normal is
-/// zero or not finite.
+/// The normals of these points, as long as the file has them: those that it says are normals, else
+/// a field "Normals". Throws: kernel::InputError if there are none, or naming a point whose normal
+/// is zero or not finite.
 std::vector<kernel::Vec3> point_normals(const Soup& soup, const std::vector<kernel::Index>& points);
 
 }  // namespace crest::io

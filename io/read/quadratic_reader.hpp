@@ -34,10 +34,10 @@ struct QuadraticFile {
 
 /// Reads the formats of read_mesh, cleaned for a function (io/clean): the surface may be one-sided,
 /// triangles of 6 nodes are quadratic. A linear face among quadratic ones has the means of its ends
-/// as midside values (with an expression: its values there). Of welded vertices the first one's value
-/// counts. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line, in the file's
-/// numbers. Cost: O(n log n) in the file's size; nothing is allocated on the strength of a count that
-/// the file is too short for.
+/// as midside values (with an expression: its values there). Of welded vertices the first one's
+/// value counts. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line, in the
+/// file's numbers. Cost: O(n log n) in the file's size; nothing is allocated on the strength of a
+/// count that the file is too short for.
 QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource& source);
 
 /// The same for a file that is in memory: `name` gives the format and stands in messages.

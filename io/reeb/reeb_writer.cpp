@@ -128,8 +128,8 @@ class Scene {
       while (!begin.empty() && begin[face + 1] <= t) ++face;
       const auto& [a, b, c] = tiles[t];
       add_row(data_.add_triangle(first + a, first + b, first + c), kTile,
-              number(scene_.arc_of_tile[t]), -1, -1,
-              face_number(scene_, begin.empty() ? t : face), 0);
+              number(scene_.arc_of_tile[t]), -1, -1, face_number(scene_, begin.empty() ? t : face),
+              0);
     }
   }
 

@@ -38,7 +38,8 @@ struct ReebScene {
   const std::vector<TreeLines>& trees;
   const std::vector<LevelLines>& levels;
   std::string data_digest;  ///< hex, of the run's certificate; may be empty
-  std::span<const std::int64_t> face_numbers = {};  ///< what the file calls the faces; else by place
+  std::span<const std::int64_t> face_numbers =
+      {};  ///< what the file calls the faces; else by place
 };
 
 /// Writes .vtp or .vtu, by the extension in any case.

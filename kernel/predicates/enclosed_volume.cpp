@@ -29,8 +29,7 @@ T sum_of_determinants(std::span<const Vec3> points, std::span<const FaceCorners>
   const Vector3<T> o = lift<T>(points[faces[0][0]]);
   T sum = 0;
   for (const auto& [a, b, c] : faces)
-    sum = sum +
-          determinant(lift<T>(points[a]) - o, lift<T>(points[b]) - o, lift<T>(points[c]) - o);
+    sum = sum + determinant(lift<T>(points[a]) - o, lift<T>(points[b]) - o, lift<T>(points[c]) - o);
   return sum;
 }
 

@@ -3,12 +3,12 @@
 
 // Sign of the volume that oriented triangles enclose.
 //
-// enclosed_volume is the sign of the sum of the determinants (a - o, b - o, c - o) of the faces, six
-// times the volume counted with the surface's windings, decided exactly; o is the first corner.
+// enclosed_volume is the sign of the sum of the determinants (a - o, b - o, c - o) of the faces,
+// six times the volume counted with the surface's windings, decided exactly; o is the first corner.
 // Laws, for closed surfaces. (1) turning every face turns the sign. (2) invariant under translation
 // and scaling by powers of two (barring rounding). (3) positive for a convex body whose faces are
-// counter-clockwise from outside. (4) zero if every face is there turned around, too. Not true: that
-// a positive sign means a surface without self-intersections.
+// counter-clockwise from outside. (4) zero if every face is there turned around, too. Not true:
+// that a positive sign means a surface without self-intersections.
 #include <cstdint>
 #include <span>
 

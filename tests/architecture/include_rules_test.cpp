@@ -125,7 +125,8 @@ std::string objection(const std::string& file, const std::string& target) {
   const std::string from = layer_of(file), to = layer_of(target);
   if (file == "cli/crest_verify.cpp" || has_prefix(file, "cli/input_mesh.")) {
     const bool own = target == "cli/input_mesh.hpp";
-    return own || to == "certify" || has_prefix(to, "kernel/") ? "" : "sees certify and kernel only";
+    return own || to == "certify" || has_prefix(to, "kernel/") ? ""
+                                                               : "sees certify and kernel only";
   }
   if (from == "io" && to == "io") return room_objection(file, target);
   if (from == "certify" && !claim_of(target).empty() && claim_of(target) != claim_of(file))

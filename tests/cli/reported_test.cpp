@@ -62,8 +62,8 @@ TEST_CASE("ridges of reported files have the right counts, and their certificate
     const auto file = reported(c.file);
     if (!file) return;
     INFO(c.file << " " << c.options);
-    const json report = report_of(
-        folder, fmt::format("ridges '{}' {} --certificate c.crest", *file, c.options));
+    const json report =
+        report_of(folder, fmt::format("ridges '{}' {} --certificate c.crest", *file, c.options));
     CHECK(report["cleanup"][c.count] == c.value);
     CHECK(report["warnings"].size() == 1);
     CHECK(warnings_of(report).find(std::to_string(c.value) + " ") != std::string::npos);
@@ -97,8 +97,9 @@ TEST_CASE("an edge of zero length is collapsed for geometry, kept for a function
     CHECK(warnings_of(report).find("collapsed 1 edge of length zero") != std::string::npos);
   }
   CHECK(report_of(folder, "reeb '" + *file + "' --expression z")["vertices"] == 642);
-  REQUIRE(run_crest("crest features '" + *file + "' --certificate c.crest", folder.path())
-              .exit_code == 0);
+  REQUIRE(
+      run_crest("crest features '" + *file + "' --certificate c.crest", folder.path()).exit_code ==
+      0);
   CHECK(run_crest("crest-verify c.crest --input '" + *file + "'", folder.path()).exit_code == 0);
 }
 
@@ -147,8 +148,8 @@ TEST_CASE("texture seams are named with the option that closes them") {
     CHECK(closed["cleanup"]["coincident_vertices"] == 0);
   }
   CHECK(report_of(folder, "reeb '" + *file + "' --expression y --weld 0")["graph"]["loops"] == 1);
-  const json soup = report_of(folder, "reeb '" + *reported("ply_soup_of_triangles.ply") +
-                                          "' --expression z --weld 0");
+  const json soup = report_of(
+      folder, "reeb '" + *reported("ply_soup_of_triangles.ply") + "' --expression z --weld 0");
   CHECK(soup["graph"]["nodes"] == 2);
 }
 
@@ -162,16 +163,16 @@ TEST_CASE("fields: ties are said, what is not exact or finite is refused alike b
     const json report = report_of(folder, command);
     CHECK(report["ties"] > 0);
     CHECK(report["tied_arcs"] > 0);
-    CHECK(run_crest("crest " + command, folder.path()).out.find("--contract gives the graph of "
-                                                                "the function itself") !=
-          std::string::npos);
+    CHECK(run_crest("crest " + command, folder.path())
+              .out.find("--contract gives the graph of "
+                        "the function itself") != std::string::npos);
     CHECK(report_of(folder, command + " --contract")["written"]["nodes"] == nodes);
   }
   for (const char* field : {"'with inf'", "i64"}) {
     std::string message;
     for (const char* command : {"reeb", "features"}) {
-      const auto run = run_crest(fmt::format("crest {} '{}' --field {}", command, *file, field),
-                                 folder.path());
+      const auto run =
+          run_crest(fmt::format("crest {} '{}' --field {}", command, *file, field), folder.path());
       CHECK(run.exit_code == 3);
       CHECK(is_one_line(run.err));
       CHECK(run.err.find("vertex ") != std::string::npos);
@@ -187,8 +188,8 @@ TEST_CASE("fields: ties are said, what is not exact or finite is refused alike b
   const auto quality = reported("ply_reeb_quality.ply");
   CHECK(report_of(folder, "features '" + *quality + "' --field quality")["field"] == "quality");
   CHECK(report_of(folder, "reeb '" + *quality + "' --field quality")["function"] == "quality");
-  const json tets = report_of(folder, "reeb '" + *reported("msh_22_tets_beside.msh") +
-                                          "' --field u");
+  const json tets =
+      report_of(folder, "reeb '" + *reported("msh_22_tets_beside.msh") + "' --field u");
   CHECK(tets["graph"]["nodes"] == 2);
   CHECK(warnings_of(tets).find("left out 1 tetrahedron") != std::string::npos);
 }

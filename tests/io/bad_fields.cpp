@@ -94,8 +94,8 @@ TEST_CASE("the field is found or the message has the names there are", "[io]") {
   const std::string vtu = vtu_text(kSquare);
   check_error("a.vtu", vtu, "field 'U': does not exist; the scalar fields are 'T'",
               {"U", {}, false});
-  check_error("a.msh", msh_text(kSquare, 4),
-              "field 'U': does not exist; the scalar fields are 'T'", {"U", {}, false});
+  check_error("a.msh", msh_text(kSquare, 4), "field 'U': does not exist; the scalar fields are 'T'",
+              {"U", {}, false});
   const std::string array =
       "<DataArray type=\"Float64\" Name=\"V\" format=\"ascii\">0 0 0 0 0 0 0 0 0</DataArray>\n";
   const std::string two = replaced(vtu, "</PointData>", array + "</PointData>");
@@ -184,6 +184,6 @@ TEST_CASE("an expression that is not finite somewhere names the place", "[io]") 
   const FunctionSource source{"", Expression::parse("1/x", {"x", "y", "z"}), false};
   const std::string off = "OFF\n3 1 0\n-1 0 0\n1 0 0\n2 1 0\n3 0 1 2\n";
   check_error("a.off", off, "edge 0-1: the expression is inf at its middle", source);
-  check_error("a.off", replaced(off, "2 1 0\n3", "0 1 0\n3"), "vertex 2: the expression is inf there",
-              source);
+  check_error("a.off", replaced(off, "2 1 0\n3", "0 1 0\n3"),
+              "vertex 2: the expression is inf there", source);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random soups: what comes out is a manifold, maps lead back to the file, cleaning twice is cleaning
-// once; and the rule of polygons.
+// Random soups: what comes out is a manifold, maps lead back to the file, cleaning twice is
+// cleaning once; and the rule of polygons.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -35,8 +35,7 @@ Soup random_soup(Random& random) {
 }
 
 void check_maps(const Soup& soup, const Surface& s) {
-  for (Index v = 0; v < s.vertex_count(); ++v)
-    CHECK(s.points[v] == soup.points[s.point_of[v]]);
+  for (Index v = 0; v < s.vertex_count(); ++v) CHECK(s.points[v] == soup.points[s.point_of[v]]);
   for (Index f = 0; f < s.face_count(); ++f) {
     const auto nodes = soup.cells.nodes(s.cell_of[f]);
     for (const Index v : s.faces[f]) {
@@ -99,9 +98,8 @@ TEST_CASE("random soups become manifolds that lead back to the file, once and fo
       if (purpose == Purpose::geometry)
         CHECK_NOTHROW(crest::kernel::TriangleMesh(c.surface.points, c.surface.faces));
       else
-        CHECK_NOTHROW(
-            crest::kernel::QuadraticMesh(c.surface.points, c.surface.faces,
-                                         std::vector<double>(c.surface.points.size(), 0.0)));
+        CHECK_NOTHROW(crest::kernel::QuadraticMesh(
+            c.surface.points, c.surface.faces, std::vector<double>(c.surface.points.size(), 0.0)));
       check_maps(soup, c.surface);
       options.weld.reset();  // vertices split at one place are to stay apart
       const Cleaned again = cleaned(soup_of(c.surface), options, purpose);
@@ -124,8 +122,8 @@ TEST_CASE("polygons: the shortest ear first, wherever the list begins", "[io]") 
         std::set<Triangle>{{0, 1, 2}, {0, 2, 3}});
   CHECK(as_set(cut({{0, 0, 0}, {4, 4, 0}, {1, 1, 0}, {4, 0, 0}})).size() == 2);  // straight at 2
   // A comb, whose shortest diagonals are outside.
-  const Points comb = {{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {4, 1, 0}, {3, 5, 0},
-                       {2, 1, 0}, {1, 5, 0}, {0.5, 1, 0}};
+  const Points comb = {{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {4, 1, 0},
+                       {3, 5, 0}, {2, 1, 0}, {1, 5, 0}, {0.5, 1, 0}};
   const auto pieces = cut(comb);
   CHECK(pieces.size() == 6);
   double sum = 0;
@@ -151,7 +149,8 @@ TEST_CASE("random star-shaped polygons are cut into their area, alike from every
     double area = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double r = 1 + static_cast<double>(random() % 8), t = 6.283185307179586 * i / n;
-      polygon.push_back({r * std::cos(t), r * std::sin(t), 0.01 * static_cast<double>(random() % 5)});
+      polygon.push_back(
+          {r * std::cos(t), r * std::sin(t), 0.01 * static_cast<double>(random() % 5)});
     }
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 &p = polygon[i], &q = polygon[(i + 1) % n];

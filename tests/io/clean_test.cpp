@@ -61,8 +61,8 @@ TEST_CASE("cells of other dimensions are left out by kind", "[io]") {
   const Cleaned c = cleaned(soup);
   CHECK(c.surface.faces == std::vector<Triangle>{{0, 1, 2}});
   CHECK(c.surface.cell_of == std::vector<Index>{2});
-  CHECK(words(c.done) == Lines{"left out 1 point, 2 lines, 1 tetrahedron",
-                               "left out 1 vertex that no face uses"});
+  CHECK(words(c.done) ==
+        Lines{"left out 1 point, 2 lines, 1 tetrahedron", "left out 1 vertex that no face uses"});
   soup.cells.add(CellType(33), Face{0, 1});
   CHECK(cleaned(soup).error.starts_with("cell 5: has VTK's type 33; give triangles"));
 }
@@ -111,14 +111,15 @@ TEST_CASE("repeated corners, duplicates and unused vertices are left out", "[io]
   const Cleaned c = cleaned(soup_of(points, {{1, 2, 4}, {0, 0, 3}}));
   CHECK(c.surface.point_of == std::vector<Index>{1, 2, 4});
   CHECK(c.surface.faces == std::vector<Triangle>{{0, 1, 2}});
-  CHECK(words(c.done) == Lines{"left out 1 face with repeated corners",
-                               "left out 2 vertices that no face uses"});
-  CHECK(cleaned(soup_of(points, {{1, 2, 4}, {0, 1, 2}})).error.starts_with(
-      "vertex 0: its coordinate x is not a number; "));
-  CHECK(cleaned(soup_of(points, {{1, 2, 4, 3}})).error.starts_with(
-      "vertex 3: its coordinate y is not finite; "));
-  CHECK(cleaned(soup_of(points, {{1, 2, 5}})).error.starts_with(
-      "face 0: vertex 5 (counted from 0) does not exist; the file has 5 vertices"));
+  CHECK(words(c.done) ==
+        Lines{"left out 1 face with repeated corners", "left out 2 vertices that no face uses"});
+  CHECK(cleaned(soup_of(points, {{1, 2, 4}, {0, 1, 2}}))
+            .error.starts_with("vertex 0: its coordinate x is not a number; "));
+  CHECK(cleaned(soup_of(points, {{1, 2, 4, 3}}))
+            .error.starts_with("vertex 3: its coordinate y is not finite; "));
+  CHECK(cleaned(soup_of(points, {{1, 2, 5}}))
+            .error.starts_with(
+                "face 0: vertex 5 (counted from 0) does not exist; the file has 5 vertices"));
   CHECK(cleaned(soup_of(points, {})).error.starts_with("faces: there are none; "));
   CHECK(cleaned(soup_of(points, {{1, 1, 2}})).error.starts_with("faces: all have repeated "));
 }
@@ -146,8 +147,8 @@ TEST_CASE("every fan but the first gets a vertex of its own", "[io]") {
 
 TEST_CASE("welding: first come, first served, exactly", "[io]") {
   // A strip of vertices 1 apart: 0 takes 1, 2 stays and takes 3.
-  const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0},
-                                    {0, 9, 0}, {9, 9, 0}};
+  const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0},
+                                    {3, 0, 0}, {0, 9, 0}, {9, 9, 0}};
   const Soup soup = soup_of(points, {{0, 1, 4}, {1, 2, 4}, {2, 3, 5}});
   const Cleaned c = cleaned(soup, weld(1));
   CHECK(c.surface.point_of == std::vector<Index>{0, 2, 4, 5});
@@ -162,7 +163,9 @@ TEST_CASE("welding: first come, first served, exactly", "[io]") {
   for (const double t : {1e-9, 0.1, 3.0, 0x1p-12}) {
     const std::vector<Vec3> pair = {{far, 0, 0}, {far + 0x1p-12, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     CHECK(cleaned(soup_of(pair, {{0, 2, 3}, {1, 3, 2}}), weld(t)).done.welded_vertices ==
-          (t < 0x1p-12 ? 0u : t < 1.4 ? 1u : 2u));
+          (t < 0x1p-12 ? 0u
+           : t < 1.4   ? 1u
+                       : 2u));
   }
   // Seams: two squares whose common corners are there twice.
   const std::vector<Vec3> seam = {{0, 0, 0}, {1, 0, 0},    {1, 1, 0}, {0, 1, 0},
@@ -189,10 +192,10 @@ TEST_CASE("edges of three faces are refused with the option that cuts them", "[i
   CHECK(c.done.cut_edges == 1);
   CHECK(c.surface.points.size() == 9);  // three triangles apart: each has a fan at 0 and at 2
   // A fin inside a disk: around its ends the sheet goes on, so that it stays whole.
-  std::vector<Vec3> disk = {{0, 0, 0}, {1, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {3, 0, 0},
-                            {0.5, 0, 1}};
-  std::vector<Face> faces = {{0, 1, 3}, {1, 0, 4}, {0, 3, 2}, {0, 2, 4}, {1, 5, 3}, {1, 4, 5},
-                             {0, 1, 6}};
+  std::vector<Vec3> disk = {{0, 0, 0},  {1, 0, 0}, {-2, 0, 0}, {0, 2, 0},
+                            {0, -2, 0}, {3, 0, 0}, {0.5, 0, 1}};
+  std::vector<Face> faces = {{0, 1, 3}, {1, 0, 4}, {0, 3, 2}, {0, 2, 4},
+                             {1, 5, 3}, {1, 4, 5}, {0, 1, 6}};
   const Cleaned sheet = cleaned(soup_of(disk, faces), split());
   CHECK(sheet.done.cut_edges == 1);
   CHECK(sheet.done.split_vertices == 2);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces of area zero: each way out, and what keeps the topology from it.
+#include "io/clean/collapse.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "io/clean/collapse.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 #include "kernel/predicates/collinear.hpp"
 #include "tests/io/clean_soups.hpp"
@@ -120,7 +121,8 @@ TEST_CASE("what no step may mend is named, and welding is a way", "[io]") {
   CHECK(cleaned(soup_of(points, neck), options).error == "");
 }
 
-TEST_CASE("random vertices doubled again and again collapse to the surface they came from", "[io]") {
+TEST_CASE("random vertices doubled again and again collapse to the surface they came from",
+          "[io]") {
   Random random(kSeed);
   for (int trial = 0; trial < 100 * multiplier(); ++trial) {
     const int n = 4 + static_cast<int>(random() % 5);

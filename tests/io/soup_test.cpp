@@ -118,8 +118,10 @@ TEST_CASE("fields keep their components and their own kind of number", "[io]") {
   const auto choice = [&](const char* name) {
     return error_of([&] { PointValues(soup, name, "use another file"); });
   };
-  CHECK(choice("v") == "field 'v': has 3 components; the scalar fields are 'i', 'u', 'f', of cells 'c'");
-  CHECK(choice("w").starts_with("field 'w': does not exist; the scalar fields are 'i', 'u', 'f', "));
+  CHECK(choice("v") ==
+        "field 'v': has 3 components; the scalar fields are 'i', 'u', 'f', of cells 'c'");
+  CHECK(
+      choice("w").starts_with("field 'w': does not exist; the scalar fields are 'i', 'u', 'f', "));
   CHECK(choice("f") == "no error");
   // The mean over the faces around a point: cells 1 to 3, the quadrangle once.
   const PointValues means(soup, "c", "");

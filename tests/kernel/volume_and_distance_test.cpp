@@ -38,17 +38,17 @@ TEST_CASE("within: laws, ties and every stage") {
     require_bound(200, [&] { return make(1); });
     for (std::uint64_t i = 0; i < 200; ++i) {
       const WithinDistance f = make(i);
-      CHECK(within(f.p, f.q, f.t) == within(f.q, f.p, f.t));                   // law 1
-      CHECK(within(f.p, f.q, 0) == (f.p == f.q));                             // law 3
-      if (within(f.p, f.q, f.t)) CHECK(within(f.p, f.q, 2 * f.t));            // law 4
+      CHECK(within(f.p, f.q, f.t) == within(f.q, f.p, f.t));        // law 1
+      CHECK(within(f.p, f.q, 0) == (f.p == f.q));                   // law 3
+      if (within(f.p, f.q, f.t)) CHECK(within(f.p, f.q, 2 * f.t));  // law 4
     }
   }
 }
 
 TEST_CASE("enclosed volume: laws and every stage") {
   const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  CHECK(enclosed_volume(points, kTetrahedron) == Sign::positive);           // law 3
-  CHECK(enclosed_volume(points, turned(kTetrahedron)) == Sign::negative);   // law 1
+  CHECK(enclosed_volume(points, kTetrahedron) == Sign::positive);          // law 3
+  CHECK(enclosed_volume(points, turned(kTetrahedron)) == Sign::negative);  // law 1
   CHECK(enclosed_volume_decision(points, kTetrahedron).stage == Stage::triage);
   CHECK(enclosed_volume(points, {}) == Sign::zero);
   std::vector<FaceCorners> both = kTetrahedron;
@@ -69,8 +69,7 @@ TEST_CASE("enclosed volume: laws and every stage") {
       for (int v = 0; v < 4; ++v) p.push_back(draw_vector(d, family));
       using R = Rational;
       const auto o = lift<R>(p[0]);
-      const R volume =
-          determinant(lift<R>(p[1]) - o, lift<R>(p[2]) - o, lift<R>(p[3]) - o);
+      const R volume = determinant(lift<R>(p[1]) - o, lift<R>(p[2]) - o, lift<R>(p[3]) - o);
       CHECK(enclosed_volume(p, kTetrahedron) == sign_of(volume));
       CHECK(enclosed_volume(p, turned(kTetrahedron)) == -sign_of(volume));
     }
