@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/surface/input_tie.hpp"
+#include "certify/container/verdict.hpp"
 
 namespace crest::cli {
 
