@@ -74,8 +74,8 @@ std::vector<std::string> words(const CleanUp& done) {
       "them one",
       "vertex stands", "vertices stand");
   say(done.inside_out_parts,
-      "{} negative volume, as if its faces were seen from inside: signs and colours are then "
-      "exchanged; --outward turns it",
+      "{} negative volume, as if seen from inside: signs and colours are then exchanged; --outward "
+      "turns such components",
       "closed component has", "closed components have");
   return lines;
 }

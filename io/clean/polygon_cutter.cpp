@@ -45,7 +45,12 @@ int PolygonCutter::turn(std::size_t a, std::size_t b, std::size_t c) const {
 }
 
 PolygonCutter::Key PolygonCutter::key(std::size_t tip) const {
-  return {kernel::distance(corners_[before_[tip]], corners_[next_[tip]]), numbers_[tip], tip};
+  const double diagonal = kernel::distance(corners_[before_[tip]], corners_[next_[tip]]);
+  return {rank_[tip], diagonal, numbers_[tip], tip};
+}
+
+int PolygonCutter::rank_of_ear(std::size_t tip) const {
+  return edges_->has(numbers_[before_[tip]], numbers_[next_[tip]]) ? kEarOnEdge : kEar;
 }
 
 /// Whether w is in the triangle or on it, but not at one of its corners.
@@ -56,18 +61,17 @@ bool PolygonCutter::covers(const Local& triangle, std::size_t w) const {
   return turn(a, b, w) >= 0 && turn(b, c, w) >= 0 && turn(c, a, w) >= 0;
 }
 
-/// The same rule without its book-keeping: most polygons are quadrilaterals.
+/// The same rule without the book-keeping: most polygons are quadrilaterals.
 void PolygonCutter::cut_quadrilateral() {
   bool left[4];
   for (std::size_t i = 0; i < 4; ++i) left[i] = turn(before_[i], i, next_[i]) > 0;
-  std::size_t ear = kNobody, tip = 0;
+  std::size_t tip = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t opposite = (i + 2) % 4;
+    const bool ear = left[i] && (left[opposite] || !covers({before_[i], i, next_[i]}, opposite));
+    rank_[i] = ear ? rank_of_ear(i) : kNoEar;
     if (key(i) < key(tip)) tip = i;
-    if (!left[i] || (!left[opposite] && covers({before_[i], i, next_[i]}, opposite))) continue;
-    if (ear == kNobody || key(i) < key(ear)) ear = i;
   }
-  if (ear != kNobody) tip = ear;
   triangles_ = {{before_[tip], tip, next_[tip]}, {before_[tip], next_[tip], (tip + 2) % 4}};
 }
 
@@ -80,23 +84,24 @@ std::size_t PolygonCutter::blocker(std::size_t tip) const {
   return kNobody;
 }
 
-/// Puts a tip where it belongs.
+/// Puts a tip in its place.
 void PolygonCutter::judge(std::size_t tip) {
-  if (turn(before_[tip], tip, next_[tip]) <= 0) {
-    others_.insert(key(tip));
-    return;
+  rank_[tip] = kNoEar;
+  if (turn(before_[tip], tip, next_[tip]) > 0) {
+    const std::size_t w = blocker(tip);
+    if (w == kNobody)
+      rank_[tip] = rank_of_ear(tip);
+    else
+      blocked_[w].push_back(tip);
   }
-  const std::size_t w = blocker(tip);
-  if (w != kNobody) blocked_[w].push_back(tip);
-  (w == kNobody ? ears_ : others_).insert(key(tip));
+  tips_.insert(key(tip));
 }
 
 void PolygonCutter::start() {
   const std::size_t n = corners_.size();
   blocked_.assign(n, {});
   not_left_.clear();
-  ears_.clear();
-  others_.clear();
+  tips_.clear();
   for (std::size_t i = 0; i < n; ++i)
     if (turn(before_[i], i, next_[i]) <= 0) not_left_.insert({corners_[i][axes_[0]], i});
   for (std::size_t i = 0; i < n; ++i) judge(i);
@@ -105,10 +110,7 @@ void PolygonCutter::start() {
 void PolygonCutter::remove(std::size_t tip) {
   const std::size_t a = before_[tip], c = next_[tip];
   triangles_.push_back({a, tip, c});
-  for (const std::size_t i : {a, tip, c}) {
-    ears_.erase(key(i));
-    others_.erase(key(i));
-  }
+  for (const std::size_t i : {a, tip, c}) tips_.erase(key(i));
   next_[a] = c;
   before_[c] = a;
   next_[tip] = tip;  // gone
@@ -123,38 +125,43 @@ void PolygonCutter::remove(std::size_t tip) {
   }
   for (const std::size_t i : again) {
     if (next_[i] == i) continue;
-    ears_.erase(key(i));
-    others_.erase(key(i));
+    tips_.erase(key(i));
     judge(i);
   }
 }
 
-const std::vector<PolygonCutter::Local>& PolygonCutter::cut(
-    std::span<const Vec3> corners, std::span<const kernel::Index> numbers) {
+const std::vector<PolygonCutter::Local>& PolygonCutter::cut(std::span<const Vec3> corners,
+                                                            std::span<const kernel::Index> numbers,
+                                                            EdgeSet& edges) {
   corners_ = corners;
   numbers_ = numbers;
+  edges_ = &edges;
   triangles_.clear();
   std::size_t left = corners.size();
   if (left < 3) return triangles_;
+  next_.resize(left);
+  before_.resize(left);
+  rank_.assign(left, kNoEar);
+  for (std::size_t i = 0; i < left; ++i) {
+    next_[i] = (i + 1) % left;
+    before_[i] = (i + left - 1) % left;
+  }
   if (left == 3) {
     triangles_.push_back({0, 1, 2});
     return triangles_;
   }
   project();
-  next_.resize(left);
-  before_.resize(left);
-  for (std::size_t i = 0; i < left; ++i) {
-    next_[i] = (i + 1) % left;
-    before_[i] = (i + left - 1) % left;
-  }
   if (left == 4) {
     cut_quadrilateral();
-    return triangles_;
+  } else {
+    start();
+    for (; left > 3; --left) remove(std::get<3>(*tips_.begin()));
+    const std::size_t last = std::get<3>(*tips_.begin());
+    triangles_.push_back({before_[last], last, next_[last]});
   }
-  start();
-  for (; left > 3; --left) remove(std::get<2>(*(ears_.empty() ? others_ : ears_).begin()));
-  const std::size_t last = std::get<2>(*(ears_.empty() ? others_ : ears_).begin());
-  triangles_.push_back({before_[last], last, next_[last]});
+  // The diagonals: one a triangle but the last.
+  for (std::size_t i = 0; i + 1 < triangles_.size(); ++i)
+    edges.insert(numbers[triangles_[i][0]], numbers[triangles_[i][2]]);
   return triangles_;
 }
 

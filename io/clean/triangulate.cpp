@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 
 #include "io/clean/finite.hpp"
@@ -128,8 +128,24 @@ class Triangulation {
       require_finite(soup_, v);
       places_.push_back(soup_.points[v]);
     }
-    for (const auto& [a, b, c] : cutter_.cut(places_, corners))
+    if (!gathered_) gather_sides();
+    for (const auto& [a, b, c] : cutter_.cut(places_, corners, edges_))
       add(cell, {corners[a], corners[b], corners[c]});
+  }
+
+  /// Of all faces, when the first polygon is met.
+  void gather_sides() {
+    gathered_ = true;
+    for (std::size_t c = 0; c < soup_.cells.size(); ++c) {
+      if (dimension_of(soup_.cells.type(c)) != 2) continue;
+      const bool strip = soup_.cells.type(c) == CellType::triangle_strip;
+      const std::vector<Index> corners = corners_of(soup_, c);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (!strip || k + 1 < corners.size())
+          edges_.insert(corners[k], corners[(k + 1) % corners.size()]);
+        if (strip && k + 2 < corners.size()) edges_.insert(corners[k], corners[k + 2]);
+      }
+    }
   }
 
   const Soup& soup_;
@@ -137,6 +153,8 @@ class Triangulation {
   CleanUp& done_;
   Surface surface_;
   PolygonCutter cutter_;
+  EdgeSet edges_;
+  bool gathered_ = false;
   std::vector<Vec3> places_;
 };
 
@@ -160,8 +178,12 @@ Surface triangulate(const Soup& soup, bool curved, CleanUp& done) {
   if (soup.points.size() >= kNone || soup.cells.size() >= kNone)
     fail("mesh", "has more than 4.2 billion vertices or cells", "split it");
   Surface surface = Triangulation(soup, curved, done).run();
-  if (surface.faces.empty() && done.repeated_corners == 0)
-    fail("faces", "there are none", "export the mesh with its faces");
+  if (surface.faces.empty() && done.repeated_corners == 0) {
+    const bool solid = std::any_of(done.other_cells.begin(), done.other_cells.end(),
+                                   [](const auto& kind) { return dimension_of(kind.first) == 3; });
+    fail("faces", solid ? "there are none, only solids" : "there are none",
+         solid ? "extract their surface first" : "export the mesh with its faces");
+  }
   return surface;
 }
 

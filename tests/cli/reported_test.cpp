@@ -65,7 +65,7 @@ TEST_CASE("ridges of reported files have the right counts, and their certificate
     const json report =
         report_of(folder, fmt::format("ridges '{}' {} --certificate c.crest", *file, c.options));
     CHECK(report["cleanup"][c.count] == c.value);
-    CHECK(report["warnings"].size() == 1);
+    CHECK(report["warnings"].size() == (c.value == 1 && c.expected.euler == 4 ? 2 : 1));
     CHECK(warnings_of(report).find(std::to_string(c.value) + " ") != std::string::npos);
     CHECK(report["vertices"] == c.expected.vertices);
     CHECK(report["faces"] == c.expected.faces);
@@ -163,9 +163,8 @@ TEST_CASE("fields: ties are said, what is not exact or finite is refused alike b
     const json report = report_of(folder, command);
     CHECK(report["ties"] > 0);
     CHECK(report["tied_arcs"] > 0);
-    CHECK(run_crest("crest " + command, folder.path())
-              .out.find("--contract gives the graph of "
-                        "the function itself") != std::string::npos);
+    CHECK(warnings_of(report).find("--contract gives the graph of the function itself") !=
+          std::string::npos);
     CHECK(report_of(folder, command + " --contract")["written"]["nodes"] == nodes);
   }
   for (const char* field : {"'with inf'", "i64"}) {

@@ -55,8 +55,9 @@ std::vector<Triangle> cut(const Points& polygon, std::vector<Index> numbers = {}
     std::iota(numbers.begin(), numbers.end(), Index{0});
   }
   PolygonCutter cutter;
+  crest::io::EdgeSet edges;
   std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : cutter.cut(polygon, numbers))
+  for (const auto& [a, b, c] : cutter.cut(polygon, numbers, edges))
     triangles.push_back({numbers[a], numbers[b], numbers[c]});
   return triangles;
 }
@@ -148,7 +149,8 @@ TEST_CASE("random star-shaped polygons are cut into their area, alike from every
     Points polygon;
     double area = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double r = 1 + static_cast<double>(random() % 8), t = 6.283185307179586 * i / n;
+      const double r = 1 + static_cast<double>(random() % 8),
+                   t = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
       polygon.push_back(
           {r * std::cos(t), r * std::sin(t), 0.01 * static_cast<double>(random() % 5)});
     }

@@ -74,6 +74,11 @@ TEST_CASE("quadrilaterals, pixels, polygons and strips become triangles of their
         std::vector<Triangle>{{3, 0, 1}, {3, 1, 2}, {1, 4, 2}});  // equal: tip 0
   CHECK(cleaned(soup).surface.cell_of == std::vector<Index>{0, 0, 1});
   CHECK(words(cleaned(soup).done) == Lines{"split 1 polygon into triangles"});
+  // Two that share both ends of their shorter diagonal: the second takes the other one.
+  const Cleaned doublet = cleaned(soup_of({{0, -1, 0}, {0, 1, 0}, {-2, 0, 0}, {2, 0, 0}, {0, 0, 3}},
+                                          {{2, 0, 4, 1}, {1, 4, 0, 3}}));
+  CHECK(doublet.error == "");
+  CHECK(doublet.surface.faces.size() == 4);
   Soup pixel;
   pixel.points = square;
   pixel.cells.add(CellType::pixel, Face{0, 1, 3, 2});
