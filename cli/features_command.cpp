@@ -20,8 +20,6 @@
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
-#include "io/read/mesh_reader.hpp"
-#include "io/read/point_field.hpp"
 
 namespace crest::cli {
 namespace {
@@ -43,17 +41,6 @@ struct FeaturesOptions {
   /// Edges above an angle, not a region of vertices.
   bool sharp() const { return !angle.empty() && over == 0; }
 };
-
-/// CLI::Range lets NaN pass and prints its ends to the last digit.
-CLI::Validator finite_number(double least) {
-  return {[least](std::string& text) -> std::string {
-            double x = 0;
-            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x))
-              return fmt::format("{} is not a finite number", text);
-            return x < least ? fmt::format("{} is less than {}", text, least) : std::string();
-          },
-          ""};
-}
 
 CLI::Option* add_structure(CLI::App& app, const char* name, double& size, const char* help) {
   return app.add_option(name, size, help)->check(finite_number(0))->type_name("N");
@@ -90,7 +77,7 @@ void add_field_options(CLI::App& app, FeaturesOptions& o) {
                                  "normal-cycle (default 1)");
   o.rings_given->check(CLI::Range(0, 100))->type_name("N");
   auto* field =
-      app.add_option("--field", o.field, "a point field of the file (.vtp) instead of a curvature");
+      app.add_option("--field", o.field, "a scalar field of the file instead of a curvature");
   field->check([](const std::string& name) { return name.empty() ? "is empty" : std::string(); })
       ->type_name("NAME")
       ->excludes(method)
@@ -194,20 +181,16 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
   return field;
 }
 
-std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh, Run& run) {
+std::vector<double> field_of(const FeaturesOptions& o, const io::MeshFile& file, Run& run) {
   if (!o.angle.empty())
-    return feature_lines::vertex_angles(mesh, static_cast<kernel::Index>(o.over));
+    return feature_lines::vertex_angles(file.mesh, static_cast<kernel::Index>(o.over));
   if (o.field.empty()) {
     return run.with_input([&] {
-      return o.method == "fit" ? fitted_curvature(mesh, o.rings)
-                               : estimated_curvature(o, mesh, run);
+      return o.method == "fit" ? fitted_curvature(file.mesh, o.rings)
+                               : estimated_curvature(o, file.mesh, run);
     });
   }
-  std::vector<double> field = io::read_point_field(o.common.input, o.field);
-  if (field.size() != mesh.vertex_count()) {
-    throw kernel::InputError(o.common.input + ": field '" + o.field +
-                             "': the file has vertices without faces; remove them");
-  }
+  std::vector<double> field = file.values;
   if (o.absolute)
     for (double& x : field) x = std::fabs(x);
   return field;
@@ -248,10 +231,10 @@ void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh&
 }
 
 /// A region of vertices, thinned.
-Outcome thin_region(Run& run, FeaturesOptions& o, const kernel::TriangleMesh& mesh) {
+Outcome thin_region(Run& run, FeaturesOptions& o, const io::MeshFile& file) {
+  const kernel::TriangleMesh& mesh = file.mesh;
   const std::vector<double> field =
-      run.step("fit", o.field.empty() ? "fitting curvatures" : "reading " + o.field,
-               [&] { return field_of(o, mesh, run); });
+      run.step("fit", "fitting curvatures", [&] { return field_of(o, file, run); });
   if (!o.angle.empty()) o.lines.value = kernel::DecimalAngle(o.angle).degrees();
   const FeatureLines f = run.step("extract", "thinning", [&] {
     return run.with_input(
@@ -298,9 +281,11 @@ Outcome find_sharp_edges(Run& run, const FeaturesOptions& o, const kernel::Trian
 }
 
 Outcome work(Run& run, FeaturesOptions& o) {
-  const io::MeshFile file = run.read(io::read_mesh);
+  io::MeshRequest request;
+  if (!o.field.empty()) request.field = o.field;
+  const io::MeshFile file = run.read_mesh(request);
   report_field(run.report(), o);
-  return o.sharp() ? find_sharp_edges(run, o, file.mesh) : thin_region(run, o, file.mesh);
+  return o.sharp() ? find_sharp_edges(run, o, file.mesh) : thin_region(run, o, file);
 }
 
 int run_features(FeaturesOptions& o) {
@@ -312,9 +297,11 @@ int run_features(FeaturesOptions& o) {
 
 std::function<int()> add_features(CLI::App& app) {
   auto options = std::make_shared<FeaturesOptions>();
-  add_common_options(app, options->common, "triangle mesh (.off .obj .ply .stl .vtp)",
+  add_common_options(app, options->common, fmt::format("mesh ({})", kMeshFormats),
                      "feature lines as polylines, with labelled mesh (.vtp .obj)");
   add_features_options(app, *options);
+  add_clean_options(app, options->common.clean, true);
+  add_step_option(app, options->common);
   return [options] { return run_features(*options); };
 }
 

@@ -15,14 +15,11 @@
 #include "cli/ridges_report.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_run.hpp"
-#include "io/read/mesh_reader.hpp"
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 
 namespace crest::cli {
 namespace {
-
-constexpr const char* kMeshGroup = "Meshes";
 
 struct RidgesOptions {
   CommonOptions common;
@@ -172,7 +169,7 @@ void draw(const std::string& path, const kernel::TriangleMesh& mesh,
 }
 
 Outcome work(Run& run, const RidgesOptions& o) {
-  const io::MeshFile file = run.read(io::read_mesh);
+  const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
   ridges::FitOptions fitting = o.fit;
   ridges::SupportChoice choice;
@@ -203,6 +200,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
   const ridges::FilterReport dropped =
       run.step("filter", "filtering", [&] { return ridges::filter(graph, o.filter); });
   const RidgesRun result{mesh,
+                         file.numbers,
                          fit,
                          graph,
                          dropped,
@@ -235,12 +233,12 @@ int run_ridges(RidgesOptions& o) {
 
 std::function<int()> add_ridges(CLI::App& app) {
   auto options = std::make_shared<RidgesOptions>();
-  add_common_options(
-      app, options->common,
-      "triangle mesh (.off .obj .ply .stl .vtp), unless --surface or --param is given",
-      "ridges and umbilics as polylines (.vtp .obj .ply)");
+  add_common_options(app, options->common,
+                     fmt::format("mesh ({}), unless --surface or --param is given", kMeshFormats),
+                     "ridges and umbilics as polylines (.vtp .obj .ply)");
   app.get_option("INPUT")->required(false);
   add_ridges_options(app, *options);
+  add_clean_options(app, options->common.clean, true);
   add_smooth_ridges_options(app, options->smooth);
   return [options, &app] {
     if (is_smooth(app)) {

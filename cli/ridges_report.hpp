@@ -9,6 +9,7 @@
 #include "algorithms/ridges/salience.hpp"
 #include "cli/colour_summary.hpp"
 #include "cli/report.hpp"
+#include "io/clean/surface.hpp"
 
 namespace crest::cli {
 
@@ -25,6 +26,7 @@ ridges::FilterOptions at_level(int level);
 /// Everything the report speaks about. `graph` is what is written (after the filters).
 struct RidgesRun {
   const kernel::TriangleMesh& mesh;
+  const io::FileNumbers& numbers;
   const ridges::FitResult& fit;
   const ridges::RidgeGraph& graph;
   const ridges::FilterReport& dropped;
