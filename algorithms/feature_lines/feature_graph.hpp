@@ -39,7 +39,7 @@ struct FeatureGraph {
   /// faces of a component of the mesh whose vertices are all marked.
   std::vector<Index> face_patch;
   std::vector<Index> patch_of;     ///< V: the patch of the faces around; kNone on feature edges
-  std::vector<Index> patch_sizes;  ///< vertices of each patch
+  std::vector<Index> patch_sizes;  ///< vertices of each patch, by its smallest face
 
   Index count(LineKind kind) const;
 };

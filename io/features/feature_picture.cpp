@@ -23,19 +23,29 @@ std::vector<StrokeClass> palette() {
           {"node", {30, 30, 30}, {}}};
 }
 
+std::vector<Vec3> area_vectors(const kernel::TriangleMesh& mesh) {
+  std::vector<Vec3> area;
+  for (const auto& [a, b, c] : mesh.faces()) {
+    const Vec3& p = mesh.points()[a];
+    area.push_back(cross(combine(1, mesh.points()[b], -1, p), combine(1, mesh.points()[c], -1, p)));
+  }
+  return area;
+}
+
 /// Cuts mesh edges where the surface hides them.
 class Pen {
  public:
-  Pen(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,
-      const std::vector<Vec3>& normals)
-      : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals) {}
+  Pen(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh)
+      : camera_(camera), surface_(surface), mesh_(mesh) {
+    for (const Vec3& n : area_vectors(mesh)) front_.push_back(dot(n, camera.forward) < 0);
+  }
 
   bool free(Index v) const { return faces_eye(v) && visible(camera_.project(mesh_.points()[v])); }
   Vec3 pixel(Index v) const { return camera_.project(mesh_.points()[v]); }
 
   void draw(Index v, Index w, StrokeClass& to) const {
     to.in_graph = true;
-    if (!faces_eye(v) || !faces_eye(w)) return;
+    if (!faces_eye(v, w)) return;
     const Vec3 p = pixel(v), q = pixel(w);
     const int steps =
         static_cast<int>(std::clamp(std::ceil(std::hypot(q[0] - p[0], q[1] - p[1])), 1.0, 1e5));
@@ -59,14 +69,18 @@ class Pen {
 
  private:
   bool visible(const Vec3& pixel) const { return surface_.visible(pixel, 0.003 * camera_.width); }
-  /// The bias does not tell at the outline of a closed surface.
-  bool faces_eye(Index v) const {
-    return !mesh_.closed() || dot(normals_[v], camera_.forward) < 0.1;
+  /// Whether a face at v (and w) does: the bias does not tell at the outline of a closed surface.
+  bool faces_eye(Index v, Index w = kernel::kNone) const {
+    const auto fan = mesh_.fan(v);
+    return !mesh_.closed() || std::any_of(fan.begin(), fan.end(), [&](Index f) {
+      const kernel::Triangle& t = mesh_.faces()[f];
+      return front_[f] && (w == kernel::kNone || std::count(t.begin(), t.end(), w) > 0);
+    });
   }
   const Camera& camera_;
   const Canvas& surface_;
   const kernel::TriangleMesh& mesh_;
-  const std::vector<Vec3>& normals_;
+  std::vector<bool> front_;  ///< F: turned to the eye
 };
 
 /// Corners of their own for each face, so that neither tints nor shading cross a patch's border.
@@ -84,11 +98,7 @@ PatchedSurface patched(const kernel::TriangleMesh& mesh, const std::vector<Index
                                             {1, 1, 0.8},
                                             {0.82, 1, 0.97},
                                             {0.95, 0.9, 0.84}}};
-  std::vector<Vec3> area;
-  for (const auto& [a, b, c] : mesh.faces()) {
-    const Vec3& p = mesh.points()[a];
-    area.push_back(cross(combine(1, mesh.points()[b], -1, p), combine(1, mesh.points()[c], -1, p)));
-  }
+  const std::vector<Vec3> area = area_vectors(mesh);
   PatchedSurface surface;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index first = static_cast<Index>(surface.points.size());
@@ -124,18 +134,17 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                            const FeatureGraph& graph, bool patches) {
   check_picture_path(path);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
   const Camera camera = fit_camera(mesh, tilted_view(mesh), 1200);
   Canvas canvas(camera.width, camera.height);
   if (patches) {
     const PatchedSurface surface = patched(mesh, graph.face_patch);
     canvas.draw_surface(camera, {surface.points, surface.faces}, surface.normals, &surface.tints);
   } else {
-    canvas.draw_surface(camera, mesh, normals);
+    canvas.draw_surface(camera, mesh, vertex_normals(mesh));
   }
   Drawing drawing{};
   drawing.classes = palette();
-  draw_graph(Pen(camera, canvas, mesh, normals), graph, drawing);
+  draw_graph(Pen(camera, canvas, mesh), graph, drawing);
   drawing.stroke_width = 2.4;
   drawing.casing_width = 3.4;
   drawing.dot_radius = 4;
