@@ -44,7 +44,9 @@ class Side {
     places_.clear();
   }
 
-  /// The i-th place within reach, or null.
+  double window() const { return reach_ / 8; }  ///< R / 2
+
+  /// The i-th place within reach, or null. Valid until a later one is asked for.
   const Place* at(std::size_t i) {
     while (i >= places_.size()) {
       if (ended_ || !walk_.step() || walk_.length() > reach_) {
@@ -73,14 +75,19 @@ struct Measure {
 /// beyond: the peak's place, if it is on this side.
 Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, double beyond) {
   Measure m;
-  double model = 0;
+  const auto difference = [&](const Place& y) {
+    return std::fabs((peak.k - y.k) - (peak.wide - y.wide));
+  };
+  std::size_t first = 0;  // of the places no farther than R / 2 back
   for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
-    if (y->length <= beyond) continue;
-    const double drop = sense * (peak.k - y->k);
+    const double drop = sense * (peak.k - y->k), length = y->length;
     if (drop < 0) break;  // a higher place: within an edge there is none
-    model = std::max(model, std::fabs(drop - sense * (peak.wide - y->wide)) / 2);
-    const double variance = x.error * x.error + y->error * y->error + model * model;
-    if (!(drop > 0)) continue;
+    while (side.at(first)->length < std::max(beyond, length - side.window())) ++first;
+    if (length <= beyond || !(drop > 0)) continue;
+    double model = 0;
+    for (std::size_t j = first; j <= i; ++j) model = std::max(model, difference(*side.at(j)) / 2);
+    const double error = side.at(i)->error;
+    const double variance = x.error * x.error + error * error + model * model;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
     m.drop = std::max(m.drop, drop);
   }

@@ -8,7 +8,8 @@
 // largest sense k within one mean edge of x; a side ends where sense k exceeds it. At y, on the
 // peak's own side beyond it,
 //   drop(y) = sense (k_peak - k(y)),       drop' likewise with the wider fit's k',
-//   z(y)    = drop / sqrt(sigma_x^2 + sigma_y^2 + m^2 / 4),  m the largest |drop - drop'| up to y.
+//   z(y)    = drop / sqrt(sigma_x^2 + sigma_y^2 + m^2 / 4),  m = max |drop - drop'| over the last R
+//   / 2.
 // m is the model's error: truncation changes by more than itself from one support to the other, a
 // crease (k ~ 1 / R) by a fifth; the largest, because drop and drop' may cross by chance. A side's
 // z and drop are the largest of its walk; the significance and the prominence of a crossing are

@@ -3,11 +3,10 @@
 
 // Which ridges of the graph are real, and which a person would draw: a filter on top of the graph,
 // which stays as it is. Statistics, no proof.
-//   significance of a crossing: prominence.hpp; significant runs: hysteresis.hpp, threshold z.
-//   salient: the same with crest_significance at the crossings on the crest (k1 > |k2| or -k2 >
-//   |k1|), kept if its weight W = integral of min(drop, 2 max|k|) ds (no unit) is at least
-//   min_weight. regions of umbilics: umbilic_regions.hpp. Levels: 2 salient, else 1 significant,
-//   else 0.
+//   Significant (level 1): runs of crossings (hysteresis.hpp) with significance z (prominence.hpp).
+//   Salient (level 2): runs with crest_significance z, on the crest (k1 > |k2| or -k2 > |k1|),
+//   whose weight W = integral of min(drop, 2 max|k|) ds (no unit) is at least min_weight. Umbilics:
+//   umbilic_regions.hpp.
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::ridges {

@@ -2,14 +2,14 @@
 #pragma once
 
 // Umbilics that can be told apart. Where k1 - k2 < 3 sigma the principal directions are not known,
-// and what umbilics there are is the noise's affair. A region is a component (faces that share a
-// vertex) of
+// and what umbilics there are is the noise's affair. An umbilic region is a component (faces that
+// share a vertex) of
 //   faces with a corner where k1 - k2 < 3 sigma,  faces of non-zero index,  umbilic patches,
 //   9 sigma^2 = 9 sigma_gap^2 + ((k1 - k2) - (k1' - k2'))^2,
 // the second term for the model's error: without it a noise-free sphere falls into pieces, because
-// truncation is no noise. Its index is the sum of its faces'
-// indices, so the regions' indices sum to the graph's, whatever sigma is. Index 0: its umbilics
-// cancel. A disk of index +-1/2 is one significant umbilic.
+// truncation is no noise. A region's index is the sum of its faces' indices, so the regions'
+// indices sum to the graph's, whatever sigma is. Index 0: its umbilics cancel. A disk of index
+// +-1/2 is one significant umbilic.
 #include "algorithms/ridges/salience.hpp"
 
 namespace crest::ridges {

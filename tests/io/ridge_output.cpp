@@ -91,10 +91,17 @@ RidgeGraph two_ridges(const TriangleMesh& mesh) {
   path.crossings[3].type = RidgeType::hyperbolic;
   path.third_order.assign(6, RidgeType::hyperbolic);
   path.ends[0] = {EndKind::umbilic, 0};
+  path.ends[1].kind = EndKind::cut;
   path.lead_in = {{0, 0, -1}, {-0.1, 0, -0.9}};
+  path.weight = 2.5;
+  path.crossings[2].significance = 7;
+  path.crossings[2].crest_significance = 6;
+  path.crossings[2].prominence = 0.5;
+  path.crossings[2].level = 2;
   graph.ridges.push_back(path);
   const Index face = mesh.face_count() - 1;  // at the south pole
   graph.umbilics.push_back({face, {0, 0, -1}, -1, UmbilicKind::three_ridge, true, {face}, {3, 3}});
+  graph.umbilics[0].level = 1;
   return graph;
 }
 
@@ -154,8 +161,8 @@ TEST_CASE("a ridge graph reads back from VTP with every array everywhere", "[io]
   REQUIRE(data->GetNumberOfVerts() == 1);
   REQUIRE(data->GetNumberOfLines() == 2);
   REQUIRE(data->GetNumberOfCells() == 3);
-  CHECK(data->GetPointData()->GetNumberOfArrays() == 13);
-  CHECK(data->GetCellData()->GetNumberOfArrays() == 13);
+  CHECK(data->GetPointData()->GetNumberOfArrays() == 17);
+  CHECK(data->GetCellData()->GetNumberOfArrays() == 14);
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     CHECK(data->GetPointData()->GetAbstractArray(i)->GetNumberOfTuples() == 10 + loop);
   for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
@@ -191,6 +198,14 @@ TEST_CASE("a ridge graph reads back from VTP with every array everywhere", "[io]
   CHECK(value(cells, "strength", 2) == 3);
   CHECK(value(cells, "sharpness", 2) == 4);
   CHECK(value(cells, "length", 2) == 5);
+  CHECK(value(cells, "weight", 2) == 2.5);
+  CHECK(value(cells, "end_kind_1", 2) == 3);
+  CHECK(value(points, "significance", first + 2) == 7);
+  CHECK(value(points, "crest_significance", first + 2) == 6);
+  CHECK(value(points, "prominence", first + 2) == 0.5);
+  CHECK(value(points, "level", first + 2) == 2);
+  CHECK(value(points, "level", first + 3) == 0);
+  CHECK(value(points, "level", 0) == 1);
   auto* digest =
       vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("data_digest"));
   REQUIRE(digest != nullptr);
@@ -270,6 +285,41 @@ TEST_CASE("a picture shows what faces the eye and hides the rest", "[io]") {
   CHECK(drawn.find("stroke=\"#da1a20\"") != std::string::npos);
   CHECK(drawn.find("stroke=\"#1c46de\"") == std::string::npos);
   CHECK(words_starting(drawn, "<circle") == 1);
+}
+
+TEST_CASE("a picture by salience draws salient lines wide, others thin, and significant umbilics",
+          "[io]") {
+  const TriangleMesh mesh = sphere(32, 48);
+  RidgeGraph graph = two_ridges(mesh);
+  const TemporaryFolder folder;
+  PictureOptions options;
+  options.width = 300;
+  options.show_legend = false;
+  options.by_salience = true;
+  options.view = Vec3{0, 0, -1};
+  const auto ink = [&](const char* name) {
+    crest::io::write_picture(folder / name, mesh, graph, options);
+    return inks(folder / name).blue;
+  };
+  const int thin = ink("thin.png");
+  options.full_level = 0;
+  const int all = ink("all.png");
+  options.full_level = 2;
+  for (Crossing& c : graph.ridges[0].crossings) c.level = 2;
+  CHECK(ink("salient.png") == all);
+  CHECK(2 * thin < all);
+
+  // The umbilic in the south has a ridge, but no region of non-zero index.
+  options.view = Vec3{0, 0, 1};
+  const auto marks = [&](const char* name, const char* mark) {
+    crest::io::write_picture(folder / name, mesh, graph, options);
+    return words_starting(contents(folder / name), mark);
+  };
+  CHECK(marks("none.svg", "<circle") == 0);
+  graph.umbilics[0].region_twice_index = -1;
+  CHECK(marks("umbilic.svg", "<circle") == 1);
+  graph.umbilics[0].level = 0;
+  CHECK(marks("region.svg", "<circle") == 0);
 }
 
 TEST_CASE("pictures repeat byte by byte and refuse nonsense", "[io]") {

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <numbers>
 
 #include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/ridges/certificate.hpp"
@@ -233,7 +234,7 @@ TEST_CASE("curvature lines: on a torus they are its circles") {
         while (walk.length() < 12 * edge && walk.step()) {
           const Index p = walk.vertex(0), q = walk.vertex(1);
           const double x = at(p, q, walk.weight(), 0), y = at(p, q, walk.weight(), 1);
-          const double turn = std::remainder(std::atan2(y, x) - angle, 2 * kernel::kPi);
+          const double turn = std::remainder(std::atan2(y, x) - angle, 2 * std::numbers::pi);
           const double off = std::min(std::fabs(at(p, q, walk.weight(), 2) - z),
                                       std::fabs(turn) * std::hypot(x, y));
           worst = std::max(worst, off / edge);

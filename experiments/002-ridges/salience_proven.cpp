@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What salience drops of the noise-free perturbed torus, against the proven graph of the smooth
+// surface: which of the dropped lines are real, which of the kept ones are not.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "algorithms/ridges/salience.hpp"
+#include "algorithms/sampling/mesh_surface.hpp"
+#include "algorithms/smooth_ridges/smooth_ridges.hpp"
+#include "experiments/002-ridges/line_match.hpp"
+#include "experiments/002-ridges/smooth_surfaces.hpp"
+#include "experiments/program.hpp"
+#include "kernel/arithmetic/self_test.hpp"
+
+namespace crest {
+namespace {
+
+using experiments::Dash;
+
+/// The sample's "perturbed-torus" with its default parameters.
+experiments::SmoothSurface perturbed_torus() {
+  experiments::SmoothSurface s;
+  s.name = "perturbed torus";
+  const std::string w = "(z/0.8)";
+  s.functions = {"(sqrt(x^2+y^2)-1)^2+0.16*(" + w + "^2-0.3*(0.6*x*y+0.4*x*" + w +
+                 "+0.3*y-0.25*y*" + w + "+0.2*x^2*" + w + ")-1)"};
+  s.box = {-2, 2, -2, 2, -2, 2};
+  return s;
+}
+
+/// The proven lines in dashes no longer than the step.
+std::vector<Dash> proven_dashes(double step) {
+  const auto proven =
+      smooth_ridges::smooth_ridges(experiments::make_surface(perturbed_torus()), {});
+  if (!proven.certified) throw std::runtime_error("perturbed torus: not certified");
+  std::vector<Dash> all;
+  for (const auto& ridge : proven.ridges) {
+    const std::size_t n = ridge.points.size();
+    for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
+      const kernel::Vec3 &p = ridge.points[i], &q = ridge.points[(i + 1) % n];
+      const double length = kernel::distance(p, q);
+      const int parts = 1 + static_cast<int>(length / step);
+      for (int k = 0; k < parts; ++k) {
+        const double t = (k + 0.5) / parts;
+        Dash d{{}, length / parts, ridge.colour};
+        for (std::size_t c = 0; c < 3; ++c) d.middle[c] = (1 - t) * p[c] + t * q[c];
+        all.push_back(d);
+      }
+    }
+  }
+  return all;
+}
+
+void run(const std::vector<int>& vertices, double tolerance) {
+  const std::vector<Dash> proven = proven_dashes(0.005);
+  fmt::print("proven length {:.2f}; a line is real within {} of a proven one of its colour\n\n",
+             length_of(proven), tolerance);
+  fmt::print(
+      "| vertices | kept, real | kept, not real | dropped, real | dropped, not real | proven "
+      "length "
+      "met by kept lines |\n|---|---|---|---|---|---|\n");
+  for (const int count : vertices) {
+    const sampling::SurfaceSample s = sampling::sample("perturbed-torus", {}, count, false);
+    const kernel::TriangleMesh mesh(s.points, s.faces);
+    ridges::FitOptions options;
+    options.errors = true;
+    const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
+    ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
+    ridges::mark_salience(mesh, fit, graph);
+    const auto whole = dashes(graph, 0), kept = dashes(graph, 1);
+    const double all_real = near_share(whole, proven, tolerance) * length_of(whole);
+    const double kept_real = near_share(kept, proven, tolerance) * length_of(kept);
+    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} |\n", mesh.vertex_count(),
+               kept_real, length_of(kept) - kept_real, all_real - kept_real,
+               length_of(whole) - all_real - (length_of(kept) - kept_real),
+               near_share(proven, kept, tolerance));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace crest
+
+int main(int argc, char** argv) {
+  std::vector<int> vertices = {5000, 20000, 40000, 100000};
+  double tolerance = 0.03;
+  crest::experiments::Program program(
+      "Dropped and kept ridges of a torus against its proven graph");
+  program.list("--vertices", vertices, "of the meshes");
+  program.option("--tolerance", tolerance, "distance within which lines are the same");
+  program.echo("experiments/002-ridges/salience_proven");
+  return program.run(argc, argv, [&] {
+    crest::kernel::require_sound_floating_point();
+    crest::run(vertices, tolerance);
+    return 0;
+  });
+}
