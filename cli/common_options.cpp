@@ -1,9 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/common_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 namespace crest::cli {
+
+CLI::Validator finite_number(double least) {
+  return {[least](std::string& text) -> std::string {
+            double x = 0;
+            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x))
+              return fmt::format("{} is not a finite number", text);
+            return x < least ? fmt::format("{} is less than {}", text, least) : std::string();
+          },
+          ""};
+}
+
+void add_clean_options(CLI::App& app, io::CleanOptions& clean, bool oriented) {
+  app.add_option("--weld", clean.weld,
+                 "vertices within T of a lower one that stays become one (0: equal ones)")
+      ->check(finite_number(0))
+      ->type_name("T")
+      ->group(kMeshGroup);
+  app.add_flag("--split", clean.split,
+               "cut at edges with three or more faces" +
+                   std::string(oriented ? ", one-sided components open" : ""))
+      ->group(kMeshGroup);
+  if (!oriented) return;
+  app.add_flag("--outward", clean.outward, "turn closed components of negative volume")
+      ->group(kMeshGroup);
+}
+
+void add_step_option(CLI::App& app, CommonOptions& options) {
+  app.add_option("--step", options.step, "time step of the field (.msh; default: the last)")
+      ->type_name("N")
+      ->group(kMeshGroup);
+}
 
 void add_run_options(CLI::App& app, CommonOptions& options) {
   app.add_option("--threads", options.threads, "threads to use (default: all)")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The programs `crest-verify` and `crest-verify-<claim>`: check a certificate with nothing of
-// algorithms/ linked in. Which claims one knows is what it is linked with.
+// algorithms/ or io/ linked in. Which claims one knows is what it is linked with.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -11,6 +11,7 @@
 
 #include "certify/container/container.hpp"
 #include "certify/verify.hpp"
+#include "cli/input_mesh.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace {
@@ -22,7 +23,8 @@ enum Exit { kAccepted = 0, kRejected = 1, kUsage = 2, kUnreadable = 3, kInternal
 struct Arguments {
   std::string certificate;
   VerifyOptions options;
-  bool quiet = false;
+  std::string input, weld;
+  bool split = false, outward = false, quiet = false;
   std::vector<std::string> reseal, rebind;
 };
 
@@ -47,10 +49,24 @@ int recompute(const std::vector<std::string>& files, void (*seal)(Bytes&)) {
   return kAccepted;
 }
 
-int check(const Arguments& arguments) {
+/// The mesh of --input, cleaned as for the command that wrote the certificate.
+InputMesh read_input(const Arguments& arguments) {
+  std::vector<std::string> words;
+  if (!arguments.weld.empty()) words.insert(words.end(), {"--weld", arguments.weld});
+  if (arguments.split) words.emplace_back("--split");
+  if (arguments.outward) words.emplace_back("--outward");
+  if (arguments.quiet) words.emplace_back("--quiet");
+  return crest::cli::input_mesh(arguments.input, words);
+}
+
+int check(Arguments& arguments) {
   Buffer<std::uint8_t> bytes;
   try {
     bytes = read_buffer(arguments.certificate);
+    if (!arguments.input.empty()) arguments.options.input = read_input(arguments);
+  } catch (const crest::cli::InputUnreadable& problem) {
+    // Without words: `crest` has said it.
+    return *problem.what() == 0 ? kUnreadable : complain(kUnreadable, problem.what());
   } catch (const std::runtime_error& problem) {
     return complain(kUnreadable, problem.what());
   }
@@ -78,8 +94,13 @@ void describe(CLI::App& app, Arguments& arguments) {
           ->transform(CLI::CheckedTransformer(kArithmetic))
           ->default_str("double");
   auto* const input =
-      app.add_option("--input", arguments.options.input,
-                     "also require the data to be this mesh (.off, .obj, .ply, .stl)");
+      app.add_option("--input", arguments.input,
+                     "also require the data to be the mesh that `crest` makes of this file");
+  app.add_option("--weld", arguments.weld, "as for the command that wrote the certificate")
+      ->type_name("T")
+      ->needs(input);
+  app.add_flag("--split", arguments.split, "the same")->needs(input);
+  app.add_flag("--outward", arguments.outward, "the same")->needs(input);
   auto* const quiet = app.add_flag("--quiet", arguments.quiet, "print the verdict alone");
   auto* const reseal =
       app.add_option("--reseal", arguments.reseal, "IN OUT: copy with the seal recomputed")
@@ -123,8 +144,6 @@ int run(int argc, char** argv) {
     return check(arguments);
   } catch (const TieUnavailable& problem) {
     return complain(kUsage, problem.what());
-  } catch (const InputUnreadable& problem) {
-    return complain(kUnreadable, problem.what());
   }
 }
 

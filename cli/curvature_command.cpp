@@ -14,8 +14,6 @@
 #include "cli/run.hpp"
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
-#include "io/read/mesh_reader.hpp"
-#include "io/read/normals_reader.hpp"
 
 namespace crest::cli {
 namespace {
@@ -34,7 +32,7 @@ struct CurvatureOptions {
 };
 
 void add_options(CLI::App& app, CurvatureOptions& o) {
-  app.add_option("INPUT", o.common.input, "triangle mesh (.off .obj .ply .stl .vtp)")->required();
+  app.add_option("INPUT", o.common.input, fmt::format("mesh ({})", kMeshFormats))->required();
   app.add_option("-o,--output", o.common.output, "the mesh with its curvatures (.vtp .vtu .ply)")
       ->type_name("FILE");
   std::vector<std::string> names;
@@ -42,7 +40,7 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
   app.add_option("--method", o.method, "default ne: normal-based, normals estimated")
       ->check(CLI::IsMember(names));
   app.add_option("--normals", o.normals,
-                 "the file's (.ply .vtp), estimated ones, or the gradient of --reference")
+                 "the file's, estimated ones, or the gradient of --reference")
       ->check(CLI::IsMember({"file", "estimated", "gradient"}));
   app.add_option("--degree", o.estimate.degree, "of jet's polynomial (default 4)")
       ->check(CLI::Range(2, 6))
@@ -75,6 +73,7 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
   app.add_option("--report", o.common.report, "curvatures and times (.json)")->type_name("FILE");
   app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
   add_run_options(app, o.common);
+  add_clean_options(app, o.common.clean, true);
 }
 
 std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
@@ -106,21 +105,12 @@ std::string normals_source(const CurvatureOptions& o) {
   return o.reference.empty() ? "file" : "gradient";
 }
 
-std::vector<kernel::Vec3> given_normals(const CurvatureOptions& o, const std::string& source,
-                                        const TriangleMesh& mesh,
+std::vector<kernel::Vec3> given_normals(const std::string& source, const io::MeshFile& file,
                                         const std::optional<sampling::Surface>& surface) {
-  if (source == "estimated") return {};
-  if (source == "gradient") {
-    std::vector<kernel::Vec3> normals;
-    for (const kernel::Vec3& p : mesh.points())
-      normals.push_back(sampling::to_vec3(surface->gradient(sampling::to_point(p)).gradient));
-    return normals;
-  }
-  auto normals = io::read_normals(o.common.input);
-  if (normals.size() != mesh.vertex_count()) {
-    throw kernel::InputError(o.common.input +
-                             ": normals: the file has vertices without faces; remove them");
-  }
+  if (source != "gradient") return file.normals;
+  std::vector<kernel::Vec3> normals;
+  for (const kernel::Vec3& p : file.mesh.points())
+    normals.push_back(sampling::to_vec3(surface->gradient(sampling::to_point(p)).gradient));
   return normals;
 }
 
@@ -185,8 +175,9 @@ void fill_report(Report& report, const CurvatureOptions& o, const TriangleMesh& 
 }
 
 std::vector<curvature::FocalSurface> focal_surfaces(const CurvatureOptions& o,
-                                                    const TriangleMesh& mesh,
+                                                    const io::MeshFile& file,
                                                     const curvature::Result& result) {
+  const TriangleMesh& mesh = file.mesh;
   const bool triangles =
       !o.focal_averaged && (o.estimate.method == Method::np || o.estimate.method == Method::ne);
   std::vector<curvature::FocalSurface> surfaces;
@@ -194,6 +185,8 @@ std::vector<curvature::FocalSurface> focal_surfaces(const CurvatureOptions& o,
     surfaces.push_back(triangles
                            ? curvature::focal_of_triangles(mesh, result.normals, q, o.focal_share)
                            : curvature::focal_of_vertices(mesh, result, q, o.focal_share));
+    for (kernel::Index& face : surfaces.back().faces)
+      face = static_cast<kernel::Index>(file.numbers.faces[face]);
   }
   return surfaces;
 }
@@ -236,8 +229,9 @@ std::string compare(Run& run, const CurvatureOptions& o, const TriangleMesh& mes
                      distances.K, distances.H, distances.P);
 }
 
-void write_results(Run& run, const CurvatureOptions& o, const TriangleMesh& mesh,
+void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file,
                    const curvature::Result& result) {
+  const TriangleMesh& mesh = file.mesh;
   run.write("-o", [&](const std::string& path) {
     const bool corners = o.estimate.method == Method::np || o.estimate.method == Method::ne;
     io::write_curvature(path, mesh, result,
@@ -245,7 +239,7 @@ void write_results(Run& run, const CurvatureOptions& o, const TriangleMesh& mesh
                                 : std::vector<curvature::CornerCurvatures>{});
   });
   if (run.wanted("--focal") || run.wanted("--focal-picture")) {
-    const auto focal = focal_surfaces(o, mesh, result);
+    const auto focal = focal_surfaces(o, file, result);
     run.write("--focal", [&](const std::string& path) { io::write_focal(path, focal); });
     run.write("--focal-picture", [&](const std::string& path) {
       io::ColourPicture picture;
@@ -259,17 +253,18 @@ void write_results(Run& run, const CurvatureOptions& o, const TriangleMesh& mesh
 
 Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
              const std::optional<sampling::Surface>& surface) {
-  const io::MeshFile file = run.read(io::read_mesh);
+  io::MeshRequest request;
+  request.normals = source == "file";
+  const io::MeshFile file = run.read_mesh(request);
   const TriangleMesh& mesh = file.mesh;
-  o.estimate.normals = run.step("normals", "reading normals",
-                                [&] { return given_normals(o, source, mesh, surface); });
+  o.estimate.normals = given_normals(source, file, surface);
   const curvature::Result result = run.step("estimate", "estimating curvatures", [&] {
     return run.with_input([&] { return curvature::estimate(mesh, o.estimate); });
   });
   fill_report(run.report(), o, mesh, result, source);
   std::string summary = summary_text(o, mesh, result);
   if (surface) summary += compare(run, o, mesh, result, *surface);
-  run.step("write", "writing", [&] { write_results(run, o, mesh, result); });
+  run.step("write", "writing", [&] { write_results(run, o, file, result); });
   std::vector<std::string> references = {"roessl2005surfaces"};
   if (const char* key = curvature_reference(o.method)) references.push_back(key);
   return {summary, references};

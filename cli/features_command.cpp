@@ -17,8 +17,6 @@
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
-#include "io/read/mesh_reader.hpp"
-#include "io/read/point_field.hpp"
 
 namespace crest::cli {
 namespace {
@@ -36,17 +34,6 @@ struct FeaturesOptions {
   double value = 0;
   CLI::Option *value_given = nullptr, *rings_given = nullptr;
 };
-
-/// CLI::Range lets NaN pass and prints its ends to the last digit.
-CLI::Validator finite_number(double least) {
-  return {[least](std::string& text) -> std::string {
-            double x = 0;
-            if (!CLI::detail::lexical_cast(text, x) || !std::isfinite(x))
-              return fmt::format("{} is not a finite number", text);
-            return x < least ? fmt::format("{} is less than {}", text, least) : std::string();
-          },
-          ""};
-}
 
 void add_structure(CLI::App& app, const char* name, double& size, const char* help) {
   app.add_option(name, size, help)->check(finite_number(0))->type_name("N");
@@ -72,7 +59,7 @@ void add_field_options(CLI::App& app, FeaturesOptions& o) {
                                  "normal-cycle (default 1)");
   o.rings_given->check(CLI::Range(0, 100))->type_name("N");
   auto* field =
-      app.add_option("--field", o.field, "a point field of the file (.vtp) instead of a curvature");
+      app.add_option("--field", o.field, "a scalar field of the file instead of a curvature");
   field->check([](const std::string& name) { return name.empty() ? "is empty" : std::string(); })
       ->type_name("NAME")
       ->excludes(method)
@@ -152,18 +139,14 @@ std::vector<double> estimated_curvature(const FeaturesOptions& o, const kernel::
   return field;
 }
 
-std::vector<double> field_of(const FeaturesOptions& o, const kernel::TriangleMesh& mesh, Run& run) {
+std::vector<double> field_of(const FeaturesOptions& o, const io::MeshFile& file, Run& run) {
   if (o.field.empty()) {
     return run.with_input([&] {
-      return o.method == "fit" ? fitted_curvature(mesh, o.rings)
-                               : estimated_curvature(o, mesh, run);
+      return o.method == "fit" ? fitted_curvature(file.mesh, o.rings)
+                               : estimated_curvature(o, file.mesh, run);
     });
   }
-  std::vector<double> field = io::read_point_field(o.common.input, o.field);
-  if (field.size() != mesh.vertex_count()) {
-    throw kernel::InputError(o.common.input + ": field '" + o.field +
-                             "': the file has vertices without faces; remove them");
-  }
+  std::vector<double> field = file.values;
   if (o.absolute)
     for (double& x : field) x = std::fabs(x);
   return field;
@@ -238,11 +221,12 @@ std::vector<std::string> used_references(const FeaturesOptions& o) {
 }
 
 Outcome work(Run& run, const FeaturesOptions& o) {
-  const io::MeshFile file = run.read(io::read_mesh);
+  io::MeshRequest request;
+  if (!o.field.empty()) request.field = o.field;
+  const io::MeshFile file = run.read_mesh(request);
   const kernel::TriangleMesh& mesh = file.mesh;
   const std::vector<double> field =
-      run.step("fit", o.field.empty() ? "fitting curvatures" : "reading " + o.field,
-               [&] { return field_of(o, mesh, run); });
+      run.step("fit", "fitting curvatures", [&] { return field_of(o, file, run); });
   const FeatureLines f = run.step("extract", "thinning", [&] {
     return run.with_input(
         [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
@@ -271,9 +255,11 @@ int run_features(FeaturesOptions& o) {
 
 std::function<int()> add_features(CLI::App& app) {
   auto options = std::make_shared<FeaturesOptions>();
-  add_common_options(app, options->common, "triangle mesh (.off .obj .ply .stl .vtp)",
+  add_common_options(app, options->common, fmt::format("mesh ({})", kMeshFormats),
                      "feature lines as polylines, with labelled mesh (.vtp .obj)");
   add_features_options(app, *options);
+  add_clean_options(app, options->common.clean, true);
+  add_step_option(app, options->common);
   return [options] { return run_features(*options); };
 }
 

@@ -39,8 +39,8 @@ struct ReebOptions {
 };
 
 void add_reeb_options(CLI::App& app, ReebOptions& o) {
-  auto* field = app.add_option(
-      "--field", o.field, "scalar point field of a .vtu, .msh or .vtp (default: its only one)");
+  auto* field =
+      app.add_option("--field", o.field, "scalar field of the file (default: its only one)");
   field->type_name("NAME");
   app.add_option("--expression", o.expression,
                  "function of x, y, z instead of a field, sampled at vertices and, unless it is "
@@ -67,7 +67,7 @@ void add_reeb_options(CLI::App& app, ReebOptions& o) {
 }
 
 io::FunctionSource function_source(const ReebOptions& o) {
-  io::FunctionSource source{o.field, {}, o.linear};
+  io::FunctionSource source{o.field, {}, o.linear, o.common.clean, o.common.step};
   if (o.expression.empty()) return source;
   try {
     source.expression = kernel::Expression::parse(o.expression, {"x", "y", "z"});
@@ -241,7 +241,8 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
                          shown.written.arc_of_tile,
                          shown.trees,
                          lines,
-                         x.digest};
+                         x.digest,
+                         x.file.numbers.faces};
   };
   run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
   run.write("--picture", [&](const std::string& path) {
@@ -306,11 +307,13 @@ int run_reeb(const ReebOptions& o) {
 
 std::function<int()> add_reeb(CLI::App& app) {
   auto options = std::make_shared<ReebOptions>();
-  add_common_options(app, options->common,
-                     "surface with a function (.vtu .msh .vtp), or triangle mesh (.off .obj .ply "
-                     ".stl) with --expression",
-                     "graph, critical points and level lines (.vtp) or tiles (.vtu)");
+  add_common_options(
+      app, options->common,
+      fmt::format("surface with a function, or mesh with --expression ({})", kMeshFormats),
+      "graph, critical points and level lines (.vtp) or tiles (.vtu)");
   add_reeb_options(app, *options);
+  add_clean_options(app, options->common.clean, false);
+  add_step_option(app, options->common);
   return [options] { return run_reeb(*options); };
 }
 

@@ -108,7 +108,15 @@ void fill_report(Report& report, const ReebRun& run) {
                                {"maxima", counts.maxima},
                                {"index_sum", counts.index_sum}};
   report["graph"] = graph_json(run.graph);
-  report["tied_arcs"] = reeb::count_ties(run.graph, run.tiles.rank, run.tiles.tied).arcs;
+  const std::size_t tied_arcs = reeb::count_ties(run.graph, run.tiles.rank, run.tiles.tied).arcs;
+  report["tied_arcs"] = tied_arcs;
+  if (tied_arcs > 0 && &run.written == &run.graph) {
+    report.warn(
+        fmt::format("{} values are tied, {} arcs join equal values by their numbers alone; "
+                    "--contract gives the "
+                    "graph of the function itself",
+                    tied_values(run), tied_arcs));
+  }
   // "graph", the tie-broken one, whatever is written.
   report["certificate_is_of"] = run.certified ? Json("graph") : Json();
   report["written"] = graph_json(run.written);

@@ -16,6 +16,27 @@ std::int64_t peak_rss_bytes() {
 
 }  // namespace
 
+Json to_json(const io::CleanUp& done) {
+  std::size_t other_cells = 0;
+  for (const auto& [type, count] : done.other_cells) other_cells += count;
+  return {{"other_cells", other_cells},
+          {"polygons", done.polygons},
+          {"curved_faces", done.curved_faces},
+          {"repeated_corners", done.repeated_corners},
+          {"duplicate_faces", done.duplicate_faces},
+          {"unused_vertices", done.unused_vertices},
+          {"welded_vertices", done.welded_vertices},
+          {"split_vertices", done.split_vertices},
+          {"cut_edges", done.cut_edges},
+          {"collapsed_edges", done.collapsed_edges},
+          {"flipped_edges", done.flipped_edges},
+          {"trimmed_faces", done.trimmed_faces},
+          {"turned_faces", done.turned_faces},
+          {"turned_components", done.turned_parts},
+          {"coincident_vertices", done.coincident_vertices},
+          {"inside_out_components", done.inside_out_parts}};
+}
+
 Report::Report(const std::string& command, const std::string& input, int threads)
     : json_{
           {"crest", CREST_VERSION},

@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "cli/json.hpp"
+#include "io/clean/clean_up.hpp"
 
 namespace crest::cli {
+
+/// The counts of `cleanup`.
+Json to_json(const io::CleanUp& done);
 
 /// Collects the keys in the order they are written; a command adds its own.
 class Report {

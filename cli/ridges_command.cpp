@@ -13,14 +13,11 @@
 #include "cli/ridges_report.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_run.hpp"
-#include "io/read/mesh_reader.hpp"
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 
 namespace crest::cli {
 namespace {
-
-constexpr const char* kMeshGroup = "Meshes";
 
 struct RidgesOptions {
   CommonOptions common;
@@ -122,7 +119,7 @@ bool is_smooth(const CLI::App& app) {
 }
 
 Outcome work(Run& run, const RidgesOptions& o) {
-  const io::MeshFile file = run.read(io::read_mesh);
+  const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
   const ridges::FitResult fit =
       run.step("fit", "fitting Monge forms", [&] { return ridges::fit_monge_forms(mesh, o.fit); });
@@ -150,7 +147,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
     });
     run.write_certificate("ridges-mesh", certified.certificate);
   });
-  const RidgesRun result{mesh, fit, graph, dropped, predicates, o.order, digest};
+  const RidgesRun result{mesh, file.numbers, fit, graph, dropped, predicates, o.order, digest};
   fill_report(run.report(), result);
   return {summary_text(result), used_references(o)};
 }
@@ -163,12 +160,12 @@ int run_ridges(RidgesOptions& o) {
 
 std::function<int()> add_ridges(CLI::App& app) {
   auto options = std::make_shared<RidgesOptions>();
-  add_common_options(
-      app, options->common,
-      "triangle mesh (.off .obj .ply .stl .vtp), unless --surface or --param is given",
-      "ridges and umbilics as polylines (.vtp .obj .ply)");
+  add_common_options(app, options->common,
+                     fmt::format("mesh ({}), unless --surface or --param is given", kMeshFormats),
+                     "ridges and umbilics as polylines (.vtp .obj .ply)");
   app.get_option("INPUT")->required(false);
   add_ridges_options(app, *options);
+  add_clean_options(app, options->common.clean, true);
   add_smooth_ridges_options(app, options->smooth);
   return [options, &app] {
     if (is_smooth(app)) {

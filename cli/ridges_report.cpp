@@ -42,13 +42,14 @@ const char* kind_name(ridges::UmbilicKind kind) {
   }
 }
 
-Json umbilics_json(const ridges::RidgeGraph& graph) {
+Json umbilics_json(const RidgesRun& run) {
+  const ridges::RidgeGraph& graph = run.graph;
   Json items = Json::array();
   for (const ridges::Umbilic& umbilic : graph.umbilics) {
     items.push_back({{"index", 0.5 * umbilic.twice_index},
                      {"kind", kind_name(umbilic.kind)},
                      {"coherent", umbilic.coherent},
-                     {"face", umbilic.face},
+                     {"face", run.numbers.faces[umbilic.face]},
                      {"point", umbilic.point}});
   }
   return {{"count", graph.umbilics.size()},
@@ -102,7 +103,7 @@ void fill_report(Report& report, const RidgesRun& run) {
   report["scale"] = run.fit.scale;
   report["fit"] = fit_json(run.fit);
   report["order"] = run.order;
-  report["umbilics"] = umbilics_json(run.graph);
+  report["umbilics"] = umbilics_json(run);
   report["ridges"] = {{"blue", colour_json(run, Colour::blue)},
                       {"red", colour_json(run, Colour::red)}};
   report["dropped"] = {{"by_sharpness", run.dropped.by_sharpness},

@@ -7,12 +7,14 @@
 #include "algorithms/ridges/ridges.hpp"
 #include "cli/colour_summary.hpp"
 #include "cli/report.hpp"
+#include "io/clean/surface.hpp"
 
 namespace crest::cli {
 
 /// Everything the report speaks about. `graph` is what is written (after the filters).
 struct RidgesRun {
   const kernel::TriangleMesh& mesh;
+  const io::FileNumbers& numbers;
   const ridges::FitResult& fit;
   const ridges::RidgeGraph& graph;
   const ridges::FilterReport& dropped;

@@ -14,6 +14,7 @@
 #include "cli/common_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
+#include "io/read/mesh_reader.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -60,12 +61,19 @@ class Run {
     show(what);
     return report_.timed(phase, std::forward<Work>(work));
   }
-  /// The step that reads INPUT: a file with warnings.
+  /// The step that reads INPUT: a file with warnings and what was cleaned, which is reported.
   template <class Reader>
   auto read(Reader&& reader) {
     auto file = step("read", "reading " + options_.input, [&] { return reader(options_.input); });
     for (const std::string& warning : file.warnings) warn(warning);
+    report_["cleanup"] = to_json(file.cleanup);
     return file;
+  }
+  /// INPUT as a mesh, cleaned as the common options say.
+  io::MeshFile read_mesh(io::MeshRequest request = {}) {
+    request.clean = options_.clean;
+    request.step = options_.step;
+    return read([&](const std::string& path) { return io::read_mesh(path, request); });
   }
   /// Names INPUT in the errors of what knows no file names.
   template <class Work>

@@ -54,9 +54,9 @@ reached() {
             add(part[2])
           } else if (line ~ /^ *# *include *</) {
             split(line, part, /[<>]/)
-            # The language has headers without a dot or folder, and c*; sys/ and unistd are the
+            # The language has headers without a dot or folder, and c*; sys/ and these three are the
             # system.
-            if (part[2] ~ /[.\/]/ && part[2] !~ /^(sys\/|unistd\.h)/) print "outside " part[2]
+            if (part[2] ~ /[.\/]/ && part[2] !~ /^(sys\/|(unistd|spawn|fcntl)\.h)/) print "outside " part[2]
           }
         close(path)
       }
@@ -96,8 +96,7 @@ row() {
 # Whose headers the files name.
 libraries() {
   files_of "$@" | sed -n 's/^outside //p' |
-    sed 's|^boost/.*|Boost.Multiprecision, GMP|; s|^CGAL/IO/.*|CGAL (readers of meshes)|
-      s|^CGAL/Simple_cartesian.h|CGAL (readers of meshes)|; s|^CGAL/Interval_nt.h|CGAL (Interval_nt)|
+    sed 's|^boost/.*|Boost.Multiprecision, GMP|; s|^CGAL/Interval_nt.h|CGAL (Interval_nt)|
       s|^CLI/.*|CLI11|; s|^fmt/.*|fmt|; s|^mpfr.h|MPFR|; s|^openssl/.*|OpenSSL (SHA-256)|' |
     sort -u | paste -sd ';' - | sed 's/;/; /g'
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 // What the checkers are asked, and what they answer.
+#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -14,9 +15,16 @@ enum class Arithmetic {
   mpfr      ///< MPFR directed rounding for every sign and angle; rationals where undecided
 };
 
+/// A mesh from elsewhere; how its file was read is no part of any claim.
+struct InputMesh {
+  std::string name;
+  std::vector<std::array<double, 3>> positions;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+};
+
 struct VerifyOptions {
   Arithmetic arithmetic = Arithmetic::doubles;
-  std::optional<std::string> input;  ///< a mesh file the data must agree with
+  std::optional<InputMesh> input;  ///< the data must agree with it
 };
 
 /// How often each stage was reached.
@@ -37,13 +45,8 @@ struct Verdict {
   AngleCounts angles;
 };
 
-/// The comparison with an input file cannot be made for this format.
+/// The comparison with an input mesh cannot be made for this claim.
 class TieUnavailable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-/// The input file cannot be read as a mesh.
-class InputUnreadable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -71,7 +71,7 @@ void verify_reeb(std::span<const std::uint8_t> data, std::span<const std::uint8_
                  const VerifyOptions& options, Verdict& verdict) {
   const ReebContents c = open_reeb(data, claims);
   if (options.input)
-    throw TieUnavailable(*options.input +
+    throw TieUnavailable(options.input->name +
                          ": --input cannot compare the values of a Reeb graph's function; compare "
                          "the data digest with the one in the output");
   SignLadder sign(options.arithmetic);

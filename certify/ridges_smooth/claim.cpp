@@ -54,7 +54,7 @@ void verify_ridges_smooth(std::span<const std::uint8_t> data, std::span<const st
                           const VerifyOptions& options, Verdict& verdict) {
   const RidgesSmoothCertificate c = decode_ridges_smooth(data, claims);
   if (options.input)
-    throw TieUnavailable(*options.input +
+    throw TieUnavailable(options.input->name +
                          ": --input compares meshes; this surface is given by expressions, which "
                          "stand in the certificate");
   const smooth::Surface surface = smooth::parse_surface(c.surface);

@@ -5,16 +5,15 @@
 // section)
 #include <string>
 
+#include "certify/container/verdict.hpp"
 #include "certify/surface/corners.hpp"
 
 namespace crest::certify {
 
-/// Reads OFF, OBJ, PLY or STL with CGAL's readers, merges equal vertices of STL, drops unreferenced
-/// vertices. Requires: the faces are an oriented manifold. Returns whether its components are
-/// oriented as in the file, in words that go on "the same positions and faces, ...". Throws Reject
-/// if positions or faces differ (faces up to rotation and orientation), TieUnavailable for other
-/// formats, InputUnreadable.
-std::string check_input(const std::string& path, std::span<const std::array<double, 3>> positions,
+/// Requires: the faces are an oriented manifold. Returns whether its components are oriented as the
+/// input is, in words that go on "the same positions and faces, ...". Throws Reject if positions or
+/// faces differ (faces up to rotation and orientation).
+std::string check_input(const InputMesh& input, std::span<const std::array<double, 3>> positions,
                         Faces faces);
 
 }  // namespace crest::certify

@@ -1,28 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read/mesh_reader.hpp"
 
+#include <utility>
+
+#include "io/clean/clean.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
-#include "io/read/soup_to_mesh.hpp"
+#include "io/read/coarse_grid.hpp"
+#include "io/read/point_values.hpp"
 
 namespace crest::io {
+namespace {
 
-MeshFile read_mesh(const std::string& path) {
+MeshFile read(const std::string& extension, const MeshRequest& request,
+              const std::function<std::string()>& bytes) {
+  // Before a large file of another format is loaded.
+  const SoupReader reader = soup_reader(extension);
+  const FieldRequest fields{request.field.has_value(), request.field.value_or(""), request.normals,
+                            request.step};
+  return mesh_of_soup(reader(bytes(), fields), request);
+}
+
+}  // namespace
+
+MeshFile mesh_of_soup(const Soup& soup, const MeshRequest& request) {
   MeshFile file;
-  read_named(path, [&] {
-    // Before a large file of another format is loaded.
-    const SoupReader reader = soup_reader(lower_extension(path));
-    file = mesh_of_soup(reader(load(path), {}));
-  });
+  Surface surface = clean(soup, request.clean, Purpose::geometry, file.cleanup);
+  file.warnings = soup.warnings;
+  const std::vector<std::string> lines = words(file.cleanup);
+  file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
+  if (request.field) {
+    const PointValues field(soup, *request.field, "choose a curvature with --method");
+    file.values.reserve(surface.point_of.size());
+    for (const kernel::Index point : surface.point_of) file.values.push_back(field.at(point));
+    if (const auto note = field.note()) file.warnings.push_back(*note);
+  }
+  if (request.normals) file.normals = point_normals(soup, surface.point_of);
+  file.numbers = file_numbers(soup, surface);
+  file.mesh = kernel::TriangleMesh(std::move(surface.points), std::move(surface.faces));
+  if (const auto rounded = coarse_grid(file.mesh)) file.warnings.push_back(*rounded);
   return file;
 }
 
-MeshFile read_mesh_bytes(const std::string& name, std::string bytes) {
+MeshFile read_mesh(const std::string& path, const MeshRequest& request) {
+  MeshFile file;
+  read_named(path,
+             [&] { file = read(lower_extension(path), request, [&] { return load(path); }); });
+  return file;
+}
+
+MeshFile read_mesh_bytes(const std::string& name, std::string bytes, const MeshRequest& request) {
   MeshFile file;
   read_named(name, [&] {
-    const SoupReader reader = soup_reader(lower_extension(name));
-    if (bytes.empty()) fail("file", "is empty", "export the mesh again");
-    file = mesh_of_soup(reader(std::move(bytes), {}));
+    file = read(lower_extension(name), request, [&] {
+      if (bytes.empty()) fail("file", "is empty", "export the mesh again");
+      return std::move(bytes);
+    });
   });
   return file;
 }

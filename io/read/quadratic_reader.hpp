@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/clean/clean_up.hpp"
+#include "io/clean/surface.hpp"
 #include "kernel/expressions/expression.hpp"
 #include "kernel/geometry/quadratic_mesh.hpp"
 
@@ -13,28 +15,29 @@ namespace crest::io {
 
 /// Where the values come from.
 struct FunctionSource {
-  std::string field = {};  ///< a scalar point field; empty: the file's only one
+  std::string field = {};  ///< a scalar field; empty: the file's only one
   /// In x, y, z; instead of a field: sampled at the nodes, on linear meshes at the vertices and,
   /// unless it is affine and so linear on every face, at the edges' midpoints.
   std::optional<kernel::Expression> expression = {};
   bool linear = false;  ///< without midpoints: the function linear between the corners' values
+  CleanOptions clean = {};
+  std::optional<std::int64_t> step = {};  ///< of the field's time steps; else the last
 };
 
 struct QuadraticFile {
   kernel::QuadraticMesh mesh;
+  FileNumbers numbers;
   std::string function;  ///< the field's name or the expression's text
+  CleanUp cleanup;
   std::vector<std::string> warnings;
 };
 
-/// Reads .vtu (cell types 5 and 22), .msh (Gmsh text 2.2 and 4.1, orders 1 and 2), .vtp, and with
-/// an expression also .off, .obj, .ply and .stl. The surface may be one-sided. A linear face among
-/// quadratic ones has the means of its ends as midside values (with an expression: its values
-/// there).
-/// Guarantees: face i of the mesh is triangle i of the file; vertices are its corners in their
-/// order. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line, in the file's
-/// numbers. Cost: linear in the file's size; nothing is allocated on the strength of a count that
-/// the file
-///   is too short for.
+/// Reads the formats of read_mesh, cleaned for a function (io/clean): the surface may be one-sided,
+/// triangles of 6 nodes are quadratic. A linear face among quadratic ones has the means of its ends
+/// as midside values (with an expression: its values there). Of welded vertices the first one's
+/// value counts. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line, in the
+/// file's numbers. Cost: O(n log n) in the file's size; nothing is allocated on the strength of a
+/// count that the file is too short for.
 QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource& source);
 
 /// The same for a file that is in memory: `name` gives the format and stands in messages.

@@ -32,6 +32,11 @@ int number(Index i) {
   return i == kNone ? -1 : static_cast<int>(i);
 }
 
+/// What the file calls it.
+int face_number(const ReebScene& scene, Index face) {
+  return scene.face_numbers.empty() ? number(face) : static_cast<int>(scene.face_numbers[face]);
+}
+
 class Scene {
  public:
   explicit Scene(const ReebScene& scene) : scene_(scene) {}
@@ -123,7 +128,8 @@ class Scene {
       while (!begin.empty() && begin[face + 1] <= t) ++face;
       const auto& [a, b, c] = tiles[t];
       add_row(data_.add_triangle(first + a, first + b, first + c), kTile,
-              number(scene_.arc_of_tile[t]), -1, -1, number(begin.empty() ? t : face), 0);
+              number(scene_.arc_of_tile[t]), -1, -1, face_number(scene_, begin.empty() ? t : face),
+              0);
     }
   }
 
@@ -153,7 +159,7 @@ std::string tiles_vtu(const ReebScene& scene) {
   for (Index t = 0; t < tiles.size(); ++t) {
     while (!begin.empty() && begin[f + 1] <= t) ++f;
     cells->InsertNextCell({tiles[t][0], tiles[t][1], tiles[t][2]});
-    cell_rows.add("face", number(begin.empty() ? t : f));
+    cell_rows.add("face", face_number(scene, begin.empty() ? t : f));
     if (!scene.arc_of_tile.empty()) cell_rows.add("arc", number(scene.arc_of_tile[t]));
   }
   vtkNew<vtkUnstructuredGrid> grid;

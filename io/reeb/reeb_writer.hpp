@@ -2,6 +2,8 @@
 #pragma once
 
 // Reeb graphs, level lines and monotone tiles to files.
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct ReebScene {
   const std::vector<TreeLines>& trees;
   const std::vector<LevelLines>& levels;
   std::string data_digest;  ///< hex, of the run's certificate; may be empty
+  std::span<const std::int64_t> face_numbers =
+      {};  ///< what the file calls the faces; else by place
 };
 
 /// Writes .vtp or .vtu, by the extension in any case.
@@ -48,7 +52,7 @@ struct ReebScene {
 ///   cells: kind (0 node, 1 arc, 2 level line, 3 join tree, 4 split tree, 5 contour tree, 6 tile);
 ///     arc (of arcs and tiles, else -1); lower and upper (positions of the graph's nodes for arcs,
 ///     nodes of the tile complex for trees, else -1); face (of tiles, else -1); level (of level
-///     lines, else 0).
+///     lines, else 0). Faces are numbered as in the file.
 /// .vtu: the tiles as triangles over all nodes of the tile complex.
 ///   points: value; kind (0 vertex, 1 line-critical, 2 face-critical); type as above; arc (-1
 ///   none). cells: face, and arc if arc_of_tile is given.

@@ -135,7 +135,7 @@ TEST_CASE("a Reeb graph's certificate has one encoding, and --input is refused")
       CHECK(container.claim == kReeb);
       CHECK(encode(decode_reeb(container.data, container.claims)) == bytes);
       VerifyOptions options;
-      options.input = "mesh.off";
+      options.input = InputMesh{"mesh.off", {}, {}};
       CHECK_THROWS_AS(verify(bytes, options), TieUnavailable);
     }
 }

@@ -70,7 +70,6 @@ TEST_CASE("bad input: exit code 3, one line naming the file, no output file touc
       {"truncated.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n"},
       {"nan.off", "OFF\n4 4 0\n0 0 0\n1 0 nan\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
       {"index.off", "OFF\n4 1 0\n" + points + "3 0 1 9\n"},
-      {"twice.off", "OFF\n4 2 0\n" + points + "3 0 1 2\n3 1 2 0\n"},
       {"degenerate.off", "OFF\n4 1 0\n" + points + "3 0 1 1\n"},
       {"flat.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"},
       {"fan.off", "OFF\n5 3 0\n" + points + "0 0 -1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"},

@@ -224,7 +224,7 @@ TEST_CASE(
     write_text(folder / name, text);
   };
   scaled("s.off", 0);
-  for (const int power : {80, 100, -80, -100}) {
+  for (const int power : {80, 100, 200, 307, -80, -100, -200, -307}) {
     scaled("t.off", power);
     for (const std::string command :
          {"ridges t.off", "features t.off", "features t.off --method ne", "curvature t.off"}) {

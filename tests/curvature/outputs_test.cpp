@@ -6,7 +6,6 @@
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
 #include "io/read/mesh_reader.hpp"
-#include "io/read/normals_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/curvature/shapes.hpp"
 #include "tests/support/program.hpp"
@@ -45,6 +44,12 @@ std::string binary_ply(bool big_endian, const std::vector<Vec3>& normals) {
   return bytes;
 }
 
+std::vector<Vec3> normals_of(const std::string& path) {
+  crest::io::MeshRequest request;
+  request.normals = true;
+  return crest::io::read_mesh(path, request).normals;
+}
+
 }  // namespace
 
 TEST_CASE("curvature files read back as the mesh and its normals, to the last bit") {
@@ -62,7 +67,7 @@ TEST_CASE("curvature files read back as the mesh and its normals, to the last bi
     const auto back = crest::io::read_mesh(path);
     CHECK(back.mesh.points() == shape.mesh.points());
     CHECK(back.mesh.faces() == shape.mesh.faces());
-    CHECK(crest::io::read_normals(path) == shape.normals);
+    CHECK(normals_of(path) == shape.normals);
     const std::string once = read_text(path);
     crest::io::write_curvature(path, shape.mesh, r, corners);
     CHECK(read_text(path) == once);
@@ -81,15 +86,15 @@ TEST_CASE("normals of binary PLY files in both byte orders") {
     const std::string path = (folder / "b.ply").string();
     write_text(path, binary_ply(big, normals));
     CHECK(crest::io::read_mesh(path).mesh.face_count() == 1);
-    CHECK(crest::io::read_normals(path) == normals);
+    CHECK(normals_of(path) == normals);
     const std::string whole = read_text(path);
     write_text(path, whole.substr(0, whole.size() - 40));
-    CHECK_THROWS_AS(crest::io::read_normals(path), InputError);
+    CHECK_THROWS_AS(normals_of(path), InputError);
   }
   write_text(folder / "b.off", "OFF\n");
-  CHECK_THROWS_AS(crest::io::read_normals((folder / "b.off").string()), InputError);
-  CHECK_THROWS_AS(crest::io::read_normals((folder / "missing.ply").string()), InputError);
-  CHECK_THROWS_AS(crest::io::read_normals((folder / "missing.vtp").string()), InputError);
+  CHECK_THROWS_AS(normals_of((folder / "b.off").string()), InputError);
+  CHECK_THROWS_AS(normals_of((folder / "missing.ply").string()), InputError);
+  CHECK_THROWS_AS(normals_of((folder / "missing.vtp").string()), InputError);
 }
 
 TEST_CASE("pictures of focal surfaces: green for positive, red for negative") {

@@ -63,30 +63,28 @@ const Case kCases[] = {
     {"huge.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "more than the file holds"},
     {"cut.off", "OFF\n4 4 0\n" + kTetrahedron + "3 0 2 1\n3 0 1 3\n", "face 2: is missing"},
     {"nan.off", "OFF # c\n4 4 0\n\n0 0 0\n1 0 0\n0 nan 0\n0 0 1\n" + kTetrahedronFaces,
-     "vertex 2: a coordinate is not finite"},
+     "vertex 2 (line 6): its coordinate y is not a number"},
     {"huge_number.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1e999 0\n0 0 1\n" + kTetrahedronFaces,
-     "vertex 2: a coordinate is not finite"},
+     "vertex 2 (line 5): its coordinate y is not finite"},
     {"word.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1x 0\n0 0 1\n" + kTetrahedronFaces,
      "vertex 2 (line 5): coordinate '1x' is not a number"},
-    {"quad.off", "OFF\n4 1 0\n" + kTetrahedron + "4 0 1 2 3\n",
-     "face 0: has 4 vertices; triangulate it first"},
     {"range.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 4\n",
      "face 0 (line 7): vertex 4 does not"},
     {"negative.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 -1\n", "vertex -1 does not exist"},
-    {"repeat.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 1\n", "face 0: repeats vertex 1"},
+    {"repeat.off", "OFF\n4 1 0\n" + kTetrahedron + "3 0 1 1\n", "faces: all have repeated corners"},
     {"collinear.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "face 0: its area is exactly"},
-    {"duplicate.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 1 2 0\n",
-     "face 1: has the vertices of face 0"},
     {"edge.off", "OFF\n5 3 0\n" + kTetrahedron + "0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
      "edge 0-1: is in faces 0, 1 and 2"},
     // Vertex 0 is unreferenced: the number in the message is still the file's.
-    {"fans.off", "OFF\n6 2 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 1 4 5\n",
-     "vertex 1: joins several fans"},
+    {"unused.off",
+     "OFF\n6 3 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 2 1 4\n3 1 2 5\n",
+     "edge 1-2: is in faces 0, 1 and 2"},
     {"no_faces.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "faces: there are none"},
     {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0',
      "byte 36: is zero"},
     {"vertex.obj", "v 0 0\n", "vertex 0 (line 1): has 2 coordinates"},
-    {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1: a coordinate is not finite"},
+    {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",
+     "vertex 1 (line 2): its coordinate x is not a number"},
     {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n",
      "face 0 (line 4): index 0 does not exist"},
     {"range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
@@ -122,7 +120,7 @@ const Case kCases[] = {
     {"nan.ply",
      ply("element vertex 3\n" + kXyz + "element face 1\n" + kList,
          "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"),
-     "vertex 1: a coordinate is not finite"},
+     "vertex 1 (line 11): its coordinate y is not a number"},
     {"range.ply",
      ply("element vertex 3\n" + kXyz + "element face 1\n" + kList,
          "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
@@ -138,7 +136,7 @@ const Case kCases[] = {
     {"text_nan.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n",
      "face 0 (line 4): a coordinate of its corner 0 is not finite"},
     {"text_two.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n",
-     "face 0: has 2 vertices"},
+     "faces: all have repeated corners"},
     {"garbage.vtp", "this is no XML", "file: cannot be read as VTP"},
     {"huge.vtp", "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"99999999999\"",
      "header: NumberOfPoints is 99999999999, more than the file holds"},
@@ -178,8 +176,8 @@ TEST_CASE("what only looks bad is read", "[io]") {
   const auto obj = read_mesh(folder / "tabs.obj");
   CHECK(obj.mesh.face_count() == 2);
   CHECK(obj.mesh.vertex_count() == 4);
-  CHECK(obj.warnings == std::vector<std::string>{"left out 1 points and lines",
-                                                 "dropped 1 vertices that belong to no face"});
+  CHECK(obj.warnings ==
+        std::vector<std::string>{"left out 1 line", "left out 1 vertex that no face uses"});
 
   store(folder / "colours.off",
         "STCNOFF 3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 9 9\n");
@@ -200,7 +198,7 @@ TEST_CASE("the minority of each component is flipped, a tie keeps the first face
         "OFF\n4 4 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto one = read_mesh(folder / "tetrahedron.off");
   REQUIRE(one.warnings.size() == 1);
-  CHECK(one.warnings[0] == "flipped 1 faces oriented against the majority of their component");
+  CHECK(one.warnings[0] == "flipped 1 face oriented against the majority of their component");
   CHECK(one.mesh.faces()[1] == crest::kernel::Triangle{0, 1, 3});
   CHECK(one.mesh.faces()[0] == crest::kernel::Triangle{0, 2, 1});
   store(folder / "tie.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n");

@@ -83,7 +83,7 @@ TEST_CASE("linear files give functions linear on each face", "[io]") {
     CHECK(file.mesh.linear());
     CHECK(file.mesh.vertex_count() == 9);
     REQUIRE_FALSE(file.warnings.empty());
-    CHECK(file.warnings.back() == "dropped 16 vertices that belong to no face");
+    CHECK(file.warnings.back() == "left out 16 vertices that no face uses");
   }
 }
 

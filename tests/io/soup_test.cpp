@@ -2,12 +2,9 @@
 // Soups: cells of every kind and fields with their own numbers, and which of them are a surface.
 #include <catch2/catch.hpp>
 
-#include "io/formats/fields.hpp"
 #include "io/formats/readers.hpp"
 #include "io/read/mesh_reader.hpp"
-#include "io/read/normals_reader.hpp"
-#include "io/read/point_field.hpp"
-#include "io/read/soup_to_mesh.hpp"
+#include "io/read/point_values.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 
@@ -59,6 +56,13 @@ std::string tetrahedron_vtp(const std::string& point_data, const std::string& at
          array("Int64", "offsets", "3 6 9 12") + "</Polys>\n</Piece></PolyData></VTKFile>\n";
 }
 
+MeshRequest field_and_normals(const char* field) {
+  MeshRequest request;
+  request.field = field;
+  request.normals = true;
+  return request;
+}
+
 Soup triangle_and_line() {
   Soup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -84,8 +88,6 @@ TEST_CASE("a grid of mixed cells keeps their types and nodes", "[io]") {
   const auto quad = soup.cells.nodes(3);
   CHECK(std::vector<Cells::Node>(quad.begin(), quad.end()) == std::vector<Cells::Node>{0, 1, 4, 2});
   CHECK(dimension_of(CellType{200}) == -1);
-  CHECK(error_of([&] { faces_of(soup); }) ==
-        "cell 0: has type 10; give triangles, linear (type 5) or quadratic (22)");
 }
 
 TEST_CASE("fields keep their components and their own kind of number", "[io]") {
@@ -103,20 +105,30 @@ TEST_CASE("fields keep their components and their own kind of number", "[io]") {
   CHECK(std::get<std::vector<std::uint64_t>>(fields[1].numbers)[2] == 18446744073709551615u);
   CHECK(std::get<std::vector<double>>(fields[2].numbers)[0] == 0.5);
   CHECK(fields[3].components == 3);
-  CHECK(exact_doubles(soup, fields[3])[17] == 17);
+  CHECK(std::get<std::vector<double>>(fields[3].numbers)[17] == 17);
   REQUIRE(soup.cell_fields.size() == 1);
   CHECK(soup.cell_fields[0].size() == 6);
-  CHECK(exact_doubles(soup, fields[2])[5] == 5);
+  CHECK(PointValues(soup, "f", "").at(5) == 5);
+  CHECK(PointValues(soup, "i", "").at(1) == 2);
   for (const std::size_t i : {0u, 1u}) {
-    CHECK(error_of([&] { exact_doubles(soup, fields[i]); }) ==
-          "node 2: its value of '" + fields[i].name + "' exceeds 2^53; store the field as doubles");
+    CHECK(error_of([&] { PointValues(soup, fields[i].name, "").at(2); }) ==
+          "vertex 2: its value of '" + fields[i].name +
+              "' exceeds 2^53; store the field as doubles");
   }
   const auto choice = [&](const char* name) {
-    return error_of([&] { choose_scalar(soup, name, "use another file"); });
+    return error_of([&] { PointValues(soup, name, "use another file"); });
   };
-  CHECK(choice("v") == "field 'v': has 3 components; the scalar point fields are 'i', 'u', 'f'");
-  CHECK(choice("c").starts_with("field 'c': belongs to the cells; "));
+  CHECK(choice("v") ==
+        "field 'v': has 3 components; the scalar fields are 'i', 'u', 'f', of cells 'c'");
+  CHECK(
+      choice("w").starts_with("field 'w': does not exist; the scalar fields are 'i', 'u', 'f', "));
   CHECK(choice("f") == "no error");
+  // The mean over the faces around a point: cells 1 to 3, the quadrangle once.
+  const PointValues means(soup, "c", "");
+  CHECK(means.at(0) == (2.0 + 4.0) / 2);
+  CHECK(means.at(4) == (3.0 + 4.0) / 2);
+  CHECK(means.at(2) == (2.0 + 3.0 + 4.0) / 3);
+  CHECK(means.note() == "'c' is a field of cells: each vertex has the mean over its faces");
 }
 
 TEST_CASE("only what may be meant is loaded", "[io]") {
@@ -131,20 +143,15 @@ TEST_CASE("only what may be meant is loaded", "[io]") {
   CHECK(read_vtu(file, {true, ""}).point_fields.size() == 2);
 }
 
-TEST_CASE("polygons and quadrangles are refused alike, lines left out with a note", "[io]") {
+TEST_CASE("what is left out of a soup is noted, numbers stay the file's", "[io]") {
   Soup soup = triangle_and_line();
+  soup.warnings = {"odd"};
+  soup.point_tags = {7, 8, 9};
   const MeshFile file = mesh_of_soup(soup);
   CHECK(file.mesh.face_count() == 1);
-  CHECK(file.warnings == std::vector<std::string>{"left out 1 points and lines"});
-  soup.cells.add(CellType::quad, std::array<Cells::Node, 4>{0, 1, 2, 1});
-  CHECK(error_of([&] { mesh_of_soup(soup); }) == "face 2: has 4 vertices; triangulate it first");
-  Soup pair = triangle_and_line();
-  pair.cells.add(CellType::polygon, std::array<Cells::Node, 2>{0, 1});
-  CHECK(error_of([&] { mesh_of_soup(pair); }) == "face 2: has 2 vertices; remove it or give it 3");
-  Soup repeated = triangle_and_line();
-  repeated.cells.add(CellType::triangle, std::array<Cells::Node, 3>{2, 1, 0});
-  CHECK(error_of([&] { mesh_of_soup(repeated); }) ==
-        "face 2: has the vertices of face 1; remove duplicate faces");
+  CHECK(file.warnings == std::vector<std::string>{"odd", "left out 1 line"});
+  CHECK(file.numbers.faces == std::vector<std::int64_t>{1});
+  CHECK(file.numbers.vertices == std::vector<std::int64_t>{7, 8, 9});
 }
 
 TEST_CASE("fields and normals of a file are those of the mesh's vertices", "[io]") {
@@ -152,13 +159,23 @@ TEST_CASE("fields and normals of a file are those of the mesh's vertices", "[io]
   const std::string path = folder / "a.vtp";
   const std::string normals = array("Float32", "N", "0 0 1 0 0 2 0 0 3 0 0 4 0 0 5", 3);
   store(path, tetrahedron_vtp(array("Float64", "a", "1 2 nan 4 5") + normals, " Normals=\"N\""));
-  CHECK(read_mesh(path).mesh.vertex_count() == 4);
-  CHECK(read_point_field(path, "a") == std::vector<double>{1, 2, 4, 5});
-  CHECK(read_normals(path) == std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 4}, {0, 0, 5}});
-  CHECK(error_of([&] { read_point_field(path, "b"); }) ==
-        path + ": field 'b': does not exist; the scalar point fields are 'a'");
+  const MeshFile file = read_mesh(path, field_and_normals("a"));
+  CHECK(file.mesh.vertex_count() == 4);
+  CHECK(file.numbers.vertices == std::vector<std::int64_t>{0, 1, 3, 4});
+  CHECK(file.values == std::vector<double>{1, 2, 4, 5});
+  CHECK(file.normals == std::vector<Vec3>{{0, 0, 1}, {0, 0, 2}, {0, 0, 4}, {0, 0, 5}});
+  CHECK(error_of([&] { read_mesh(path, field_and_normals("b")); }) ==
+        path + ": field 'b': does not exist; the scalar fields are 'a'");
+  MeshRequest request;
+  request.normals = true;
+  store(path, tetrahedron_vtp(array("Float32", "N", "0 0 1 0 0 0 0 0 0 0 0 4 0 0 5", 3),
+                              " Normals=\"N\""));
+  CHECK(error_of([&] { read_mesh(path, request); }) ==
+        path + ": vertex 1: its normal is zero; repair it or use --normals estimated");
   store(path, tetrahedron_vtp(normals));
-  CHECK(error_of([&] { read_normals(path); }).starts_with(path + ": normals: the file has none"));
+  CHECK(error_of([&] {
+          read_mesh(path, request);
+        }).starts_with(path + ": normals: the file has none"));
 }
 
 TEST_CASE("what reads fields and normals of a VTP file checks it first", "[io]") {
@@ -169,7 +186,6 @@ TEST_CASE("what reads fields and normals of a VTP file checks it first", "[io]")
   store(path, text);
   const std::string expected =
       path + ": header: NumberOfPoints is 99999999995, more than the file holds; ";
-  CHECK(error_of([&] { read_point_field(path, "a"); }).starts_with(expected));
-  CHECK(error_of([&] { read_normals(path); }).starts_with(expected));
+  CHECK(error_of([&] { read_mesh(path, field_and_normals("a")); }).starts_with(expected));
   CHECK(error_of([&] { read_mesh(path); }).starts_with(expected));
 }

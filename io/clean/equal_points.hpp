@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Points at the same place.
+#include <vector>
+
+#include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/index.hpp"
+
+namespace crest::io {
+
+/// For every point the first one that equals it; -0 equals 0. Requires: finite coordinates.
+/// Cost: O(V) expected.
+std::vector<kernel::Index> first_equal(const std::vector<kernel::Vec3>& points);
+
+}  // namespace crest::io
