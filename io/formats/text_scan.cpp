@@ -147,13 +147,6 @@ void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertic
        fmt::format("the file has {} vertices, numbered from 0", vertices));
 }
 
-void check_corner_count(std::int64_t corners, const std::string& element) {
-  if (corners == 3) return;
-  const std::string problem = fmt::format("has {} vertices", corners);
-  if (corners > 3) fail(element, problem, "triangulate it first");
-  fail(element, problem, "remove it or give it 3");
-}
-
 void check_text(std::string_view bytes) {
   const std::size_t zero = bytes.find('\0');
   if (zero != std::string_view::npos)

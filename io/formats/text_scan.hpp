@@ -150,9 +150,6 @@ inline void note_not_finite(Soup& soup, std::size_t point, const TextScan& scan)
 /// Throws for an index that is no vertex's.
 [[noreturn]] void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertices);
 
-/// Throws for a face whose number of corners is not 3.
-void check_corner_count(std::int64_t corners, const std::string& element);
-
 /// Throws when the bytes are not those of a text.
 void check_text(std::string_view bytes);
 
