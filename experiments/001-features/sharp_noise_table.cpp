@@ -84,8 +84,8 @@ EdgeSet over_rings(const kernel::TriangleMesh& mesh, int degrees, Index rings, I
   return edges_of(fl::extract_feature_lines(mesh, fl::vertex_angles(mesh, rings), options).graph);
 }
 
-int run(const std::string& file, int degrees, const std::vector<int>& angles,
-        const std::vector<double>& levels, unsigned seed, Index prune) {
+int run(const std::string& file, int degrees, const std::vector<double>& levels, unsigned seed,
+        Index prune) {
   if (!std::filesystem::exists(file)) {
     fmt::print("{}: not there, skipped\n", file);
     return 0;
@@ -105,7 +105,7 @@ int run(const std::string& file, int degrees, const std::vector<int>& angles,
   for (const double level : levels) {
     const auto mesh = noisy(clean, level, seed);
     const std::string start = fmt::format("{:g} | ", level);
-    for (const int a : angles) {
+    for (const int a : {degrees, degrees / 2}) {
       print(start + fmt::format("CGAL, {}", a), mesh, sorted(experiments::sharp_edges(mesh, a)),
             truth);
       const kernel::DecimalAngle at(std::to_string(a));
@@ -125,16 +125,14 @@ int run(const std::string& file, int degrees, const std::vector<int>& angles,
 int main(int argc, char** argv) {
   std::string file = "../shared/data/meshes/fandisk.off";
   std::vector<double> levels = {0, 0.05, 0.1, 0.2, 0.3, 0.4};
-  std::vector<int> angles = {60, 50, 40};
   int degrees = 60;
   unsigned seed = 1, prune = 4;
   crest::experiments::Program program("Sharp edges under noise, beside CGAL's");
   program.option("--mesh", file, "(default ../shared/data/meshes/fandisk.off)");
-  program.option("--angle", degrees, "what is sharp without noise");
-  program.list("--angles", angles, "of the methods");
+  program.option("--angle", degrees,
+                 "what is sharp without noise; the methods use it and its half");
   program.list("--noise", levels, "standard deviations, in mean edge lengths");
   program.option("--seed", seed, "of the noise");
   program.option("--prune", prune, "vertices");
-  return program.run(argc, argv,
-                     [&] { return crest::run(file, degrees, angles, levels, seed, prune); });
+  return program.run(argc, argv, [&] { return crest::run(file, degrees, levels, seed, prune); });
 }
