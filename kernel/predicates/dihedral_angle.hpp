@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// dihedral_angle: is the angle between the normals of an edge's two faces above a given one?
+// Dihedral angle: is that between the normals of an edge's two faces above a given one?
 //
 // dihedral_angle(e, A) is positive if the angle is larger than A, negative if it is smaller, zero
 // if it is exactly A. The angle is that between the faces' normals, 0 to 180 degrees: 0 in a plane,

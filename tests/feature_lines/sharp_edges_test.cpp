@@ -158,7 +158,7 @@ TEST_CASE("angles over rings: exact on folds, small across noise, the field of t
     if (lines.marks[v]) CHECK(std::abs(sheet.points()[v][0] - 4) <= 1);
 }
 
-TEST_CASE("collapsing marked faces keeps the topology; patches are those of the complement") {
+TEST_CASE("collapsing marked faces keeps the topology, patches are those of the complement") {
   Random random(kSeed + 5);
   Index collapsed = 0;
   for (const auto& [name, mesh] : sample_meshes()) {
