@@ -21,6 +21,17 @@ double median_side(const kernel::TriangleMesh& mesh) {
   return *middle;
 }
 
+double half_diagonal(const std::vector<Vec3>& points) {
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return 0.5 * kernel::distance(low, high);
+}
+
 struct Axis {
   const std::vector<Vec3>& points;
   std::size_t k;
@@ -62,7 +73,8 @@ double grid_of(const Axis& axis, double least) {
 }  // namespace
 
 std::optional<std::string> coarse_grid(const kernel::TriangleMesh& mesh) {
-  const double side = median_side(mesh), least = side / kFinestGrid;
+  const double side = median_side(mesh), size = half_diagonal(mesh.points());
+  const double least = std::max(side / 1024, 4 * side * (side / size) * (side / size));
   double coarsest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Axis axis{mesh.points(), k};

@@ -231,7 +231,7 @@ TEST_CASE("clean: the mesh of the other commands, its numbers the file's; roundi
     write_text(folder / "r.off", text);
     const json rounded = report_of(folder, "clean r.off");
     REQUIRE(rounded["warnings"].size() >= 1);
-    CHECK(warnings_of(rounded).find(single ? "multiples of 0.0078125" : "multiples of 0.01") !=
+    CHECK(warnings_of(rounded).find(single ? "multiples of 0.0078125" : "multiples of 0.01,") !=
           std::string::npos);
   }
 }
