@@ -6,16 +6,16 @@
 
 #include <algorithm>
 #include <deque>
-#include <optional>
+#include <initializer_list>
 
 #include "io/clean/drop.hpp"
+#include "io/clean/stars.hpp"
 #include "kernel/predicates/collinear.hpp"
 
 namespace crest::io {
 namespace {
 
 using kernel::Index;
-using kernel::kNone;
 using kernel::Triangle;
 using kernel::Vec3;
 
@@ -27,142 +27,53 @@ bool strictly_between(const Vec3& a, const Vec3& b, const Vec3& c) {
   return true;
 }
 
-/// Of three points on one line; a corner and the two after it.
-struct Spike {
-  Index middle, next, last;
-};
+bool flat(const Surface& surface, Index f) {
+  const auto& [a, b, c] = surface.faces[f];
+  return kernel::collinear(surface.points[a], surface.points[b], surface.points[c]);
+}
+
+std::vector<Index> flat_faces(const Surface& surface) {
+  std::vector<Index> faces;
+  for (Index f = 0; f < surface.face_count(); ++f)
+    if (flat(surface, f)) faces.push_back(f);
+  return faces;
+}
 
 class FlatFaces {
  public:
-  FlatFaces(Surface& surface, CleanUp& done) : surface_(surface), done_(done) {}
+  FlatFaces(Surface& surface, CleanUp& done)
+      : surface_(surface), done_(done), stars_(surface), queued_(surface.faces.size(), false) {}
 
-  std::vector<Index> run() {
-    std::vector<Index> flat = flat_faces();
-    if (flat.empty()) return flat;
-    build_stars();
-    // Those that wait for others are tried again as long as something changes.
+  /// Those that wait for others are tried again as long as something changes.
+  void run() {
     for (bool changed = true; changed;) {
       changed = false;
-      for (const Index f : flat) push(f);
+      for (Index f = 0; f < surface_.face_count(); ++f) push(f);
       while (!queue_.empty()) {
         const Index f = queue_.front();
         queue_.pop_front();
         queued_[f] = false;
         if (is_flat(f) && mend(f)) changed = true;
       }
-      flat = flat_faces();
     }
-    std::vector<bool> kept(alive_.begin(), alive_.end());
+    std::vector<bool> kept(surface_.faces.size());
+    for (Index f = 0; f < kept.size(); ++f) kept[f] = stars_.alive(f);
     keep_faces(surface_, kept);
     drop_unused(surface_);
-    return flat_in(surface_);
   }
 
  private:
-  static std::vector<Index> flat_in(const Surface& surface) {
-    std::vector<Index> flat;
-    for (Index f = 0; f < surface.faces.size(); ++f) {
-      const auto& [a, b, c] = surface.faces[f];
-      if (kernel::collinear(surface.points[a], surface.points[b], surface.points[c]))
-        flat.push_back(f);
-    }
-    return flat;
-  }
-
-  std::vector<Index> flat_faces() const {
-    std::vector<Index> flat = flat_in(surface_);
-    if (!alive_.empty()) std::erase_if(flat, [&](Index f) { return !alive_[f]; });
-    return flat;
-  }
-
-  bool is_flat(Index f) const {
-    const auto& [a, b, c] = surface_.faces[f];
-    return alive_[f] && kernel::collinear(place(a), place(b), place(c));
-  }
   const Vec3& place(Index v) const { return surface_.points[v]; }
-
-  void build_stars() {
-    alive_.assign(surface_.faces.size(), true);
-    queued_.assign(surface_.faces.size(), false);
-    star_.resize(surface_.points.size());
-    for (Index f = 0; f < surface_.faces.size(); ++f)
-      for (const Index v : surface_.faces[f]) star_[v].push_back(f);
-  }
+  bool is_flat(Index f) const { return stars_.alive(f) && flat(surface_, f); }
 
   void push(Index f) {
     if (queued_[f] || !is_flat(f)) return;
     queued_[f] = true;
     queue_.push_back(f);
   }
-  void push_star(Index v) {
-    for (const Index f : star_[v]) push(f);
-  }
-
-  bool has(Index f, Index v) const {
-    const Triangle& t = surface_.faces[f];
-    return t[0] == v || t[1] == v || t[2] == v;
-  }
-  Index third(Index f, Index u, Index v) const {
-    const Triangle& t = surface_.faces[f];
-    return t[0] ^ t[1] ^ t[2] ^ u ^ v;
-  }
-  std::vector<Index> faces_at(Index u, Index v) const {
-    std::vector<Index> faces;
-    for (const Index f : star_[u])
-      if (has(f, v)) faces.push_back(f);
-    return faces;
-  }
-  std::vector<Index> neighbours(Index v) const {
-    std::vector<Index> list;
-    for (const Index f : star_[v])
-      for (const Index w : surface_.faces[f])
-        if (w != v) list.push_back(w);
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
-  }
-  bool adjacent(Index u, Index v) const { return !faces_at(u, v).empty(); }
-  bool at_boundary(Index u, Index v) const { return faces_at(u, v).size() == 1; }
-  /// A fan that is open has a corner more than faces.
-  bool on_boundary(Index v) const { return neighbours(v).size() > star_[v].size(); }
-
-  void leave_star(Index v, Index f) { std::erase(star_[v], f); }
-  void leave_out(Index f) {
-    alive_[f] = false;
-    for (const Index v : surface_.faces[f]) leave_star(v, f);
-  }
-
-  /// Whether the links of u and v meet in the link of their edge alone.
-  bool may_collapse(Index u, Index v) const {
-    const std::vector<Index> faces = faces_at(u, v), nu = neighbours(u), nv = neighbours(v);
-    std::vector<Index> common;
-    std::set_intersection(nu.begin(), nu.end(), nv.begin(), nv.end(), std::back_inserter(common));
-    if (common.size() != faces.size()) return false;
-    if (faces.size() == 1) {
-      const Index x = common[0];
-      return !(at_boundary(u, x) && at_boundary(v, x));
-    }
-    if (on_boundary(u) && on_boundary(v)) return false;
-    const Index x = common[0], y = common[1];
-    const auto has_face = [&](Index w) {
-      return std::any_of(star_[w].begin(), star_[w].end(),
-                         [&](Index f) { return has(f, x) && has(f, y); });
-    };
-    return !(has_face(u) && has_face(v));
-  }
-
-  bool collapse(Index kept, Index gone) {
-    if (!may_collapse(kept, gone)) return false;
-    for (const Index f : faces_at(kept, gone)) leave_out(f);
-    for (const Index f : star_[gone]) {
-      for (Index& v : surface_.faces[f])
-        if (v == gone) v = kept;
-      star_[kept].push_back(f);
-    }
-    star_[gone].clear();
-    ++done_.collapsed_edges;
-    push_star(kept);
-    return true;
+  void push_stars(std::initializer_list<Index> vertices) {
+    for (const Index v : vertices)
+      for (const Index f : stars_.star(v)) push(f);
   }
 
   bool mend(Index f) {
@@ -176,64 +87,72 @@ class FlatFaces {
     }
     if (zero_edge) return false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Spike spike = {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
-      if (!strictly_between(place(spike.next), place(spike.middle), place(spike.last))) continue;
-      return flip(f, spike) || trim(f, spike) || collapse_middle(spike);
+      const Triangle abc = {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+      if (!strictly_between(place(abc[1]), place(abc[0]), place(abc[2]))) continue;
+      return flip(f, abc) || trim(f, abc) || collapse_middle(abc);
     }
     return false;
   }
 
-  bool flip(Index f, const Spike& s) {
-    const std::vector<Index> faces = faces_at(s.next, s.last);
+  bool collapse(Index kept, Index gone) {
+    if (!stars_.may_collapse(kept, gone)) return false;
+    stars_.collapse(kept, gone);
+    ++done_.collapsed_edges;
+    push_stars({kept});
+    return true;
+  }
+
+  /// In these a lies between b and c.
+  bool flip(Index f, const Triangle& abc) {
+    const auto& [a, b, c] = abc;
+    const std::vector<Index> faces = stars_.faces_at(b, c);
     if (faces.size() != 2) return false;
     const Index other = faces[0] == f ? faces[1] : faces[0];
-    const Index across = third(other, s.next, s.last);
-    if (across == s.middle || adjacent(s.middle, across)) return false;
-    if (is_flat(other) && !strictly_between(place(s.next), place(across), place(s.last)))
-      return false;
-    surface_.faces[f] = {s.middle, s.next, across};
-    surface_.faces[other] = {s.middle, across, s.last};
-    leave_star(s.last, f);
-    leave_star(s.next, other);
-    star_[across].push_back(f);
-    star_[s.middle].push_back(other);
+    const Index d = stars_.third(other, b, c);
+    if (a == d || stars_.adjacent(a, d)) return false;
+    if (is_flat(other) && !strictly_between(place(b), place(d), place(c))) return false;
+    stars_.flip(f, other, abc, d);
     ++done_.flipped_edges;
-    for (const Index v : {s.middle, s.next, s.last, across}) push_star(v);
+    push_stars({a, b, c, d});
     return true;
   }
 
-  bool trim(Index f, const Spike& s) {
-    if (!at_boundary(s.next, s.last)) return false;
-    const int open = int{at_boundary(s.middle, s.next)} + int{at_boundary(s.middle, s.last)};
-    if (open == 2 || (open == 0 && on_boundary(s.middle))) return false;
-    leave_out(f);
+  bool trim(Index f, const Triangle& abc) {
+    const auto& [a, b, c] = abc;
+    if (!stars_.at_boundary(b, c)) return false;
+    const int open = int{stars_.at_boundary(a, b)} + int{stars_.at_boundary(a, c)};
+    if (open == 2 || (open == 0 && stars_.on_boundary(a))) return false;
+    stars_.leave_out(f);
     ++done_.trimmed_faces;
-    for (const Index v : {s.middle, s.next, s.last}) push_star(v);
+    push_stars({a, b, c});
     return true;
   }
 
-  bool collapse_middle(const Spike& s) {
-    std::array<Index, 2> ends = {s.next, s.last};
-    const auto length = [&](Index v) { return kernel::distance(place(s.middle), place(v)); };
+  bool collapse_middle(const Triangle& abc) {
+    const Index a = abc[0];
+    std::array<Index, 2> ends = {abc[1], abc[2]};
+    const auto length = [&](Index v) { return kernel::distance(place(a), place(v)); };
     if (length(ends[1]) < length(ends[0])) std::swap(ends[0], ends[1]);
     for (const Index end : ends) {
-      const bool stays = on_boundary(s.middle) && !on_boundary(end);
-      if (stays ? collapse(s.middle, end) : collapse(end, s.middle)) return true;
+      const bool stays = stars_.on_boundary(a) && !stars_.on_boundary(end);
+      if (stays ? collapse(a, end) : collapse(end, a)) return true;
     }
     return false;
   }
 
   Surface& surface_;
   CleanUp& done_;
-  std::vector<bool> alive_, queued_;
-  std::vector<std::vector<Index>> star_;  ///< faces around each vertex
+  Stars stars_;
+  std::vector<bool> queued_;
   std::deque<Index> queue_;
 };
 
 }  // namespace
 
 std::vector<Index> collapse_flat_faces(Surface& surface, CleanUp& done) {
-  return FlatFaces(surface, done).run();
+  if (flat_faces(surface).empty()) return {};
+  FlatFaces(surface, done).run();
+  return flat_faces(surface);
 }
 
 }  // namespace crest::io

@@ -108,6 +108,7 @@ class PlyReader {
       if (element.vertices()) vertices_ = element.count;
     for (const PlyElement& element : header_.elements) {
       element_ = &element;
+      strips_ = element.strips();
       if (element.faces()) {
         first_face_ = soup_.cells.size();
         soup_.cells.reserve(element.count, 3 * element.count);
@@ -135,11 +136,10 @@ class PlyReader {
 
   /// Takes over the list corners_.
   void add_cell() {
-    const bool strips = element_->strips();
     for (const Cells::Node v : corners_)
-      if ((v < 0 && !(strips && v == -1)) || v >= static_cast<Cells::Node>(vertices_))
+      if ((v < 0 && !(strips_ && v == -1)) || v >= static_cast<Cells::Node>(vertices_))
         fail_vertex(where(), v, vertices_);
-    if (!strips) return soup_.cells.add(face_type(corners_.size()), corners_);
+    if (!strips_) return soup_.cells.add(face_type(corners_.size()), corners_);
     // -1 starts the next strip.
     for (auto begin = corners_.begin(); begin != corners_.end();) {
       const auto end = std::find(begin, corners_.end(), -1);
@@ -172,6 +172,7 @@ class PlyReader {
   const PlyHeader& header_;
   const FieldRequest& request_;
   const PlyElement* element_ = nullptr;
+  bool strips_ = false;  ///< element_ is one of strips
   std::size_t vertices_ = 0, first_face_ = 0;
 };
 

@@ -17,45 +17,83 @@ namespace {
 constexpr std::size_t kHeader = 84, kFacet = 50;
 
 /// The points of a soup by their coordinates: a hash table of numbers of points, open addressing.
+/// Corners are added in batches, so that their slots and points come from memory side by side.
 class Corners {
  public:
-  explicit Corners(std::vector<kernel::Vec3>& points) : points_(points), slots_(1024, kFree) {}
+  explicit Corners(Soup& soup) : soup_(soup), slots_(1024, kFree) {}
 
-  /// The number of the point, which is new or equal to one before (-0 is 0). Not for NaN.
-  Cells::Node add(const kernel::Vec3& point) {
-    std::size_t at = slot(point);
-    for (; slots_[at] != kFree; at = (at + 1) & (slots_.size() - 1))
-      if (points_[slots_[at]] == point) return static_cast<Cells::Node>(slots_[at]);
-    slots_[at] = points_.size();
-    points_.push_back(point);
-    if (2 * points_.size() > slots_.size()) grow();
-    return static_cast<Cells::Node>(points_.size() - 1);
+  /// A facet. Adds what is pending, now and then.
+  void add_facet(std::span<const kernel::Vec3> corners) {
+    pending_.insert(pending_.end(), corners.begin(), corners.end());
+    sizes_.push_back(corners.size());
+    if (pending_.size() >= kBatch) flush();
+  }
+  std::size_t facets() const { return soup_.cells.size() + sizes_.size(); }
+
+  /// Each corner becomes a new point or an equal one before it (-0 is 0; not for NaN).
+  void flush() {
+    while (2 * (soup_.points.size() + pending_.size()) > slots_.size()) grow();
+    hashes_.clear();
+    for (const kernel::Vec3& p : pending_) {
+      hashes_.push_back(hash(p));
+      __builtin_prefetch(&slots_[hashes_.back() & mask()]);
+    }
+    for (const std::uint64_t h : hashes_) {
+      const std::uint32_t v = slots_[h & mask()];
+      if (v != kFree) __builtin_prefetch(&soup_.points[v]);
+    }
+    nodes_.clear();
+    for (std::size_t i = 0; i < pending_.size(); ++i) nodes_.push_back(number(i));
+    const Cells::Node* node = nodes_.data();
+    for (const std::size_t size : sizes_) {
+      soup_.cells.add(face_type(size), {node, size});
+      node += size;
+    }
+    pending_.clear();
+    sizes_.clear();
   }
 
  private:
-  static constexpr std::size_t kFree = ~std::size_t{0};
+  static constexpr std::uint32_t kFree = ~std::uint32_t{0};
+  static constexpr std::size_t kBatch = 96;
 
-  std::size_t slot(const kernel::Vec3& point) const {
+  static std::uint64_t hash(const kernel::Vec3& point) {
     std::uint64_t hash = 0;
     for (const double x : point) {
       hash ^= std::bit_cast<std::uint64_t>(x + 0.0);  // of -0: 0
       hash *= 0x9e3779b97f4a7c15;
       hash ^= hash >> 32;
     }
-    return hash & (slots_.size() - 1);
+    return hash;
+  }
+  std::size_t mask() const { return slots_.size() - 1; }
+
+  Cells::Node number(std::size_t i) {
+    std::vector<kernel::Vec3>& points = soup_.points;
+    std::size_t at = hashes_[i] & mask();
+    for (; slots_[at] != kFree; at = (at + 1) & mask())
+      if (points[slots_[at]] == pending_[i]) return slots_[at];
+    if (points.size() == kFree) fail("file", "has too many corners", "split the mesh");
+    slots_[at] = static_cast<std::uint32_t>(points.size());
+    points.push_back(pending_[i]);
+    return slots_[at];
   }
 
   void grow() {
     slots_.assign(4 * slots_.size(), kFree);
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      std::size_t at = slot(points_[v]);
-      while (slots_[at] != kFree) at = (at + 1) & (slots_.size() - 1);
-      slots_[at] = v;
+    for (std::size_t v = 0; v < soup_.points.size(); ++v) {
+      std::size_t at = hash(soup_.points[v]) & mask();
+      while (slots_[at] != kFree) at = (at + 1) & mask();
+      slots_[at] = static_cast<std::uint32_t>(v);
     }
   }
 
-  std::vector<kernel::Vec3>& points_;
-  std::vector<std::size_t> slots_;
+  Soup& soup_;
+  std::vector<std::uint32_t> slots_;
+  std::vector<kernel::Vec3> pending_;  ///< corners
+  std::vector<std::size_t> sizes_;     ///< of pending facets
+  std::vector<std::uint64_t> hashes_;
+  std::vector<Cells::Node> nodes_;
 };
 
 bool is_finite(const kernel::Vec3& p) {
@@ -64,26 +102,25 @@ bool is_finite(const kernel::Vec3& p) {
 
 Soup read_binary(std::string_view bytes, std::size_t facets) {
   Soup soup;
-  Corners corners(soup.points);
+  Corners corners(soup);
   soup.cells.reserve(facets, 3 * facets);
   for (std::size_t f = 0; f < facets; ++f) {
     const char* at = bytes.data() + kHeader + f * kFacet + 12;
-    std::array<Cells::Node, 3> facet;
+    std::array<kernel::Vec3, 3> facet;
     for (std::size_t k = 0; k < 3; ++k) {
-      kernel::Vec3 point;
-      for (double& x : point) {
+      for (double& x : facet[k]) {
         x = static_cast<double>(load_number<float>(at, false));
         at += 4;
       }
-      if (!is_finite(point)) {
+      if (!is_finite(facet[k])) {
         fail(fmt::format("face {}", f),
              fmt::format("a coordinate of its corner {} is not finite", k),
              "remove or repair the face");
       }
-      facet[k] = corners.add(point);
     }
-    soup.cells.add(CellType::triangle, facet);
+    corners.add_facet(facet);
   }
+  corners.flush();
   return soup;
 }
 
@@ -113,12 +150,13 @@ class TextStl {
       }
     }
     if (open_) fail(face(), "the file ends in it", "the file is truncated; export the mesh again");
+    facets_.flush();
     if (solid) soup_.warnings.emplace_back("the file ends without 'endsolid'");
     return std::move(soup_);
   }
 
  private:
-  std::string face() const { return numbered("face", soup_.cells.size(), scan_.line()); }
+  std::string face() const { return numbered("face", facets_.facets(), scan_.line()); }
 
   /// "end facet" is "endfacet".
   std::string_view take_keyword() {
@@ -140,20 +178,20 @@ class TextStl {
       fail(face(), fmt::format("a coordinate of its corner {} is not finite", corners_.size()),
            "remove or repair the face");
     }
-    corners_.push_back(points_.add(point));
+    corners_.push_back(point);
   }
 
   void end_facet() {
     if (!open_) fail(face(), "has 'endfacet' without 'facet'", "correct the file");
     open_ = false;
-    soup_.cells.add(face_type(corners_.size()), corners_);
+    facets_.add_facet(corners_);
   }
 
   TextScan scan_;
   Soup soup_;
-  Corners points_{soup_.points};
+  Corners facets_{soup_};
   bool open_ = false;
-  std::vector<Cells::Node> corners_;
+  std::vector<kernel::Vec3> corners_;  ///< of the open facet
 };
 
 /// A text starts with a keyword and has no zero byte, which every header of a binary file with
