@@ -17,6 +17,7 @@ namespace crest {
 namespace {
 
 using experiments::Dash;
+using experiments::dashes;
 
 /// The sample's "perturbed-torus" with its default parameters.
 experiments::SmoothSurface perturbed_torus() {
