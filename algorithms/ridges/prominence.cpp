@@ -87,8 +87,7 @@ Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, d
     if (!(drop > 0)) continue;
     double model = 0;
     for (std::size_t j = first; j <= i; ++j) model = std::max(model, difference(*side.at(j)) / 2);
-    const double error = side.at(i)->error;
-    const double variance = x.error * x.error + error * error + model * model;
+    const double variance = x.error * x.error + y->error * y->error + model * model;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
     m.drop = std::max(m.drop, drop);
   }
