@@ -82,12 +82,12 @@ Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, d
   for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
     const double drop = sense * (peak.k - y->k), length = y->length;
     if (drop < 0) break;  // a higher place: within an edge there is none
+    if (length < beyond) continue;
     while (side.at(first)->length < std::max(beyond, length - side.window())) ++first;
-    if (length <= beyond || !(drop > 0)) continue;
+    if (!(drop > 0)) continue;
     double model = 0;
     for (std::size_t j = first; j <= i; ++j) model = std::max(model, difference(*side.at(j)) / 2);
-    const double error = side.at(i)->error;
-    const double variance = x.error * x.error + error * error + model * model;
+    const double variance = x.error * x.error + y->error * y->error + model * model;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
     m.drop = std::max(m.drop, drop);
   }

@@ -12,23 +12,33 @@
 
 namespace crest::experiments {
 
-/// A piece of a line of one colour, about an edge long.
+/// A piece of a line of one colour.
 struct Dash {
   kernel::Vec3 middle;
   double length;
   ridges::Colour colour;
 };
 
+/// Adds the line from p to q in dashes no longer than the step.
+inline void add_dashes(const kernel::Vec3& p, const kernel::Vec3& q, ridges::Colour colour,
+                       double step, std::vector<Dash>& all) {
+  const double length = kernel::distance(p, q);
+  const int parts = 1 + static_cast<int>(length / step);
+  for (int k = 0; k < parts; ++k) {
+    const double t = (k + 0.5) / parts;
+    Dash d{{}, length / parts, colour};
+    for (std::size_t c = 0; c < 3; ++c) d.middle[c] = (1 - t) * p[c] + t * q[c];
+    all.push_back(d);
+  }
+}
+
 /// The segments between crossings of at least the given level.
-inline std::vector<Dash> dashes(const ridges::RidgeGraph& graph, int level) {
+inline std::vector<Dash> dashes(const ridges::RidgeGraph& graph, int level, double step = 1e300) {
   std::vector<Dash> all;
   for (const ridges::Ridge& r : graph.ridges)
     for (std::size_t i = 0; i < r.segment_count(); ++i) {
       const ridges::Crossing &a = r.crossings[i], &b = r.crossings[(i + 1) % r.crossings.size()];
-      if (a.level < level || b.level < level) continue;
-      Dash d{{}, kernel::distance(a.point, b.point), r.colour};
-      for (std::size_t k = 0; k < 3; ++k) d.middle[k] = (a.point[k] + b.point[k]) / 2;
-      all.push_back(d);
+      if (a.level >= level && b.level >= level) add_dashes(a.point, b.point, r.colour, step, all);
     }
   return all;
 }

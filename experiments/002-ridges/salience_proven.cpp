@@ -17,6 +17,7 @@ namespace crest {
 namespace {
 
 using experiments::Dash;
+using experiments::dashes;
 
 /// The sample's "perturbed-torus" with its default parameters.
 experiments::SmoothSurface perturbed_torus() {
@@ -37,17 +38,8 @@ std::vector<Dash> proven_dashes(double step) {
   std::vector<Dash> all;
   for (const auto& ridge : proven.ridges) {
     const std::size_t n = ridge.points.size();
-    for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
-      const kernel::Vec3 &p = ridge.points[i], &q = ridge.points[(i + 1) % n];
-      const double length = kernel::distance(p, q);
-      const int parts = 1 + static_cast<int>(length / step);
-      for (int k = 0; k < parts; ++k) {
-        const double t = (k + 0.5) / parts;
-        Dash d{{}, length / parts, ridge.colour};
-        for (std::size_t c = 0; c < 3; ++c) d.middle[c] = (1 - t) * p[c] + t * q[c];
-        all.push_back(d);
-      }
-    }
+    for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i)
+      add_dashes(ridge.points[i], ridge.points[(i + 1) % n], ridge.colour, step, all);
   }
   return all;
 }

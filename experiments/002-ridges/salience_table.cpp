@@ -12,6 +12,7 @@
 #include "experiments/002-ridges/line_match.hpp"
 #include "experiments/program.hpp"
 #include "io/read/mesh_reader.hpp"
+#include "io/ridges/ridge_picture.hpp"
 
 namespace crest {
 namespace {
@@ -22,7 +23,7 @@ using experiments::near_share;
 
 struct Options {
   std::string table = "noise";
-  fs::path data = "../shared/data/meshes";
+  fs::path data = "../shared/data/meshes", pictures;
   std::vector<double> percent = {0, 0.1, 0.3, 1, 3};
   std::vector<std::string> surfaces = {"ellipsoid", "blend"};
   std::vector<std::string> meshes = {"max-planck_decimated.obj", "rocker-arm.obj", "armadillo.off",
@@ -169,6 +170,20 @@ void samples_table(const Options& o) {
   }
 }
 
+/// What `crest ridges --picture` draws, smaller.
+void draw(const Options& o, const std::string& file, const kernel::TriangleMesh& mesh, Marked m) {
+  if (o.pictures.empty()) return;
+  fs::create_directories(o.pictures);
+  ridges::FilterOptions significant;
+  significant.min_level = 1;
+  ridges::filter(m.graph, significant);
+  io::PictureOptions options;
+  options.width = 800;
+  options.by_salience = options.subset = true;
+  const std::string name = "salient-" + fs::path(file).stem().string() + ".png";
+  io::write_picture((o.pictures / name).string(), mesh, m.graph, options);
+}
+
 void scans_table(const Options& o) {
   print_head();
   for (const std::string& file : o.meshes) {
@@ -178,8 +193,11 @@ void scans_table(const Options& o) {
       continue;
     }
     const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
-    for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points)
-      print_marked(file, points, marked(mesh, points, o.salience()));
+    for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points) {
+      const Marked m = marked(mesh, points, o.salience());
+      print_marked(file, points, m);
+      draw(o, file, mesh, m);
+    }
   }
 }
 
@@ -238,8 +256,8 @@ void repeat_table(const Options& o) {
   }
 }
 
-/// The edges of dihedral angle over 40 degrees.
-std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh) {
+/// The edges of dihedral angle over 40 degrees, in dashes.
+std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh, double step) {
   constexpr double kCosine = 0.766044443118978;
   const auto normal = [&](kernel::Index f) {
     const auto [a, b, c] = mesh.faces()[f];
@@ -252,9 +270,8 @@ std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh) {
   for (const kernel::Edge& e : mesh.edges()) {
     if (e.f0 == kernel::kNone || e.f1 == kernel::kNone) continue;
     if (kernel::dot(normal(e.f0), normal(e.f1)) > kCosine) continue;
-    const kernel::Vec3 &p = mesh.points()[e.v0], &q = mesh.points()[e.v1];
-    all.push_back({kernel::operator*(0.5, kernel::operator+(p, q)), kernel::distance(p, q),
-                   ridges::Colour::blue});
+    experiments::add_dashes(mesh.points()[e.v0], mesh.points()[e.v1], ridges::Colour::blue, step,
+                            all);
   }
   return all;
 }
@@ -266,9 +283,10 @@ void fandisk_table(const Options& o) {
   if (!fs::exists(path)) return;
   const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
   const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
-  const auto sharp = sharp_edges(mesh);
+  const auto sharp = sharp_edges(mesh, edge / 4);
   fmt::print(
-      "{} edges over 40 degrees\n\n| points | lines | length / size | sharp length covered | off "
+      "{} pieces of edges over 40 degrees\n\n| points | lines | length / size | sharp length "
+      "covered | off "
       "any sharp edge |\n|---|---|---|---|---|\n",
       sharp.size());
   for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points) {
@@ -278,10 +296,11 @@ void fandisk_table(const Options& o) {
                  length_of(lines) / m.graph.model_size, near_share(sharp, lines, edge, true),
                  1 - near_share(lines, sharp, 2 * edge, true));
     };
-    row("graph", dashes(m.graph, 0));
-    row("significant", dashes(m.graph, 1));
-    row("salient", dashes(m.graph, 2));
-    row("sharpest at the salient length", dashes(sharpest(m.graph, m.report.length_salient), 2));
+    row("graph", dashes(m.graph, 0, edge / 4));
+    row("significant", dashes(m.graph, 1, edge / 4));
+    row("salient", dashes(m.graph, 2, edge / 4));
+    row("sharpest at the salient length",
+        dashes(sharpest(m.graph, m.report.length_salient), 2, edge / 4));
   }
 }
 
@@ -303,6 +322,7 @@ int main(int argc, char** argv) {
   program.option("--table", o.table, "what to print",
                  {"noise", "samples", "scans", "repeat", "fandisk"});
   program.option("--data", o.data, "folder of meshes");
+  program.option("--pictures", o.pictures, "folder for pictures of the scans (default: none)");
   program.list("--noise", o.percent, "percents of the mean edge length");
   program.option("--surfaces", o.surfaces, "samples, NAME or NAME:P/P/P");
   program.option("--meshes", o.meshes, "scans");
