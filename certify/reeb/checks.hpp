@@ -115,9 +115,10 @@ struct Cuts {
 /// Throws Reject also for arcs or cuts that name nothing or are out of order.
 Cuts check_cuts(const ReebContents& c, const Complex& k);
 
-/// Arcs between nodes of equal value, and the classes of nodes that they join.
+/// Arcs between nodes of equal value, the classes of nodes that they join, and how many of these
+/// have one arc below and one above.
 struct Contraction {
-  u32 tied_arcs = 0, nodes = 0;
+  u32 tied_arcs = 0, nodes = 0, passed = 0;
 };
 /// Step 8. Requires: the arcs name critical nodes (check_cuts), which ascend (check_types).
 Contraction count_ties(const ReebContents& c, const NodeOrder& order);

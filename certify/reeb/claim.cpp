@@ -60,9 +60,11 @@ void prove_graph(const ReebContents& c, const reeb::SurfaceFacts& facts, bool si
   }
   prove(verdict,
         "graph: {} nodes, {} arcs, {} loops{}: the Reeb graph of the values ordered by number at "
-        "ties; {} arcs join equal values; contracted: {} nodes, {} arcs",
+        "ties; {} arcs join equal values; contracted: {} nodes, {} arcs{}",
         c.critical_nodes.size(), c.arcs.size(), loops_of(c), beside, ties.tied_arcs, ties.nodes,
-        c.arcs.size() - ties.tied_arcs);
+        c.arcs.size() - ties.tied_arcs,
+        ties.passed == 0 ? ""
+                         : fmt::format(", {} nodes with one arc below and one above", ties.passed));
 }
 
 /// Cost: near-linear in faces and crossed edges of the cuts; 0.3 microseconds a linear face, 1 when

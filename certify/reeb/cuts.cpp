@@ -54,8 +54,8 @@ Place find_in_face(const Complex& k, u32 face, u32 a, u32 b, u32 not_this) {
   return kNowhere;
 }
 
-/// Calls visit(face) for the faces around a vertex of the mesh until it returns true: first one way
-/// round, then, if that ends at the boundary, the other.
+/// Calls visit(face) for the faces around a vertex of the mesh: first one way round, then, if that
+/// ends at the boundary, the other.
 template <class Visit>
 void for_faces_around(const Complex& k, u32 v, const Visit& visit) {
   const u32 corner = k.surface.corner[v];
@@ -63,7 +63,7 @@ void for_faces_around(const Complex& k, u32 v, const Visit& visit) {
     bool by_previous = way;
     u32 c = corner;
     do {
-      if ((!way || c != corner) && visit(c / 3)) return;
+      if (!way || c != corner) visit(c / 3);
       const u32 across = k.mesh.twin[by_previous ? previous_corner(c) : c];
       if (across == kNone) break;
       by_previous = vertex_of(k.faces, across) == v;
@@ -73,20 +73,59 @@ void for_faces_around(const Complex& k, u32 v, const Visit& visit) {
   }
 }
 
-/// A tile with the edge v w; kNowhere if there is none.
-Place find_edge(const Complex& k, u32 v, u32 w) {
-  const auto vertices = static_cast<u32>(k.surface.corner.size());
-  const auto lines = static_cast<u32>(k.tiling.line_edges.size());
-  if (v >= vertices + lines)
-    return find_in_face(k, k.tiling.critical_faces[v - vertices - lines], v, w, kNone);
-  const u32 around = v < vertices ? v : k.mesh.edges[k.tiling.line_edges[v - vertices]][0];
-  Place found = kNowhere;
-  for_faces_around(k, around, [&](u32 face) {
-    found = find_in_face(k, face, v, w, kNone);
-    return found.face != kNone;
-  });
-  return found;
-}
+/// A tile with a given edge. Edges are asked for by ascending lower node: a search around a node
+/// serves all of its edges, so that a node of many cuts costs no more than its degree.
+class EdgeFinder {
+ public:
+  explicit EdgeFinder(const Complex& k) : k_(k), side_of_(k.divided() ? k.mesh.edges.size() : 0) {
+    for (u32 side = 0; k.divided() && side < k.mesh.edge_of.size(); ++side)
+      side_of_[k.mesh.edge_of[side]] = side;
+  }
+  /// With the edge v w; kNowhere if there is none.
+  Place find(u32 v, u32 w) {
+    if (v != v_) collect(v);
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), w,
+                                     [](const Edge& e, u32 to) { return e.node < to; });
+    return at != edges_.end() && at->node == w ? at->place : kNowhere;
+  }
+
+ private:
+  struct Edge {
+    u32 node;
+    Place place;
+  };
+
+  void collect(u32 v) {
+    v_ = v;
+    edges_.clear();
+    const auto vertices = static_cast<u32>(k_.surface.corner.size());
+    const auto lines = static_cast<u32>(k_.tiling.line_edges.size());
+    if (v < vertices) {
+      for_faces_around(k_, v, [&](u32 face) { add(face); });
+    } else if (v < vertices + lines) {
+      const u32 side = side_of_[k_.tiling.line_edges[v - vertices]], twin = k_.mesh.twin[side];
+      add(side / 3);
+      if (twin != kNone) add(twin / 3);
+    } else {
+      add(k_.tiling.critical_faces[v - vertices - lines]);
+    }
+    std::sort(edges_.begin(), edges_.end(),
+              [](const Edge& a, const Edge& b) { return a.node < b.node; });
+  }
+  void add(u32 face) {
+    const u32 first = k_.divided() ? k_.tiling.first[face] : face;
+    const u32 end = k_.divided() ? k_.tiling.first[face + 1] : face + 1;
+    for (u32 t = first; t < end; ++t)
+      if (has(k_.tiles()[t], v_))
+        for (const u32 node : k_.tiles()[t])
+          if (node != v_) edges_.push_back({node, {face, t}});
+  }
+
+  const Complex& k_;
+  Buffer<u32> side_of_;  ///< E, if the faces are divided
+  u32 v_ = kNone;
+  std::vector<Edge> edges_;  ///< at v_
+};
 
 /// The other tile at the edge a b of `from`: in the same face, or beyond the side of the face that
 /// holds both nodes, as no face has an edge between nodes of one side inside.
@@ -111,6 +150,11 @@ Place beyond(const Complex& k, Place from, u32 a, u32 b) {
 struct Crossed {
   u32 low, high, cut;
 };
+/// Contours can be as long as the mesh is large, and there can be as many: without a bound, time
+/// and memory could be quadratic.
+constexpr std::size_t most_crossings(std::size_t nodes) {
+  return std::max(std::size_t{1} << 22, 64 * nodes);
+}
 
 /// Walks one contour at the level just above a node v.
 class Walk {
@@ -131,6 +175,8 @@ class Walk {
 
  private:
   void record(u32 low, u32 high) {
+    require(out_.size() < most_crossings(k_.nodes()), "cuts: they cross more than {} edges",
+            most_crossings(k_.nodes()));
     out_.push_back({low, high, cut_});
     if (low == v_) least_ = std::min(least_, high);
   }
@@ -153,10 +199,11 @@ class Walk {
   std::vector<Crossed>& out_;
 };
 
-bool walk_cut(const ReebContents& c, const Complex& k, u32 cut, std::vector<Crossed>& out) {
+bool walk_cut(const ReebContents& c, const Complex& k, u32 cut, EdgeFinder& edges,
+              std::vector<Crossed>& out) {
   const u32 v = c.critical_nodes[c.arcs[c.cuts[cut].arc].lower], w = c.cuts[cut].node;
   require(k.rank[w] > k.rank[v], "cut {}: node {} is not above node {}", cut, w, v);
-  const Place start = find_edge(k, v, w);
+  const Place start = edges.find(v, w);
   require(start.face != kNone, "cut {}: no edge from node {} to {}", cut, v, w);
   Walk walk(k, cut, v, out);
   const bool cycle = walk.run(start, w);
@@ -198,7 +245,9 @@ Cuts check_cuts(const ReebContents& c, const Complex& k) {
   if (c.cuts.empty()) return out;
   std::vector<Crossed> crossed;
   out.cycle.reserve(c.cuts.size());
-  for (u32 cut = 0; cut < c.cuts.size(); ++cut) out.cycle.push_back(walk_cut(c, k, cut, crossed));
+  EdgeFinder edges(k);
+  for (u32 cut = 0; cut < c.cuts.size(); ++cut)
+    out.cycle.push_back(walk_cut(c, k, cut, edges, crossed));
   sort_crossings(crossed, k.nodes(), out);
   return out;
 }

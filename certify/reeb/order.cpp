@@ -218,7 +218,7 @@ Contraction count_ties(const ReebContents& c, const NodeOrder& order) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  Contraction found{0, static_cast<u32>(nodes)};
+  Contraction found{0, static_cast<u32>(nodes), 0};
   for (const ArcRecord& arc : c.arcs) {
     if (value[arc.lower] != value[arc.upper]) continue;
     ++found.tied_arcs;
@@ -226,6 +226,13 @@ Contraction count_ties(const ReebContents& c, const NodeOrder& order) {
     found.nodes -= low != high;
     parent[high] = low;
   }
+  Buffer<u32> below(nodes, 0), above(nodes, 0);
+  for (const ArcRecord& arc : c.arcs) {
+    if (value[arc.lower] == value[arc.upper]) continue;
+    ++above[find(arc.lower)];
+    ++below[find(arc.upper)];
+  }
+  for (u32 i = 0; i < nodes; ++i) found.passed += below[i] == 1 && above[i] == 1;
   return found;
 }
 

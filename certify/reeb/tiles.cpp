@@ -132,7 +132,7 @@ Tiling tessellate(const ReebContents& c, const Gluing& mesh, SignLadder& sign) {
   require(c.edge_values.size() == mesh.edges.size(), "data: {} midpoint values for {} edges",
           c.edge_values.size(), mesh.edges.size());
   require(
-      c.values.size() + mesh.edges.size() + c.faces.size() < kNone && c.faces.size() < kNone / 18,
+      c.values.size() + mesh.edges.size() + c.faces.size() < kNone && 18 * c.faces.size() < kNone,
       "data: more tiles than the format numbers");
   Tiling out;
   number_line_nodes(c, mesh, out, sign);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 #include <vector>
 
 #include "certify/container/parallel.hpp"
@@ -20,6 +19,7 @@ class Merges {
   explicit Merges(std::size_t leaves) : into_(leaves), size_(leaves, 1) {
     for (u32 leaf = 0; leaf < leaves; ++leaf) into_[leaf] = {leaf, kNone};
   }
+  std::size_t leaves() const { return into_.size(); }
   /// Before `time`.
   u32 find(u32 leaf, u32 time) const {
     while (into_[leaf].time < time) leaf = into_[leaf].leaf;
@@ -69,6 +69,7 @@ class Sweep {
     sweep_graph();
     compare();
   }
+  std::size_t leaves() const { return merges_.leaves(); }
   /// The component as far as the sweep has come.
   u32 component(u32 node) const { return merges_.find(label_[node], kNone); }
 
@@ -233,16 +234,12 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     std::int64_t euler = 0;
     std::uint64_t saddles = 0;
   };
-  std::unordered_map<u32, Sum> sums;
+  std::vector<Sum> sums(join.leaves());  // by a component's name
   const auto nodes = static_cast<u32>(types.nodes.size());
-  u32 last = kNone;
-  Sum* sum = nullptr;
   const auto add = [&](u32 node, std::int64_t euler, bool saddle) {
-    const u32 component = join.component(node);
-    if (component != last) sum = &sums[component];
-    last = component;
-    sum->euler += euler;
-    sum->saddles += saddle;
+    Sum& sum = sums[join.component(node)];
+    sum.euler += euler;
+    sum.saddles += saddle;
   };
   for (u32 v = 0; v < nodes; ++v) {
     if (!types.critical(v)) continue;
@@ -254,7 +251,8 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     add(nodes + 2 * cut, cuts.cycle[cut], false);
     add(nodes + 2 * cut + 1, 1, false);
   }
-  for (const auto& [component, s] : sums)
+  // Names that are no longer in use have no saddle.
+  for (const Sum& s : sums)
     require(s.euler >= 1 || s.saddles <= 1,
             "cuts: a component with Euler characteristic {} and {} saddles is left", s.euler,
             s.saddles);

@@ -111,7 +111,8 @@ void verify_ridges_mesh(std::span<const std::uint8_t> data, std::span<const std:
                       [](const PatchRecord& p) { return p.coherent == 1; }));
   check_ridges(mesh, patch_of, c.ridges, c.counts, sign);
   prove(verdict,
-        "ridges: blue {} loops, {} paths; red {} loops, {} paths; all crossings, no open end",
+        "ridges (outside the stated patches): blue {} loops, {} paths; red {} loops, {} paths; all "
+        "crossings, no open end",
         c.counts[0], c.counts[1], c.counts[2], c.counts[3]);
   verdict.signs = sign.counts();
 }

@@ -97,23 +97,20 @@ std::optional<VertexAngles> enclose(const MeshData& data, const Topology& t, u32
   return out;
 }
 
-/// The representative in (-pi, pi] of x modulo 2 pi; empty if not decided at this width.
+/// The representative of x modulo 2 pi in [-pi + 2^-200, pi + 2^-200); empty if not decided at this
+/// width. `tie`: it is nearer to pi than 2^-200.
 std::optional<MpInterval> representative(const MpInterval& x, mpfr_prec_t bits, bool& tie) {
-  const MpInterval pi = MpInterval::pi(bits);
+  const MpInterval pi = MpInterval::pi(bits), margin(0x1p-200, bits);
   const double turns = std::nearbyint((x.lower() / 2 + x.upper() / 2) / (2 * M_PI));
   if (!(std::fabs(turns) < 0x1p40) || !(x.width() < 1)) return std::nullopt;
   const MpInterval r = x - MpInterval(2 * turns, bits) * pi;
-  const auto above = certain_sign(r - pi), below = certain_sign(r + pi);
-  if (above == Sign::negative && below == Sign::positive) return r;
-  if (above == Sign::positive) return r - pi - pi;
-  if (below == Sign::negative) return r + pi + pi;
-  // The definition's tie: closer to an odd multiple of pi than 2^-200.
-  const MpInterval distance = r.lower() > 0 ? r - pi : r + pi;
-  if (distance.lower() > -0x1p-200 && distance.upper() < 0x1p-200) {
-    tie = true;
-    return pi;
-  }
-  return std::nullopt;
+  const auto above = certain_sign(r - pi - margin), below = certain_sign(r + pi - margin);
+  std::optional<MpInterval> omega;
+  if (above == Sign::negative && below == Sign::positive) omega = r;
+  if (above == Sign::positive) omega = r - pi - pi;
+  if (below == Sign::negative) omega = r + pi + pi;
+  tie = omega && certain_sign(*omega - pi + margin) == Sign::positive;
+  return omega;
 }
 
 }  // namespace
@@ -184,11 +181,16 @@ int MpAngles::twice_index(u32 face) {
     const MpInterval& omega = rotation(edge);
     turn = topology_.edges[edge].low == v ? turn + omega : turn - omega;
     product *= acute_[edge];
-    const VertexAngles* angles = nullptr;
-    for (auto s = static_cast<std::size_t>(first_); angles == nullptr && s < 3; ++s)
-      angles = vertex(v, static_cast<AngleStage>(s));
-    const u32 k = topology_.ring_position[c];
-    turn = turn + (angles->sums[k + 1] - angles->sums[k]);
+    // Of the first stage that encloses the angle: undefined ones have no width below 1.
+    std::optional<MpInterval> angle;
+    for (auto s = static_cast<std::size_t>(first_); !angle && s < 3; ++s)
+      if (const auto* around = vertex(v, static_cast<AngleStage>(s))) {
+        const u32 k = topology_.ring_position[c];
+        const MpInterval found = around->sums[k + 1] - around->sums[k];
+        if (found.width() < 1) angle = found;
+      }
+    if (!angle) throw Undecided(fmt::format("face {}: an angle cannot be enclosed", face));
+    turn = turn + *angle;
   }
   // Lemma 2: the only multiple of pi of the right parity in the enclosure.
   const MpInterval quotient = turn / pi;

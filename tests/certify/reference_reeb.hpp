@@ -32,6 +32,7 @@ class ReferenceReeb {
   const std::vector<Arc>& arcs() const { return arcs_; }
   const std::vector<std::uint32_t>& critical() const { return critical_; }
   std::int64_t loops() const;
+  const Rational& value(std::uint32_t node) const { return value_[node]; }
 
   /// With cuts that satisfy theorem 6, chosen at random; `extra`: the part of the other arcs that
   /// is cut too.
