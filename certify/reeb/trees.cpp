@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 #include <vector>
 
 #include "certify/container/parallel.hpp"
@@ -19,7 +20,6 @@ class Merges {
   explicit Merges(std::size_t leaves) : into_(leaves), size_(leaves, 1) {
     for (u32 leaf = 0; leaf < leaves; ++leaf) into_[leaf] = {leaf, kNone};
   }
-  std::size_t leaves() const { return into_.size(); }
   /// Before `time`.
   u32 find(u32 leaf, u32 time) const {
     while (into_[leaf].time < time) leaf = into_[leaf].leaf;
@@ -69,7 +69,6 @@ class Sweep {
     sweep_graph();
     compare();
   }
-  std::size_t leaves() const { return merges_.leaves(); }
   /// The component as far as the sweep has come.
   u32 component(u32 node) const { return merges_.find(label_[node], kNone); }
 
@@ -234,12 +233,16 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     std::int64_t euler = 0;
     std::uint64_t saddles = 0;
   };
-  std::vector<Sum> sums(join.leaves());  // by a component's name
+  std::unordered_map<u32, Sum> sums;
   const auto nodes = static_cast<u32>(types.nodes.size());
+  u32 last = kNone;
+  Sum* sum = nullptr;
   const auto add = [&](u32 node, std::int64_t euler, bool saddle) {
-    Sum& sum = sums[join.component(node)];
-    sum.euler += euler;
-    sum.saddles += saddle;
+    const u32 component = join.component(node);
+    if (component != last) sum = &sums[component];
+    last = component;
+    sum->euler += euler;
+    sum->saddles += saddle;
   };
   for (u32 v = 0; v < nodes; ++v) {
     if (!types.critical(v)) continue;
@@ -251,8 +254,7 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     add(nodes + 2 * cut, cuts.cycle[cut], false);
     add(nodes + 2 * cut + 1, 1, false);
   }
-  // Names that are no longer in use have no saddle.
-  for (const Sum& s : sums)
+  for (const auto& [component, s] : sums)
     require(s.euler >= 1 || s.saddles <= 1,
             "cuts: a component with Euler characteristic {} and {} saddles is left", s.euler,
             s.saddles);
