@@ -19,7 +19,6 @@ class Merges {
   explicit Merges(std::size_t leaves) : into_(leaves), size_(leaves, 1) {
     for (u32 leaf = 0; leaf < leaves; ++leaf) into_[leaf] = {leaf, kNone};
   }
-  std::size_t leaves() const { return into_.size(); }
   /// Before `time`.
   u32 find(u32 leaf, u32 time) const {
     while (into_[leaf].time < time) leaf = into_[leaf].leaf;
@@ -69,7 +68,6 @@ class Sweep {
     sweep_graph();
     compare();
   }
-  std::size_t leaves() const { return merges_.leaves(); }
   /// The component as far as the sweep has come.
   u32 component(u32 node) const { return merges_.find(label_[node], kNone); }
 
@@ -234,7 +232,8 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     std::int64_t euler = 0;
     std::uint64_t saddles = 0;
   };
-  std::vector<Sum> sums(join.leaves());  // by a component's name
+  // By a component's name: one of K's minima or a cut's end.
+  std::vector<Sum> sums(types.nodes.size() + c.cuts.size());
   const auto nodes = static_cast<u32>(types.nodes.size());
   const auto add = [&](u32 node, std::int64_t euler, bool saddle) {
     Sum& sum = sums[join.component(node)];

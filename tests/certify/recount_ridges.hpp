@@ -13,105 +13,51 @@
 #include "certify/ridges_mesh/records.hpp"
 
 namespace crest::tests {
+namespace recount {
 
-class RidgesRecount {
+using Q = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                        boost::multiprecision::et_off>;
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<301>,
+                                           boost::multiprecision::et_off>;
+using V3 = std::array<Q, 3>;
+inline V3 read(const double* p) {
+  return {Q(p[0]), Q(p[1]), Q(p[2])};
+}
+inline Q dot(const V3& a, const V3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline V3 cross(const V3& a, const V3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline int sign(const Q& x) {
+  return x.sign();
+}
+inline Real argument(const Q& y, const Q& x) {
+  const Q size = std::max<Q>(abs(x), abs(y));
+  return atan2(static_cast<Real>(Q(y / size)), static_cast<Real>(Q(x / size)));
+}
+inline Real pi() {
+  return acos(Real(-1));
+}
+
+/// The mesh with angles in it.
+class Surface {
  public:
-  /// Requires: the faces are an oriented manifold of triangles with area, d1 and n are not zero.
-  explicit RidgesRecount(const certify::MeshData& data) : data_(data) {
-    for (std::uint32_t f = 0; f < data.faces.size(); ++f)
-      for (int i = 0; i < 3; ++i) side_[{corner(f, i), corner(f, i + 1)}] = {f, i};
-    for (const auto& [pair, side] : side_) edges_.emplace(std::minmax(pair.first, pair.second), 0);
-    for (auto& [pair, s] : edges_) s = acute(pair.first, pair.second);
-    count_frames();
-    count_faces();
-  }
-
-  /// As in the certificate.
-  std::int32_t euler_characteristic = 0, twice_index_sum = 0;
-  std::uint32_t boundary_loops = 0, conflict_triangles = 0, ambiguous_edges = 0;
-  std::array<std::uint32_t, 2> zero_extremalities{};
-  std::uint32_t against_faces = 0, equal_curvatures = 0, parallel_frames = 0;
-  std::vector<int> twice_index;  ///< F
-
-  /// Of a patch with these faces.
-  std::uint32_t central_face(const std::vector<std::uint32_t>& faces) const {
-    std::vector<std::pair<Q, std::uint32_t>> all;
-    for (const std::uint32_t f : faces)
-      for (int i = 0; i < 3 && twice_index[f] != 0; ++i) {
-        const auto& m = data_.monge[corner(f, i)];
-        all.emplace_back(Q(m[6]) - Q(m[7]), f);
-      }
-    return std::min_element(all.begin(), all.end())->second;
-  }
-
- private:
-  using Q = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                          boost::multiprecision::et_off>;
-  using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<301>,
-                                             boost::multiprecision::et_off>;
-  using V3 = std::array<Q, 3>;
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  static V3 read(const double* p) { return {Q(p[0]), Q(p[1]), Q(p[2])}; }
-  static Q dot(const V3& a, const V3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static V3 cross(const V3& a, const V3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  explicit Surface(const certify::MeshData& from) : data(from) {
+    for (std::uint32_t f = 0; f < data.faces.size(); ++f)
+      for (int i = 0; i < 3; ++i) sides[{corner(f, i), corner(f, i + 1)}] = {f, i};
   }
-  static int sign(const Q& x) { return x.sign(); }
-  static Real argument(const Q& y, const Q& x) {
-    const Q size = std::max<Q>(abs(x), abs(y));
-    return atan2(static_cast<Real>(Q(y / size)), static_cast<Real>(Q(x / size)));
-  }
-  static Real pi() { return acos(Real(-1)); }
 
   std::uint32_t corner(std::uint32_t f, int i) const {
-    return data_.faces[f][static_cast<std::size_t>(i) % 3];
+    return data.faces[f][static_cast<std::size_t>(i) % 3];
   }
-  V3 d1(std::uint32_t v) const { return read(&data_.monge[v][0]); }
-  V3 n(std::uint32_t v) const { return read(&data_.monge[v][3]); }
+  V3 d1(std::uint32_t v) const { return read(&data.monge[v][0]); }
+  V3 n(std::uint32_t v) const { return read(&data.monge[v][3]); }
   V3 edge(std::uint32_t v, std::uint32_t w) const {
-    const V3 a = read(data_.positions[v].data()), b = read(data_.positions[w].data());
+    const V3 a = read(data.positions[v].data()), b = read(data.positions[w].data());
     return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  }
-
-  int acute(std::uint32_t p, std::uint32_t q) {
-    const V3 d = d1(p), e = d1(q);
-    if (const int s = sign(dot(d, e)); s != 0) return s;
-    ++ambiguous_edges;
-    for (const auto& [i, j] : std::array<std::array<std::size_t, 2>, 6>{
-             {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}})
-      if (const int s = sign(d[i] * e[j] + d[j] * e[i]); s != 0) return s;
-    throw std::logic_error("recount: a zero direction");
-  }
-
-  void count_frames() {
-    for (std::uint32_t v = 0; v < data_.monge.size(); ++v) {
-      Q along = 0;
-      for (const auto& [pair, side] : side_)
-        if (pair.first == v)
-          along +=
-              dot(n(v), cross(edge(v, pair.second), edge(v, corner(side.first, side.second + 2))));
-      const auto& m = data_.monge[v];
-      against_faces += along <= 0;
-      equal_curvatures += m[6] == m[7];
-      parallel_frames += cross(n(v), d1(v)) == V3{0, 0, 0};
-      zero_extremalities[0] += m[8] == 0;
-      zero_extremalities[1] += m[11] == 0;
-    }
-    euler_characteristic = static_cast<std::int32_t>(data_.monge.size() + data_.faces.size()) -
-                           static_cast<std::int32_t>(edges_.size());
-    // Along the boundary every vertex has one side that leaves it.
-    std::map<std::uint32_t, std::uint32_t> next;
-    for (const auto& [pair, side] : side_)
-      if (!side_.count({pair.second, pair.first})) next[pair.first] = pair.second;
-    while (!next.empty()) {
-      ++boundary_loops;
-      for (auto at = next.begin(); at != next.end();) {
-        const std::uint32_t to = at->second;
-        next.erase(at);
-        at = next.find(to);
-      }
-    }
   }
 
   /// The angle of face f at v in space.
@@ -129,11 +75,11 @@ class RidgesRecount {
     Real phi = 0;
   };
   Fan fan(std::uint32_t v) const {
-    std::uint32_t lowest = static_cast<std::uint32_t>(data_.faces.size()), first = 0;
+    std::uint32_t lowest = static_cast<std::uint32_t>(data.faces.size()), first = 0;
     bool closed = true;
-    for (const auto& [pair, side] : side_) {
+    for (const auto& [pair, side] : sides) {
       if (pair.first != v) continue;
-      if (!side_.count({pair.second, v})) {
+      if (!sides.count({pair.second, v})) {
         closed = false;
         first = pair.second;
       } else if (closed && side.first < lowest) {
@@ -147,8 +93,8 @@ class RidgesRecount {
     for (std::uint32_t w = first;;) {
       ring.push_back(w);
       out.before[w] = sum;
-      const auto side = side_.find({v, w});
-      if (side == side_.end()) break;
+      const auto side = sides.find({v, w});
+      if (side == sides.end()) break;
       const std::uint32_t u = corner(side->second.first, side->second.second + 2);
       out.angle[side->second.first] = angle(v, w, u);
       sum += out.angle[side->second.first];
@@ -171,9 +117,82 @@ class RidgesRecount {
     return out;
   }
 
+  const certify::MeshData data;
+  std::map<Pair, std::pair<std::uint32_t, int>> sides;  ///< directed: face, corner it leaves
+};
+
+class RidgesRecount : Surface {
+ public:
+  /// Requires: the faces are an oriented manifold of triangles with area, d1 and n are not zero.
+  explicit RidgesRecount(const certify::MeshData& from) : Surface(from) {
+    for (const auto& [pair, side] : sides) edges_.emplace(std::minmax(pair.first, pair.second), 0);
+    for (auto& [pair, s] : edges_) s = acute(pair.first, pair.second);
+    count_frames();
+    count_faces();
+  }
+
+  /// As in the certificate.
+  std::int32_t euler_characteristic = 0, twice_index_sum = 0;
+  std::uint32_t boundary_loops = 0, conflict_triangles = 0, ambiguous_edges = 0;
+  std::array<std::uint32_t, 2> zero_extremalities{};
+  std::uint32_t against_faces = 0, equal_curvatures = 0, parallel_frames = 0;
+  std::vector<int> twice_index;  ///< F
+
+  /// Of a patch with these faces.
+  std::uint32_t central_face(const std::vector<std::uint32_t>& faces) const {
+    std::vector<std::pair<Q, std::uint32_t>> all;
+    for (const std::uint32_t f : faces)
+      for (int i = 0; i < 3 && twice_index[f] != 0; ++i) {
+        const auto& m = data.monge[corner(f, i)];
+        all.emplace_back(Q(m[6]) - Q(m[7]), f);
+      }
+    return std::min_element(all.begin(), all.end())->second;
+  }
+
+ private:
+  int acute(std::uint32_t p, std::uint32_t q) {
+    const V3 d = d1(p), e = d1(q);
+    if (const int s = sign(dot(d, e)); s != 0) return s;
+    ++ambiguous_edges;
+    for (const auto& [i, j] : std::array<std::array<std::size_t, 2>, 6>{
+             {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}})
+      if (const int s = sign(d[i] * e[j] + d[j] * e[i]); s != 0) return s;
+    throw std::logic_error("recount: a zero direction");
+  }
+
+  void count_frames() {
+    for (std::uint32_t v = 0; v < data.monge.size(); ++v) {
+      Q along = 0;
+      for (const auto& [pair, side] : sides)
+        if (pair.first == v)
+          along +=
+              dot(n(v), cross(edge(v, pair.second), edge(v, corner(side.first, side.second + 2))));
+      const auto& m = data.monge[v];
+      against_faces += along <= 0;
+      equal_curvatures += m[6] == m[7];
+      parallel_frames += cross(n(v), d1(v)) == V3{0, 0, 0};
+      zero_extremalities[0] += m[8] == 0;
+      zero_extremalities[1] += m[11] == 0;
+    }
+    euler_characteristic = static_cast<std::int32_t>(data.monge.size() + data.faces.size()) -
+                           static_cast<std::int32_t>(edges_.size());
+    // Along the boundary every vertex has one side that leaves it.
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (const auto& [pair, side] : sides)
+      if (!sides.count({pair.second, pair.first})) next[pair.first] = pair.second;
+    while (!next.empty()) {
+      ++boundary_loops;
+      for (auto at = next.begin(); at != next.end();) {
+        const std::uint32_t to = at->second;
+        next.erase(at);
+        at = next.find(to);
+      }
+    }
+  }
+
   void count_faces() {
     std::vector<Fan> fans;
-    for (std::uint32_t v = 0; v < data_.monge.size(); ++v) fans.push_back(fan(v));
+    for (std::uint32_t v = 0; v < data.monge.size(); ++v) fans.push_back(fan(v));
     const Real beyond = ldexp(Real(1), -200);
     std::map<Pair, Real> omega;
     for (const auto& [pair, s] : edges_) {
@@ -185,7 +204,7 @@ class RidgesRecount {
       omega[{v, w}] = x;
       omega[{w, v}] = -x;
     }
-    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) {
+    for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
       Real turn = -pi();
       int product = 1;
       for (int i = 0; i < 3; ++i) {
@@ -203,9 +222,11 @@ class RidgesRecount {
     }
   }
 
-  const certify::MeshData data_;
-  std::map<Pair, std::pair<std::uint32_t, int>> side_;  ///< directed: face, corner it leaves
-  std::map<Pair, int> edges_;                           ///< lower, higher: s
+  std::map<Pair, int> edges_;  ///< lower, higher: s
 };
+
+}  // namespace recount
+
+using recount::RidgesRecount;
 
 }  // namespace crest::tests
