@@ -233,7 +233,12 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     std::int64_t euler = 0;
     std::uint64_t saddles = 0;
   };
+<<<<<<< HEAD
   std::unordered_map<u32, Sum> sums;
+=======
+  // By a component's name: one of K's minima or a cut's end.
+  std::vector<Sum> sums(types.nodes.size() + c.cuts.size());
+>>>>>>> h-attack-recount
   const auto nodes = static_cast<u32>(types.nodes.size());
   u32 last = kNone;
   Sum* sum = nullptr;
