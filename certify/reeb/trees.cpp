@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 #include <vector>
 
 #include "certify/container/parallel.hpp"
@@ -233,21 +232,13 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     std::int64_t euler = 0;
     std::uint64_t saddles = 0;
   };
-<<<<<<< HEAD
-  std::unordered_map<u32, Sum> sums;
-=======
   // By a component's name: one of K's minima or a cut's end.
   std::vector<Sum> sums(types.nodes.size() + c.cuts.size());
->>>>>>> h-attack-recount
   const auto nodes = static_cast<u32>(types.nodes.size());
-  u32 last = kNone;
-  Sum* sum = nullptr;
   const auto add = [&](u32 node, std::int64_t euler, bool saddle) {
-    const u32 component = join.component(node);
-    if (component != last) sum = &sums[component];
-    last = component;
-    sum->euler += euler;
-    sum->saddles += saddle;
+    Sum& sum = sums[join.component(node)];
+    sum.euler += euler;
+    sum.saddles += saddle;
   };
   for (u32 v = 0; v < nodes; ++v) {
     if (!types.critical(v)) continue;
@@ -259,7 +250,8 @@ void check_components(const ReebContents& c, const NodeTypes& types, const Cuts&
     add(nodes + 2 * cut, cuts.cycle[cut], false);
     add(nodes + 2 * cut + 1, 1, false);
   }
-  for (const auto& [component, s] : sums)
+  // Names that are no longer in use have no saddle.
+  for (const Sum& s : sums)
     require(s.euler >= 1 || s.saddles <= 1,
             "cuts: a component with Euler characteristic {} and {} saddles is left", s.euler,
             s.saddles);

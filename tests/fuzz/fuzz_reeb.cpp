@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <map>
 
-#include "certify/container/container.hpp"
 #include "certify/reeb/decode.hpp"
 #include "certify/verify.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "tests/certify/reeb_samples.hpp"
 #include "tests/certify/reference_reeb.hpp"
+#include "tests/fuzz/edits.hpp"
 
 namespace {
 
@@ -31,20 +31,6 @@ const Bytes& true_certificate(std::uint8_t number) {
   return bytes;
 }
 
-/// Edits of four bytes each: where (2), how, a value.
-void edit(Bytes& bytes, std::span<const std::uint8_t> edits) {
-  for (; edits.size() >= 4; edits = edits.subspan(4)) {
-    const std::size_t room = bytes.size() - kHeaderSize - kSealSize;
-    if (room < 8) return;
-    const std::size_t at = kHeaderSize + (edits[0] + 256U * edits[1]) % (room - 7);
-    const std::uint8_t how = edits[2] % 4, value = edits[3];
-    if (how == 0) bytes[at] = value;
-    if (how == 1) bytes[at] = static_cast<std::uint8_t>(bytes[at] + value);
-    if (how == 2) std::swap_ranges(&bytes[at], &bytes[at] + 4, &bytes[at] + 4);
-    if (how == 3) bytes[kLengthsOffset + value % 16] ^= edits[0];
-  }
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -56,10 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     bytes.assign(input.begin(), input.end());
   else
     edit(bytes = true_certificate(data[1]), input);
-  try {
-    rebind(bytes);
-  } catch (const std::invalid_argument&) {
-  }
+  crest::tests::bind(bytes);
   VerifyOptions mpfr;
   mpfr.arithmetic = Arithmetic::mpfr;
   const Verdict verdict = verify(bytes);
