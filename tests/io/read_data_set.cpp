@@ -66,7 +66,7 @@ const Expected kExpected[] = {
     {"springer.obj", 9686, 19368, 2, 0, 1, ""},
     {"stanford-bunny.obj", 34834, 69451, -3, 5, 1, "left out 1113 vertices that no face uses"},
     {"stratocaster.ply", 4500, 8660, 170, 0, 94, ""},
-    {"suzanne.obj", 507, 968, -1, 5, 3, "split 468 polygons into triangles"},
+    {"suzanne.obj", 507, 968, 2, 4, 3, "split 468 polygons into triangles"},
     {"teapot.obj", 3691, 6320, 13, 25, 19, "403 vertices stand at the place of another one"},
     {"torus.obj", 3840, 7680, 0, 0, 1, ""},
     {"triple_vierbein.obj", 0, 0, 0, 0, 0, "edge 0-1: is in faces 0, 2 and 55"},
