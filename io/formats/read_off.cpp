@@ -28,11 +28,43 @@ enum class Layout {
   words_without_edges  ///< the same, with two counts
 };
 
+/// What the keyword says of a vertex besides its place.
+struct OffKeyword {
+  bool normals = false;
+  std::size_t numbers_behind = 0;  ///< after place and normal: colour, texture
+};
+
+OffKeyword read_keyword(TextScan& scan) {
+  OffKeyword result;
+  if (!scan.more()) fail("header", "is missing", kStart);
+  std::string_view keyword = scan.peek();
+  std::int64_t count = 0;
+  const std::size_t begin = scan.position();
+  if (scan.take(count)) {  // the keyword may be left out
+    scan.move_to(begin);
+    return result;
+  }
+  for (const std::string_view prefix : {"ST", "C", "N"}) {
+    if (!keyword.starts_with(prefix)) continue;
+    keyword.remove_prefix(prefix.size());
+    if (prefix == "N") result.normals = true;
+    result.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
+  }
+  if (keyword != "OFF" && keyword != "off") {
+    fail(fmt::format("header (line {})", scan.line()), quoted(scan.peek()) + " is not read",
+         kStart);
+  }
+  scan.skip_word();
+  if (scan.in_line() && scan.peek() == "BINARY")
+    fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
+  return result;
+}
+
 class OffReader {
  public:
   OffReader(const std::string& bytes, bool normals) : scan_(bytes, '#') {
-    read_keyword();
-    normals_ = normals && has_normals_;
+    keyword_ = read_keyword(scan_);
+    normals_ = normals && keyword_.normals;
     start_ = scan_.position();
   }
 
@@ -51,27 +83,6 @@ class OffReader {
   }
 
  private:
-  void read_keyword() {
-    if (!scan_.more()) fail("header", "is missing", kStart);
-    std::string_view keyword = scan_.peek();
-    std::int64_t count = 0;
-    const std::size_t begin = scan_.position();
-    if (scan_.take(count)) return scan_.move_to(begin);  // the keyword may be left out
-    for (const std::string_view prefix : {"ST", "C", "N"}) {
-      if (!keyword.starts_with(prefix)) continue;
-      keyword.remove_prefix(prefix.size());
-      if (prefix == "N") has_normals_ = true;
-      numbers_behind_ += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
-    }
-    if (keyword != "OFF" && keyword != "off") {
-      fail(fmt::format("header (line {})", scan_.line()), quoted(scan_.peek()) + " is not read",
-           kStart);
-    }
-    scan_.skip_word();
-    if (scan_.in_line() && scan_.peek() == "BINARY")
-      fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
-  }
-
   std::size_t read_count(const char* what) {
     std::int64_t count = 0;
     const bool given = scan_.more();
@@ -151,11 +162,11 @@ class OffReader {
     for (double& x : point) x = take_wrapped(v);
     soup.points.push_back(point);
     note_not_finite(soup, v, scan_);
-    for (std::size_t k = 0; k < 3 && has_normals_; ++k) {
+    for (std::size_t k = 0; k < 3 && keyword_.normals; ++k) {
       const double x = take_wrapped(v);
       if (normals_) of_normals_.push_back(x);
     }
-    for (std::size_t k = 0; k < numbers_behind_; ++k) take_wrapped(v);
+    for (std::size_t k = 0; k < keyword_.numbers_behind; ++k) take_wrapped(v);
   }
 
   void read_face(std::size_t f, Layout layout, Cells& cells) {
@@ -181,8 +192,8 @@ class OffReader {
   }
 
   TextScan scan_;
-  bool has_normals_ = false, normals_ = false;  ///< in the file; asked for, too
-  std::size_t numbers_behind_ = 0;  ///< of a vertex after place and normal: colour, texture
+  OffKeyword keyword_;
+  bool normals_ = false;  ///< in the file, and asked for
   std::size_t start_ = 0, vertices_ = 0, faces_ = 0;
   std::vector<double> of_normals_;
   std::vector<bool> missing_;

@@ -202,7 +202,7 @@ TEST_CASE("normals are read from whatever mesh is read") {
   }
 }
 
-TEST_CASE("clean: the mesh of the other commands, its numbers the file's; rounding is warned of") {
+TEST_CASE("clean: the mesh of the other commands, its numbers the file's, rounding warned of") {
   const TemporaryFolder folder;
   write_text(folder / "q.off",
              "OFF\n6 3 0\n9 9 9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n4 1 2 3 4\n3 1 1 2\n3 3 2 1\n");
