@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
@@ -28,13 +29,44 @@ enum class Layout {
   words_without_edges  ///< the same, with two counts
 };
 
+/// What a vertex has besides its place.
+struct Keyword {
+  bool normals = false;
+  std::size_t numbers_behind = 0;  ///< after place and normal: colour, texture
+};
+
+Keyword take_keyword(TextScan& scan) {
+  if (!scan.more()) fail("header", "is missing", kStart);
+  std::string_view word = scan.peek();
+  std::int64_t count = 0;
+  const std::size_t begin = scan.position();
+  Keyword keyword;
+  if (scan.take(count)) {  // it may be left out
+    scan.move_to(begin);
+    return keyword;
+  }
+  for (const std::string_view prefix : {"ST", "C", "N"}) {
+    if (!word.starts_with(prefix)) continue;
+    word.remove_prefix(prefix.size());
+    keyword.normals = prefix == "N";
+    keyword.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
+  }
+  if (word != "OFF" && word != "off")
+    fail(fmt::format("header (line {})", scan.line()), quoted(scan.peek()) + " is not read",
+         kStart);
+  scan.skip_word();
+  if (scan.in_line() && scan.peek() == "BINARY")
+    fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
+  return keyword;
+}
+
 class OffReader {
  public:
-  OffReader(const std::string& bytes, bool normals) : scan_(bytes, '#') {
-    read_keyword();
-    normals_ = normals && has_normals_;
-    start_ = scan_.position();
-  }
+  OffReader(const std::string& bytes, bool normals)
+      : scan_(bytes, '#'),
+        keyword_(take_keyword(scan_)),
+        normals_(normals && keyword_.normals),
+        start_(scan_.position()) {}
 
   Soup read() {
     try {
@@ -51,27 +83,6 @@ class OffReader {
   }
 
  private:
-  void read_keyword() {
-    if (!scan_.more()) fail("header", "is missing", kStart);
-    std::string_view keyword = scan_.peek();
-    std::int64_t count = 0;
-    const std::size_t begin = scan_.position();
-    if (scan_.take(count)) return scan_.move_to(begin);  // the keyword may be left out
-    for (const std::string_view prefix : {"ST", "C", "N"}) {
-      if (!keyword.starts_with(prefix)) continue;
-      keyword.remove_prefix(prefix.size());
-      if (prefix == "N") has_normals_ = true;
-      numbers_behind_ += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
-    }
-    if (keyword != "OFF" && keyword != "off") {
-      fail(fmt::format("header (line {})", scan_.line()), quoted(scan_.peek()) + " is not read",
-           kStart);
-    }
-    scan_.skip_word();
-    if (scan_.in_line() && scan_.peek() == "BINARY")
-      fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
-  }
-
   std::size_t read_count(const char* what) {
     std::int64_t count = 0;
     const bool given = scan_.more();
@@ -107,8 +118,12 @@ class OffReader {
     soup.cells.reserve(faces_, 3 * faces_);
     of_normals_.clear();
     missing_.assign(normals_ ? vertices_ : 0, false);
+    bool any_normal = false;
     for (std::size_t v = 0; v < vertices_; ++v)
-      layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup);
+      any_normal = (layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup)) ||
+                   any_normal;
+    if (keyword_.normals && vertices_ > 0 && !any_normal)
+      fail("vertices", "have no normals", "start the file with 'OFF' or add them");
     for (std::size_t f = 0; f < faces_; ++f) read_face(f, layout, soup.cells);
     if (layout != Layout::lines && scan_.more()) fail("faces", "are too many", kStart);
     if (normals_) {
@@ -125,14 +140,20 @@ class OffReader {
     fail(fmt::format("{} {}", what, number), "is missing, the file ends before it", kTruncated);
   }
 
-  void read_vertex_line(Soup& soup) {
+  /// Whether it has a normal.
+  bool read_vertex_line(Soup& soup) {
     require_more("vertex", soup.points.size());
     take_point(scan_, "vertex", soup);
-    double normal[3] = {};
-    for (std::size_t k = 0; k < 3 && normals_; ++k)
-      if (!scan_.in_line() || !scan_.take(normal[k])) missing_[soup.points.size() - 1] = true;
-    if (normals_) of_normals_.insert(of_normals_.end(), normal, normal + 3);
+    std::array<double, 3> normal{};
+    bool given = keyword_.normals;
+    for (double& x : normal) given = given && scan_.in_line() && scan_.take(x);
+    if (!given) normal = {};
+    if (normals_) {
+      of_normals_.insert(of_normals_.end(), normal.begin(), normal.end());
+      missing_[soup.points.size() - 1] = !given;
+    }
     scan_.next_line();
+    return given;
   }
 
   /// A number on this line or a later one.
@@ -145,17 +166,18 @@ class OffReader {
     return value;
   }
 
-  void read_vertex_words(Soup& soup) {
+  bool read_vertex_words(Soup& soup) {
     const std::size_t v = soup.points.size();
     kernel::Vec3 point{};
     for (double& x : point) x = take_wrapped(v);
     soup.points.push_back(point);
     note_not_finite(soup, v, scan_);
-    for (std::size_t k = 0; k < 3 && has_normals_; ++k) {
+    for (std::size_t k = 0; k < 3 && keyword_.normals; ++k) {
       const double x = take_wrapped(v);
       if (normals_) of_normals_.push_back(x);
     }
-    for (std::size_t k = 0; k < numbers_behind_; ++k) take_wrapped(v);
+    for (std::size_t k = 0; k < keyword_.numbers_behind; ++k) take_wrapped(v);
+    return keyword_.normals;
   }
 
   void read_face(std::size_t f, Layout layout, Cells& cells) {
@@ -164,7 +186,8 @@ class OffReader {
     std::int64_t corners = 0;
     if (!scan_.take(corners) || corners < 0)
       fail(name(), "does not start with a number of vertices", "correct it");
-    if (layout != Layout::lines && corners < 3) fail(name(), "has too few corners", "correct it");
+    if (corners < (layout == Layout::lines ? 1 : 3))
+      fail(name(), fmt::format("has {} corners", corners), "remove it");
     face_.clear();
     for (std::int64_t k = 0; k < corners; ++k) {
       if (layout == Layout::lines ? !scan_.in_line() : !scan_.more())
@@ -181,9 +204,10 @@ class OffReader {
   }
 
   TextScan scan_;
-  bool has_normals_ = false, normals_ = false;  ///< in the file; asked for, too
-  std::size_t numbers_behind_ = 0;  ///< of a vertex after place and normal: colour, texture
-  std::size_t start_ = 0, vertices_ = 0, faces_ = 0;
+  Keyword keyword_;
+  bool normals_;       ///< they are in the file and asked for
+  std::size_t start_;  ///< of the counts
+  std::size_t vertices_ = 0, faces_ = 0;
   std::vector<double> of_normals_;
   std::vector<bool> missing_;
   std::vector<Cells::Node> face_;
