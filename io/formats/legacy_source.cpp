@@ -140,6 +140,7 @@ void LegacySource::skip_block() {
 void LegacySource::skip_lines(std::size_t count) {
   for (; count > 0 && scan_.next_line(); --count) {
   }
+  scan_.rest_of_line();
 }
 
 void LegacySource::require_more() {

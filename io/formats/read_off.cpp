@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
@@ -28,45 +29,44 @@ enum class Layout {
   words_without_edges  ///< the same, with two counts
 };
 
-/// What the keyword says of a vertex besides its place.
-struct OffKeyword {
+/// What a vertex has besides its place.
+struct Keyword {
   bool normals = false;
   std::size_t numbers_behind = 0;  ///< after place and normal: colour, texture
 };
 
-OffKeyword read_keyword(TextScan& scan) {
-  OffKeyword result;
+Keyword take_keyword(TextScan& scan) {
   if (!scan.more()) fail("header", "is missing", kStart);
-  std::string_view keyword = scan.peek();
+  std::string_view word = scan.peek();
   std::int64_t count = 0;
   const std::size_t begin = scan.position();
-  if (scan.take(count)) {  // the keyword may be left out
+  Keyword keyword;
+  if (scan.take(count)) {  // it may be left out
     scan.move_to(begin);
-    return result;
+    return keyword;
   }
   for (const std::string_view prefix : {"ST", "C", "N"}) {
-    if (!keyword.starts_with(prefix)) continue;
-    keyword.remove_prefix(prefix.size());
-    if (prefix == "N") result.normals = true;
-    result.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
+    if (!word.starts_with(prefix)) continue;
+    word.remove_prefix(prefix.size());
+    keyword.normals = prefix == "N";
+    keyword.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
   }
-  if (keyword != "OFF" && keyword != "off") {
+  if (word != "OFF" && word != "off")
     fail(fmt::format("header (line {})", scan.line()), quoted(scan.peek()) + " is not read",
          kStart);
-  }
   scan.skip_word();
   if (scan.in_line() && scan.peek() == "BINARY")
     fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
-  return result;
+  return keyword;
 }
 
 class OffReader {
  public:
-  OffReader(const std::string& bytes, bool normals) : scan_(bytes, '#') {
-    keyword_ = read_keyword(scan_);
-    normals_ = normals && keyword_.normals;
-    start_ = scan_.position();
-  }
+  OffReader(const std::string& bytes, bool normals)
+      : scan_(bytes, '#'),
+        keyword_(take_keyword(scan_)),
+        normals_(normals && keyword_.normals),
+        start_(scan_.position()) {}
 
   Soup read() {
     try {
@@ -118,8 +118,12 @@ class OffReader {
     soup.cells.reserve(faces_, 3 * faces_);
     of_normals_.clear();
     missing_.assign(normals_ ? vertices_ : 0, false);
+    bool any_normal = false;
     for (std::size_t v = 0; v < vertices_; ++v)
-      layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup);
+      any_normal = (layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup)) ||
+                   any_normal;
+    if (keyword_.normals && vertices_ > 0 && !any_normal)
+      fail("vertices", "have no normals", "start the file with 'OFF' or add them");
     for (std::size_t f = 0; f < faces_; ++f) read_face(f, layout, soup.cells);
     if (layout != Layout::lines && scan_.more()) fail("faces", "are too many", kStart);
     if (normals_) {
@@ -136,14 +140,20 @@ class OffReader {
     fail(fmt::format("{} {}", what, number), "is missing, the file ends before it", kTruncated);
   }
 
-  void read_vertex_line(Soup& soup) {
+  /// Whether it has a normal.
+  bool read_vertex_line(Soup& soup) {
     require_more("vertex", soup.points.size());
     take_point(scan_, "vertex", soup);
-    double normal[3] = {};
-    for (std::size_t k = 0; k < 3 && normals_; ++k)
-      if (!scan_.in_line() || !scan_.take(normal[k])) missing_[soup.points.size() - 1] = true;
-    if (normals_) of_normals_.insert(of_normals_.end(), normal, normal + 3);
+    std::array<double, 3> normal{};
+    bool given = keyword_.normals;
+    for (double& x : normal) given = given && scan_.in_line() && scan_.take(x);
+    if (!given) normal = {};
+    if (normals_) {
+      of_normals_.insert(of_normals_.end(), normal.begin(), normal.end());
+      missing_[soup.points.size() - 1] = !given;
+    }
     scan_.next_line();
+    return given;
   }
 
   /// A number on this line or a later one.
@@ -156,7 +166,7 @@ class OffReader {
     return value;
   }
 
-  void read_vertex_words(Soup& soup) {
+  bool read_vertex_words(Soup& soup) {
     const std::size_t v = soup.points.size();
     kernel::Vec3 point{};
     for (double& x : point) x = take_wrapped(v);
@@ -167,6 +177,7 @@ class OffReader {
       if (normals_) of_normals_.push_back(x);
     }
     for (std::size_t k = 0; k < keyword_.numbers_behind; ++k) take_wrapped(v);
+    return keyword_.normals;
   }
 
   void read_face(std::size_t f, Layout layout, Cells& cells) {
@@ -175,7 +186,8 @@ class OffReader {
     std::int64_t corners = 0;
     if (!scan_.take(corners) || corners < 0)
       fail(name(), "does not start with a number of vertices", "correct it");
-    if (layout != Layout::lines && corners < 3) fail(name(), "has too few corners", "correct it");
+    if (corners < (layout == Layout::lines ? 1 : 3))
+      fail(name(), fmt::format("has {} corners", corners), "remove it");
     face_.clear();
     for (std::int64_t k = 0; k < corners; ++k) {
       if (layout == Layout::lines ? !scan_.in_line() : !scan_.more())
@@ -192,9 +204,10 @@ class OffReader {
   }
 
   TextScan scan_;
-  OffKeyword keyword_;
-  bool normals_ = false;  ///< in the file, and asked for
-  std::size_t start_ = 0, vertices_ = 0, faces_ = 0;
+  Keyword keyword_;
+  bool normals_;       ///< they are in the file and asked for
+  std::size_t start_;  ///< of the counts
+  std::size_t vertices_ = 0, faces_ = 0;
   std::vector<double> of_normals_;
   std::vector<bool> missing_;
   std::vector<Cells::Node> face_;

@@ -89,18 +89,25 @@ bool TextScan::take(double& value) {
   // from_chars refuses a leading plus, an istream does not.
   const bool plus = room() > 1 && *at_ == '+' && at_[1] != '-' && at_[1] != '+';
   const auto [end, error] = std::from_chars(at_ + (plus ? 1 : 0), end_, value);
-  if (error != std::errc{} || (end != end_ && !ends_word(*end))) return take_rare(value);
+  // "1.#INF" of old Windows libraries, even where # starts a comment.
+  const bool windows = end != end_ && *end == '#' && end != at_ && end[-1] == '.';
+  if (error != std::errc{} || windows || (end != end_ && !ends_word(*end))) return take_rare(value);
   at_ = end;
   return true;
 }
 
 bool TextScan::take_rare(double& value) {
-  const std::string_view w = peek();
-  const auto rare = rare_number(std::string(w));
-  if (!rare) return false;
-  value = *rare;
-  at_ += w.size();
-  return true;
+  const char* end = at_;
+  while (end != end_ && !is_blank(*end) && !is_line_end(*end)) ++end;
+  for (const std::string_view w :
+       {std::string_view(at_, static_cast<std::size_t>(end - at_)), peek()}) {
+    const auto rare = rare_number(std::string(w));
+    if (!rare) continue;
+    value = *rare;
+    at_ += w.size();
+    return true;
+  }
+  return false;
 }
 
 std::size_t TextScan::line() const {

@@ -80,10 +80,10 @@ TEST_CASE("what follows a vertex or a face on its line is no part of it", "[io]"
 }
 
 TEST_CASE("polygons of OFF keep their corners", "[io]") {
-  const Soup soup = soup_of("a.off", "OFF\n5 5 0\n" + kPoints +
+  const Soup soup = soup_of("a.off", "OFF\n5 4 0\n" + kPoints +
                                          "nan 0 inf\n4 0 1 2 3\n5 0 1 2 3 4\n3 1 1 2\n2 0 "
-                                         "1\n0\n");
-  CHECK(counts(soup) == "5 points, 1 of type 5, 3 of type 7, 1 of type 9");
+                                         "1\n");
+  CHECK(counts(soup) == "5 points, 1 of type 5, 2 of type 7, 1 of type 9");
   CHECK(nodes_of(soup, 1) == Nodes{0, 1, 2, 3, 4});
   CHECK(nodes_of(soup, 2) == Nodes{1, 1, 2});
   CHECK(nodes_of(soup, 3) == Nodes{0, 1});
@@ -138,6 +138,9 @@ TEST_CASE("faults of OFF files are named with their line", "[io]") {
        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"},
       {"face 0 (line 6): vertex 3 does not exist; the file has 3 vertices, numbered from 0",
        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"},
+      {"face 0 (line 6): has 0 corners", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"},
+      {"vertices: have no normals; start the file with 'OFF'",
+       "NOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"face 1: is missing, the file ends before it; the file is truncated",
        "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"vertex 2: is missing, the file ends before it", "OFF\n3 1 0\n0 0 0\n1 0 0\n"},

@@ -233,7 +233,7 @@ TEST_CASE("strips of PLY are separated by -1", "[io]") {
   CHECK(numbers_of<std::int64_t>(both.cell_fields, "id") == std::vector<std::int64_t>{0, 0, 77});
   CHECK(both.cell_fields[0].missing == std::vector<bool>{true, true, false});
   CHECK(soup_error("a.ply", text(vertices + strips, points + "3 0 1 -2\n3 3 2 1\n"))
-            .starts_with("strip 0 (line 12): vertex -2 does not exist"));
+            .starts_with("strip 0 (line 14): vertex -2 does not exist"));
 }
 
 TEST_CASE("faults of PLY files are named with their element", "[io]") {
@@ -251,7 +251,7 @@ TEST_CASE("faults of PLY files are named with their element", "[io]") {
       {"header (line 3): property without an element", text("property int x\n", "")},
       {"header (line 3): bad element count", text("element vertex -1\n", "")},
       {"header (line 3): unknown keyword 'elements'", text("elements vertex 1\n", "")},
-      {"header: element 'vertices' is there twice",
+      {"header: element 'vertex' is there twice",
        text(kVertices + "element vertices 3\n" + kXyz + faces, kTriangle)},
       {"header: vertices have no number 'z'",
        text("element vertex 1\nproperty int x\nproperty int y\n" + faces, "1 2\n")},
