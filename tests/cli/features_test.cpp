@@ -139,7 +139,8 @@ TEST_CASE("crest features thresholds a point field, or the curvature of a chosen
   }
   const auto off = run_crest("crest features e.off --field k1", folder.path());
   CHECK(off.exit_code == 3);
-  CHECK(off.err.find("only .vtp") != std::string::npos);
+  CHECK(is_one_line(off.err));
+  CHECK(off.err.find("field 'k1'") != std::string::npos);
 }
 
 TEST_CASE("crest features takes the values of vertices, and refuses those that are no numbers") {

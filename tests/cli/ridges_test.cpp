@@ -223,7 +223,7 @@ TEST_CASE("salience: what is written is said to be a subset of what is certified
 
 TEST_CASE("salience: a cylinder has nothing significant, and the summary says so") {
   const TemporaryFolder folder;
-  require_done("crest sample cylinder --vertices 3000 --rotate -o c.off", folder.path());
+  require_done("crest sample cylinder --vertices 1000 --rotate -o c.off", folder.path());
   const auto run =
       require_done("crest ridges c.off --report c.json --picture c.svg", folder.path());
   CHECK(run.out.find("nothing significant: k1, k2 constant along their lines within the error of "
