@@ -97,6 +97,7 @@ row() {
 libraries() {
   files_of "$@" | sed -n 's/^outside //p' |
     sed 's|^boost/.*|Boost.Multiprecision, GMP|; s|^CGAL/Interval_nt.h|CGAL (Interval_nt)|
+      s|^CGAL/[Bb]ox_intersection_d.*|CGAL (boxes that meet)|
       s|^CLI/.*|CLI11|; s|^fmt/.*|fmt|; s|^mpfr.h|MPFR|; s|^openssl/.*|OpenSSL (SHA-256)|' |
     sort -u | paste -sd ';' - | sed 's/;/; /g'
 }

@@ -69,7 +69,7 @@ certify::RidgesSmoothCertificate make_certificate(const Surface& surface,
     }
   }
   for (const UmbilicPatch& patch : refined.patches) c.patches.push_back(patch_record(patch));
-  c.one_sheet_faces = sheets.faces;
+  for (const Index face : sheets.faces) c.one_sheet.emplace_back().face = face;
   c.graph_boxes = cover.boxes;
   c.tree = cover.tree;
   return c;

@@ -7,8 +7,8 @@
 
 namespace crest::smooth_ridges {
 
-/// `cover`, `sheets`: of an implicit surface. Requires: a refined surface without undecided cells,
-/// its graph assembled.
+/// Without witnesses (certify/smooth_witness/record.hpp). `cover`, `sheets`: of an implicit
+/// surface. Requires: a refined surface without undecided cells, its graph assembled.
 certify::RidgesSmoothCertificate make_certificate(const Surface& surface,
                                                   const RefinedSurface& refined,
                                                   const SmoothRidges& result, const Cover& cover,

@@ -9,6 +9,7 @@
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 #include "algorithms/smooth_ridges/timed.hpp"
 #include "algorithms/smooth_ridges/undefined.hpp"
+#include "certify/smooth_witness/record.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -58,10 +59,12 @@ class Run {
       return std::move(out_);
     }
     if (close()) {
-      out_.certified = true;
-      out_.certificate = timed(out_.seconds.graph, [&] {
-        return make_certificate(surface_, refined_, out_, cover_, sheets_);
+      const auto open = timed(out_.seconds.graph, [&] {
+        out_.certificate = make_certificate(surface_, refined_, out_, cover_, sheets_);
+        return certify::record_witnesses(out_.certificate);
       });
+      out_.certified = !open;
+      if (open) out_.obstacles.push_back("the checker's enclosures leave open: " + *open);
     }
     return std::move(out_);
   }

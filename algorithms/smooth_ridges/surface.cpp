@@ -18,7 +18,13 @@ Expression parse(const std::string& name, const std::string& text,
   if (!printable)
     throw std::invalid_argument(name + ": the text holds a character that is not printable ASCII");
   try {
-    return Expression::parse(text, variables);
+    Expression expression = Expression::parse(text, variables);
+    if (expression.program().size() > certify::kMostWords)
+      throw std::invalid_argument(name + ": " + std::to_string(expression.program().size()) +
+                                  " numbers, names and operators; at most " +
+                                  std::to_string(certify::kMostWords) +
+                                  " can be evaluated: use fewer terms");
+    return expression;
   } catch (const kernel::ExpressionError& error) {
     const std::string what = error.what();
     throw kernel::ExpressionError(

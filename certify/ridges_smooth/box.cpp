@@ -67,6 +67,14 @@ auto derivative(const Jet& f, const std::array<double, 3>* d, std::size_t i) {
 
 }  // namespace
 
+std::optional<std::array<Box, 2>> Box::split(std::size_t axis) const {
+  const double middle = (low[axis] + high[axis]) / 2;
+  if (!(low[axis] < middle && middle < high[axis])) return std::nullopt;
+  std::array<Box, 2> halves = {*this, *this};
+  halves[0].high[axis] = halves[1].low[axis] = middle;
+  return halves;
+}
+
 template <class T>
 BoxProver<T>::BoxProver(const Surface& surface)
     : first_(make<T, 1>(surface)), second_(make<T, 2>(surface)) {}
@@ -108,18 +116,20 @@ kernel::MaybeSign BoxProver<T>::on_box(const Box& box, Direction d) {
 }
 
 template <class T>
-kernel::MaybeSign BoxProver<T>::on_pieces(const Box& box, Direction d, int depth) {
-  const auto sign = on_box(box, d);
-  if (sign && *sign != kernel::Sign::zero) return sign;
-  if (depth == 0) return std::nullopt;
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (box.high[i] - box.low[i] > box.high[longest] - box.low[longest]) longest = i;
-  Box lower = box, upper = box;
-  lower.high[longest] = upper.low[longest] = box.low[longest] / 2 + box.high[longest] / 2;
-  const auto first = on_pieces(lower, d, depth - 1);
+kernel::Sign BoxProver<T>::on_pieces(const Box& box, Direction d, WitnessReader& in, int depth) {
+  const unsigned code = in.byte();
+  in.check(code <= 3 && (code == 3 || depth < kDepth), "divides a box in no way that there is");
+  if (code == 3) {
+    const auto sign = on_box(box, d);
+    if (!sign || *sign == kernel::Sign::zero) in.fail("the sign on a box");
+    return *sign;
+  }
+  const auto halves = box.split(code);
+  in.check(halves.has_value(), "divides a box that cannot be");
+  const kernel::Sign first = on_pieces((*halves)[0], d, in, depth + 1);
   // The halves share a side, so two certain signs are the same.
-  return first && on_pieces(upper, d, depth - 1) ? first : std::nullopt;
+  on_pieces((*halves)[1], d, in, depth + 1);
+  return first;
 }
 
 template class BoxProver<kernel::Interval>;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Kind 0: signs of F and of its derivatives on boxes, by intervals (mean values, pieces).
+// Kind 0: signs of F and of its derivatives on boxes, by intervals and mean values (SPEC.md, "How
+// it is evaluated").
 #include <optional>
 
 #include "certify/ridges_smooth/surface.hpp"
+#include "certify/ridges_smooth/witness.hpp"
 #include "kernel/arithmetic/interval.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 
@@ -12,6 +14,9 @@ namespace crest::certify::smooth {
 
 struct Box {
   std::array<double, 3> low, high;
+
+  /// The halves of a split across an axis; nothing if there is no double between.
+  std::optional<std::array<Box, 2>> split(std::size_t axis) const;
 };
 
 /// T: kernel::Interval or kernel::MpInterval. Not for two threads at a time.
@@ -20,20 +25,17 @@ class BoxProver {
  public:
   explicit BoxProver(const Surface& surface);
 
-  /// The one sign of F on the box, if it is certain; then F is defined there.
-  kernel::MaybeSign value(const Box& box) { return on_pieces(box, nullptr, kDepth); }
-  /// The one sign of d . grad F on the box, if it is certain; then F is analytic there.
-  kernel::MaybeSign slope(const Box& box, const std::array<double, 3>& d) {
-    return on_pieces(box, &d, kDepth);
-  }
+  /// Null: the quantity is F itself, else d . grad F.
+  using Direction = const std::array<double, 3>*;
+  /// The one sign of the quantity on the box, if it is certain; then F is defined there, analytic
+  /// if there is a direction.
+  kernel::MaybeSign on_box(const Box& box, Direction d);
+  /// On the pieces that a witness divides the box into. Throws Undecided.
+  kernel::Sign on_pieces(const Box& box, Direction d, WitnessReader& in, int depth = 0);
 
  private:
-  /// Halvings of a box.
-  static constexpr int kDepth = 9;
-  using Direction = const std::array<double, 3>*;
+  static constexpr int kDepth = 16;
 
-  kernel::MaybeSign on_pieces(const Box& box, Direction d, int depth);
-  kernel::MaybeSign on_box(const Box& box, Direction d);
   template <int n>
   kernel::MaybeSign natural_or_mean(const Box& box, Direction d);
   template <int n>

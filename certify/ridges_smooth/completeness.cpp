@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "certify/container/parallel.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/ridges_smooth/box.hpp"
@@ -11,19 +13,12 @@ using kernel::Sign;
 using u32 = std::uint32_t;
 
 constexpr std::array<double, 3> kA = {8, -5, 2}, kB = {3, 7, -9};
-constexpr int kDeepest = 64;
-
-struct Leaf {
-  Box cell;
-  std::uint8_t code;
-  u32 graph_box;
-};
+constexpr int kDeepest = 80;
 
 Box box_of(const std::array<double, 6>& b) {
   return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-/// The tree's leaves with their cells; at most one a byte.
 class TreeReader {
  public:
   explicit TreeReader(const RidgesSmoothCertificate& c) : tree_(c.tree) {
@@ -40,7 +35,7 @@ class TreeReader {
     }
     require(at_ == tree_.size(), "tree: bytes left over");
   }
-  std::vector<Leaf>& leaves() { return leaves_; }
+  std::vector<TreeLeaf>& leaves() { return leaves_; }
 
  private:
   struct Cell {
@@ -59,19 +54,16 @@ class TreeReader {
   }
   void split(const Cell& cell, std::size_t axis) {
     require(cell.depth < kDeepest, "tree: too deep");
-    const double middle = (cell.box.low[axis] + cell.box.high[axis]) / 2;
-    require(cell.box.low[axis] < middle && middle < cell.box.high[axis],
-            "tree: a cell that cannot be split");
-    Cell lower{cell.box, cell.depth + 1}, upper = lower;
-    lower.box.high[axis] = upper.box.low[axis] = middle;
-    cells_.push_back(upper);
-    cells_.push_back(lower);
+    const auto halves = cell.box.split(axis);
+    require(halves.has_value(), "tree: a cell that cannot be split");
+    cells_.push_back({(*halves)[1], cell.depth + 1});
+    cells_.push_back({(*halves)[0], cell.depth + 1});
   }
 
   const Bytes& tree_;
   std::size_t at_ = 0;
   std::vector<Cell> cells_;
-  std::vector<Leaf> leaves_;
+  std::vector<TreeLeaf> leaves_;
 };
 
 bool touches(const Box& cell, const Box& whole) {
@@ -87,12 +79,10 @@ bool inside(const Box& cell, const Box& box) {
 }
 
 template <class T>
-void check_leaf(const Claim& claim, BoxProver<T>& prover, const Leaf& leaf, std::size_t number) {
+void check_leaf(const Claim& claim, BoxProver<T>& prover, const TreeLeaf& leaf,
+                std::size_t number) {
   const RidgesSmoothCertificate& c = claim.certificate;
-  bool proven = false;
-  if (leaf.code == 3) {
-    proven = nonzero(prover.value(leaf.cell));
-  } else {
+  if (leaf.code != 3) {
     require(!touches(leaf.cell, box_of(c.surface.box)),
             "tree: leaf {} touches the boundary of the box", number);
     if (leaf.code == 6) {
@@ -101,9 +91,9 @@ void check_leaf(const Claim& claim, BoxProver<T>& prover, const Leaf& leaf, std:
               "tree: leaf {} is in no graph box", number);
       return;
     }
-    proven = nonzero(prover.slope(leaf.cell, leaf.code == 4 ? kA : kB));
   }
-  if (!proven) throw Undecided(fmt::format("tree: leaf {}, code {}", number, leaf.code));
+  if (!nonzero(prover.on_box(leaf.cell, leaf_direction(leaf.code))))
+    throw Undecided(fmt::format("tree: leaf {}, code {}", number, leaf.code));
 }
 
 /// S is a graph over one side of the box, and Phi(vertex) is on it.
@@ -120,14 +110,19 @@ void check_graph_box(const Claim& claim, BoxProver<T>& prover, FaceProvers& face
   Box below = box, above = box;
   below.high[m] = box.low[m];
   above.low[m] = box.high[m];
-  const auto low = prover.value(below), high = prover.value(above);
-  if (!nonzero(low) || !nonzero(high) || !nonzero(prover.slope(box, axis)))
-    throw Undecided(fmt::format("graph box {}: signs", number));
-  require(*low != *high, "graph box {}: no zero between its sides", number);
+  WitnessReader in(record.witness, "graph box", number);
+  const Sign low = prover.on_pieces(below, nullptr, in),
+             high = prover.on_pieces(above, nullptr, in);
+  require(low != high, "graph box {}: no zero between its sides", number);
+  prover.on_pieces(box, &axis, in);
+  in.end();
   require(record.vertex < claim.certificate.vertices.size(), "graph box {}: no such vertex",
           number);
-  const u32 corner = claim.mesh.topology.ring[claim.mesh.topology.ring_start[record.vertex]];
-  const bool in = faces.at_depth(0, [&](auto& p) {
+  const auto& topology = claim.mesh.topology;
+  const u32 corner =
+      *std::min_element(topology.ring.begin() + topology.ring_start[record.vertex],
+                        topology.ring.begin() + topology.ring_start[record.vertex + 1]);
+  const bool inside_box = faces.at_order(4, [&](auto& p) {
     const auto image = p.image(corner / 3, Piece::point(on_edge(corner % 3, 0)), false);
     if (!image) return false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -136,12 +131,12 @@ void check_graph_box(const Claim& claim, BoxProver<T>& prover, FaceProvers& face
     }
     return true;
   });
-  if (!in) throw Undecided(fmt::format("graph box {}: the vertex is not inside", number));
+  if (!inside_box) throw Undecided(fmt::format("graph box {}: the vertex is not inside", number));
 }
 
 template <class T>
 std::size_t check_with(const Claim& claim) {
-  const std::vector<Leaf> leaves = std::move(TreeReader(claim.certificate).leaves());
+  const std::vector<TreeLeaf> leaves = leaves_of(claim.certificate);
   struct Worker {
     BoxProver<T> boxes;
     FaceProvers faces;
@@ -162,6 +157,14 @@ std::size_t check_with(const Claim& claim) {
 }
 
 }  // namespace
+
+std::vector<TreeLeaf> leaves_of(const RidgesSmoothCertificate& c) {
+  return std::move(TreeReader(c).leaves());
+}
+
+const std::array<double, 3>* leaf_direction(std::uint8_t code) {
+  return code == 3 ? nullptr : code == 4 ? &kA : &kB;
+}
 
 std::size_t check_completeness(const Claim& claim) {
   return claim.arithmetic == Arithmetic::mpfr ? check_with<kernel::MpInterval>(claim)

@@ -20,6 +20,17 @@ std::size_t read_count(ByteReader& reader, std::size_t size, const char* what) {
   return count;
 }
 
+/// A witness string: its length in one form only.
+Bytes read_witness(ByteReader& reader) {
+  std::size_t count = reader.integer<std::uint8_t>();
+  if (count == 255) {
+    count = reader.integer<std::uint32_t>();
+    if (count < 255) throw Malformed("a witness: its length in the longer form");
+  }
+  const auto bytes = reader.take(count);
+  return {bytes.begin(), bytes.end()};
+}
+
 void read_list(ByteReader& reader, std::vector<std::uint32_t>& list, std::size_t count) {
   if (count > reader.left() / 4) throw Malformed("a list is longer than its bytes");
   reader.words(list, count);
@@ -81,6 +92,14 @@ SmoothPatchRecord read_patch(ByteReader& reader, bool implicit) {
   if (implicit)
     for (double& x : p.height) x = read_number(reader);
   read_list(reader, p.faces, reader.integer<std::uint32_t>());
+  p.order = reader.integer<std::uint8_t>();
+  if (p.order != 3 && p.order != 5) throw Malformed("patches: the order is neither 3 nor 5");
+  for (double& x : p.krawczyk) x = read_number(reader);
+  if (implicit) {
+    for (double& x : p.graph) x = read_number(reader);
+    p.reach = reader.integer<std::uint8_t>();
+  }
+  p.witness = read_witness(reader);
   return p;
 }
 
@@ -92,6 +111,12 @@ void read_counts(ByteReader& reader, RidgesSmoothCertificate& c) {
   for (auto& n : c.counts) n = reader.integer<std::uint32_t>();
   for (auto& n : c.turning_points) n = reader.integer<std::uint32_t>();
   c.purple_points = reader.integer<std::uint32_t>();
+  if (c.surface.kind == 0)
+    c.reach = reader.integer<std::int16_t>();
+  else
+    c.loose_corners = reader.integer<std::uint8_t>();
+  if (c.surface.periodic != 0 && c.loose_corners != 0)
+    throw Malformed("claim section: a corner of a domain without corners");
 }
 
 void read_mesh(ByteReader& reader, RidgesSmoothCertificate& c) {
@@ -113,17 +138,30 @@ void read_mesh(ByteReader& reader, RidgesSmoothCertificate& c) {
   if (faces > reader.left()) throw Malformed("claim section: more faces than bytes");
   c.face_records.reserve(faces);
   for (std::size_t f = 0; f < faces; ++f) c.face_records.push_back(read_face(reader, implicit));
+  for (SmoothFaceRecord& record : c.face_records) record.witness = read_witness(reader);
 }
 
 /// What kind 0 has beside.
 void read_sheets(ByteReader& reader, RidgesSmoothCertificate& c) {
-  read_list(reader, c.one_sheet_faces, c.components);
-  c.graph_boxes.resize(read_count(reader, 53, "graph boxes"));
+  if (c.components > reader.left() / 41) throw Malformed("one sheet: longer than its bytes");
+  c.one_sheet.resize(c.components);
+  for (OneSheetRecord& sheet : c.one_sheet) {
+    sheet.face = reader.integer<std::uint32_t>();
+    for (double& x : sheet.matrix) x = read_number(reader);
+    sheet.witness = read_witness(reader);
+    sheet.near.resize(read_count(reader, 5, "one sheet"));
+    for (auto& near : sheet.near) {
+      near.face = reader.integer<std::uint32_t>();
+      near.witness = read_witness(reader);
+    }
+  }
+  c.graph_boxes.resize(read_count(reader, 54, "graph boxes"));
   for (auto& g : c.graph_boxes) {
     for (double& x : g.box) x = read_number(reader);
     g.axis = reader.integer<std::uint8_t>();
     if (g.axis > 2) throw Malformed("graph boxes: no such axis");
     g.vertex = reader.integer<std::uint32_t>();
+    g.witness = read_witness(reader);
   }
   const auto tree = reader.take(read_count(reader, 1, "tree"));
   c.tree.assign(tree.begin(), tree.end());
@@ -140,7 +178,7 @@ RidgesSmoothCertificate decode_ridges_smooth(std::span<const std::uint8_t> data,
   reader = ByteReader(claims);
   read_counts(reader, c);
   read_mesh(reader, c);
-  const std::size_t patches = read_count(reader, 40, "patches");
+  const std::size_t patches = read_count(reader, 74, "patches");
   for (std::size_t p = 0; p < patches; ++p) c.patches.push_back(read_patch(reader, implicit));
   if (implicit) read_sheets(reader, c);
   if (reader.left() != 0) throw Malformed("claim section: bytes left over");

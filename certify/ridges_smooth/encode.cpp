@@ -22,6 +22,16 @@ void write_surface(ByteWriter& out, const SmoothSurfaceData& s) {
     out.integer(s.periodic);
 }
 
+void write_witness(ByteWriter& out, const Bytes& witness) {
+  if (witness.size() < 255) {
+    out.integer(static_cast<std::uint8_t>(witness.size()));
+  } else {
+    out.integer(std::uint8_t{255});
+    out.count(witness.size());
+  }
+  out.bytes(witness);
+}
+
 void write_face(ByteWriter& out, const SmoothFaceRecord& f, bool implicit) {
   if (f.in_patch) return out.integer(std::uint8_t{3});
   const unsigned flags = (f.type[0] & 3U) << 2 | (f.type[1] & 3U) << 4 | (f.purple ? 64U : 0U);
@@ -41,6 +51,24 @@ void write_patch(ByteWriter& out, const SmoothPatchRecord& p, bool implicit) {
     for (const double x : p.height) out.number(x);
   out.count(p.faces.size());
   out.numbers(p.faces);
+  out.integer(p.order);
+  for (const double x : p.krawczyk) out.number(x);
+  if (implicit) {
+    for (const double x : p.graph) out.number(x);
+    out.integer(p.reach);
+  }
+  write_witness(out, p.witness);
+}
+
+void write_sheet(ByteWriter& out, const OneSheetRecord& sheet) {
+  out.integer(sheet.face);
+  for (const double x : sheet.matrix) out.number(x);
+  write_witness(out, sheet.witness);
+  out.count(sheet.near.size());
+  for (const auto& near : sheet.near) {
+    out.integer(near.face);
+    write_witness(out, near.witness);
+  }
 }
 
 void write_counts(ByteWriter& out, const RidgesSmoothCertificate& c) {
@@ -51,6 +79,10 @@ void write_counts(ByteWriter& out, const RidgesSmoothCertificate& c) {
   for (const auto n : c.counts) out.integer(n);
   for (const auto n : c.turning_points) out.integer(n);
   out.integer(c.purple_points);
+  if (c.surface.kind == 0)
+    out.integer(c.reach);
+  else
+    out.integer(c.loose_corners);
 }
 
 void write_claims(ByteWriter& out, const RidgesSmoothCertificate& c) {
@@ -64,15 +96,17 @@ void write_claims(ByteWriter& out, const RidgesSmoothCertificate& c) {
     for (const auto v : f) out.integer(v);
   if (!implicit && c.surface.periodic != 0) out.bytes(c.lifts);
   for (const auto& f : c.face_records) write_face(out, f, implicit);
+  for (const auto& f : c.face_records) write_witness(out, f.witness);
   out.count(c.patches.size());
   for (const auto& p : c.patches) write_patch(out, p, implicit);
   if (!implicit) return;
-  out.numbers(c.one_sheet_faces);
+  for (const auto& sheet : c.one_sheet) write_sheet(out, sheet);
   out.count(c.graph_boxes.size());
   for (const auto& g : c.graph_boxes) {
     for (const double x : g.box) out.number(x);
     out.integer(g.axis);
     out.integer(g.vertex);
+    write_witness(out, g.witness);
   }
   out.count(c.tree.size());
   out.bytes(c.tree);
@@ -84,7 +118,7 @@ Bytes encode(const RidgesSmoothCertificate& c) {
   const bool lifted = c.surface.kind == 1 && c.surface.periodic != 0;
   if (c.face_records.size() != c.faces.size() || (lifted && c.lifts.size() != c.faces.size()))
     throw std::invalid_argument("certificate: as many records and lifts as faces are needed");
-  if (c.surface.kind == 0 && c.one_sheet_faces.size() != c.components)
+  if (c.surface.kind == 0 && c.one_sheet.size() != c.components)
     throw std::invalid_argument("certificate: a named face of each component is needed");
   ByteWriter data;
   write_surface(data, c.surface);

@@ -18,16 +18,6 @@ M SurfaceEvaluator<M>::value(const Point& x) {
 }
 
 template <class M>
-std::array<double, 3> SurfaceEvaluator<M>::slope_near(const std::array<double, 3>& x) {
-  using Jet = kernel::Jet<double, 3, 1>;
-  if (!approximate_) approximate_ = kernel::jet_evaluator<double, 3, 1>(surface_.texts[0]);
-  const std::array<Jet, 3> at = {Jet::variable(0, x[0]), Jet::variable(1, x[1]),
-                                 Jet::variable(2, x[2])};
-  const Jet f = (*approximate_)(at);
-  return {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
-}
-
-template <class M>
 template <int n>
 kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
   using Jet = kernel::Jet<M, 3, n>;
@@ -87,16 +77,15 @@ std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, c
 }  // namespace crest::certify::smooth
 
 /// Instantiates everything for the model type M.
-#define CREST_SMOOTH_EVALUATOR(M)                                                               \
-  template M SurfaceEvaluator<M>::value(const Point&);                                          \
-  template std::array<double, 3> SurfaceEvaluator<M>::slope_near(const std::array<double, 3>&); \
-  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&);                 \
-  template kernel::Jet<M, 3, 3> SurfaceEvaluator<M>::implicit<3>(const Point&, const Frame&);   \
-  template kernel::Jet<M, 3, 4> SurfaceEvaluator<M>::implicit<4>(const Point&, const Frame&);   \
-  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&, const Frame&);   \
-  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&);                 \
-  template std::array<kernel::Jet<M, 2, 3>, 3> SurfaceEvaluator<M>::immersion<3>(const M&,      \
-                                                                                 const M&);     \
-  template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,      \
-                                                                                 const M&);     \
+#define CREST_SMOOTH_EVALUATOR(M)                                                             \
+  template M SurfaceEvaluator<M>::value(const Point&);                                        \
+  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&);               \
+  template kernel::Jet<M, 3, 3> SurfaceEvaluator<M>::implicit<3>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 4> SurfaceEvaluator<M>::implicit<4>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&, const Frame&); \
+  template kernel::Jet<M, 3, 5> SurfaceEvaluator<M>::implicit<5>(const Point&);               \
+  template std::array<kernel::Jet<M, 2, 3>, 3> SurfaceEvaluator<M>::immersion<3>(const M&,    \
+                                                                                 const M&);   \
+  template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,    \
+                                                                                 const M&);   \
   template std::array<kernel::Jet<M, 2, 5>, 3> SurfaceEvaluator<M>::immersion<5>(const M&, const M&)

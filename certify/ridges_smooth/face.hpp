@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Statements about one face, or a piece of it, with one model type (SPEC.md, "Triangulation"
-// and "Faces outside patches").
+// Statements about one face, or a piece of it, with one model type (SPEC.md, "Triangulation",
+// "Faces outside patches" and "Witnesses").
+#include <span>
+
 #include "certify/ridges_smooth/foot.hpp"
 #include "certify/ridges_smooth/forms.hpp"
 #include "certify/ridges_smooth/mesh.hpp"
@@ -13,9 +15,31 @@ enum Statement : unsigned {
   kChart = 1,    ///< (F), (J)
   kRegular = 2,  ///< F_m has one sign (kind 0), (R)
   kVerdict = 4,  ///< of blue; red: times 2
-  kType = 16,    ///< of blue; red: times 2. G_j has its sign, or det(grad E_j, grad G_j) has one
-  kApart = 64,   ///< a combination of E1 and E2 has no zero
-  kCross = 128   ///< det(grad E1, grad E2) has none
+  kType = 16,    ///< of blue; red: times 2
+  kPurple = 64,
+  kInside = 128  ///< of a face in a patch
+};
+
+/// How the statements of a piece are shown.
+struct Method {
+  std::array<bool, 2> turn{};  ///< kType by det(grad E_j, grad G_j), else by the sign of G_j
+  bool cross = false;          ///< kPurple by det(grad E1, grad E2), else by a combination
+  bool steep = false;
+  std::array<double, 2> combination{};  ///< of E1 and E2
+
+  static Method of_byte(unsigned bits) {
+    return {{(bits & 1U) != 0, (bits & 2U) != 0}, (bits & 4U) != 0, false, {}};
+  }
+};
+
+/// Who makes witnesses chooses here while a piece is evaluated; a checker has none.
+class Advisor {
+ public:
+  virtual ~Advisor() = default;
+  virtual bool steep(const kernel::Range& a11) = 0;
+  /// Combinations of two functions worth trying; their values, and derivatives by both coordinates.
+  virtual std::vector<std::array<double, 2>> combinations(
+      const std::array<std::array<kernel::Range, 3>, 2>& e) = 0;
 };
 
 /// E_j, its derivative along an edge of the face, or G_j.
@@ -27,12 +51,13 @@ struct Question {
   std::size_t edge;  ///< from this corner to the next
 };
 
-/// Found on the whole face on the way; signs for colours with a direction c.
+/// Found on the whole piece on the way; by colour for those with a direction c.
 struct FaceFindings {
-  std::optional<std::array<kernel::Range, 3>> box;           ///< kind 0: of the image
-  std::array<std::array<kernel::MaybeSign, 3>, 2> corner{};  ///< of E_j
-  /// Bit i: E_j, or its derivative along edge i, has no zero there.
-  std::array<std::uint8_t, 2> decided{};
+  /// In: bits of edges where the derivative along them, or E_j, is asked for.
+  std::array<unsigned, 2> ask_slope{}, ask_value{};
+  std::optional<std::array<kernel::Range, 3>> box;  ///< kind 0: of the image
+  /// Of E_j at the corners and on the edges, of the derivative along the edges.
+  std::array<std::array<kernel::MaybeSign, 3>, 2> corner{}, value{}, slope{};
 };
 
 /// Not for two threads at a time.
@@ -41,10 +66,10 @@ class FaceProver {
  public:
   FaceProver(const Surface& surface, const RidgesSmoothCertificate& c) : surface_(surface), c_(c) {}
 
-  /// The statements of `open` that are not proven on the piece. `findings` may be null. `ends`
-  /// collects the types that rest on a determinant, and so on the signs of G_j at the crossings.
-  unsigned prove(std::uint32_t face, const Piece& piece, unsigned open, FaceFindings* findings,
-                 unsigned& ends);
+  /// The statements of `open` that are not proven on the piece. `findings` may be null; so is the
+  /// advisor of a checker, and then the method is only read.
+  unsigned prove(std::uint32_t face, const Piece& piece, unsigned open, Method& method,
+                 FaceFindings* findings, Advisor* advisor = nullptr);
   /// The one sign on the piece, if it is certain.
   kernel::MaybeSign sign(const Question& q, const Piece& piece);
 
@@ -86,11 +111,13 @@ class FaceProver {
   template <int K>
   std::optional<Jets<K>> jets(const Place& at, std::uint32_t face, bool with_edges);
   template <int K>
-  unsigned prove_order(const Place& at, std::uint32_t face, unsigned open, FaceFindings* findings,
-                       unsigned& ends);
+  unsigned prove_order(const Place& at, std::uint32_t face, unsigned open, Method& method,
+                       FaceFindings* findings, Advisor* advisor);
   template <int K>
-  unsigned prove_colour(std::size_t j, const SmoothFaceRecord& record, const Extremality<K>& e,
-                        unsigned open, unsigned& ends);
+  bool prove_type(std::size_t j, const SmoothFaceRecord& record, const Extremality<K>& e,
+                  bool by_turn);
+  template <int K>
+  bool prove_purple(const Local<M, K>& x, const Local<M, K>& y, Method& method, Advisor* advisor);
   template <int K>
   void find_signs(std::size_t j, const Extremality<K>& e, const Jets<K>& jets,
                   FaceFindings& findings);

@@ -7,45 +7,42 @@
 
 namespace crest::certify::smooth {
 
-/// A colour whose verdict is a direction: verdict and type.
 template <class M>
 template <int K>
-unsigned FaceProver<M>::prove_colour(std::size_t j, const SmoothFaceRecord& record,
-                                     const Extremality<K>& e, unsigned open, unsigned& ends) {
-  const auto c = direction(record.verdict[j]);
-  unsigned proven = 0;
-  if ((open & kVerdict << j) != 0 && has_no_zero(e.slope(c[0], c[1]))) proven |= kVerdict << j;
-  if ((open & kType << j) == 0) return proven;
-  // Lemma 5: elliptic where G1 < 0, where G2 > 0.
+bool FaceProver<M>::prove_type(std::size_t j, const SmoothFaceRecord& record,
+                               const Extremality<K>& e, bool by_turn) {
+  if (by_turn) {
+    if constexpr (K == 2) return has_no_zero(e.turn());
+    return false;
+  }
+  // Lemma 5: elliptic where G1 < 0, where G2 > 0. Turning points are shown by turn only.
   const auto stated =
       (record.type[j] == 1) == (j == 0) ? kernel::Sign::negative : kernel::Sign::positive;
-  if (record.type[j] != 3 && certain(e.growth()) == stated) return proven | kType << j;
-  if constexpr (K == 2)
-    if (has_no_zero(e.turn())) {
-      ends |= kType << j;
-      proven |= kType << j;
-    }
-  return proven;
+  return record.type[j] != 3 && certain(e.growth()) == stated;
 }
 
-/// A combination nearly without slope has no zero: arcs nearly parallel stay apart.
-template <class M, class E>
-bool are_parallel(const E& a, const E& b) {
-  const auto middle = [](const M& x) {
-    const kernel::Range r = x.range();
-    return r.low / 2 + r.high / 2;
+template <class M>
+template <int K>
+bool FaceProver<M>::prove_purple(const Local<M, K>& x, const Local<M, K>& y, Method& method,
+                                 Advisor* advisor) {
+  if (method.cross) return has_no_zero(x.d(1, 0) * y.d(0, 1) - x.d(0, 1) * y.d(1, 0));
+  std::vector<std::array<double, 2>> tried = {method.combination};
+  const auto ranges = [](const auto& f) {
+    return std::array{f.value().range(), f.d(1, 0).range(), f.d(0, 1).range()};
   };
-  const double a1 = middle(a.d(1, 0)), a2 = middle(a.d(0, 1));
-  const double b1 = middle(b.d(1, 0)), b2 = middle(b.d(0, 1));
-  const double of_a = std::sqrt(a1 * a1 + a2 * a2), of_b = std::sqrt(b1 * b1 + b2 * b2);
-  const double sign = a1 * b1 + a2 * b2 > 0 ? -1 : 1;
-  return has_no_zero(a.value() * of_b + b.value() * (sign * of_a));
+  if (advisor != nullptr) tried = advisor->combinations({ranges(x), ranges(y)});
+  for (const auto& [a, b] : tried) {
+    if (!has_no_zero(x.value() * a + y.value() * b)) continue;
+    if (advisor != nullptr) method.combination = {a, b};
+    return true;
+  }
+  return false;
 }
 
 template <class M>
 template <int K>
 unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigned open,
-                                    FaceFindings* findings, unsigned& ends) {
+                                    Method& method, FaceFindings* findings, Advisor* advisor) {
   const SmoothFaceRecord& record = c_.face_records[face];
   const auto jets = this->template jets<K>(at, face, K > 0 && findings != nullptr);
   if (!jets) return open;
@@ -60,54 +57,49 @@ unsigned FaceProver<M>::prove_order(const Place& at, std::uint32_t face, unsigne
   for (std::size_t j = 0; j < 2; ++j) {
     if (record.verdict[j] == SmoothFaceRecord::kNoZero) {
       if ((open & kVerdict << j) == 0) continue;
-      if (!slope) slope = slopes(a);
+      if (!slope && advisor != nullptr) method.steep = advisor->steep(a.a.value().range());
+      if (!slope) slope = slopes(a, method.steep);
       if (has_no_zero(extremality(jets->forms, *slope, j))) proven |= kVerdict << j;
     } else if constexpr (K > 0) {
       if (j == 0 || !e[0]) v1 = principal(a, w);
       const auto v = j == 0 ? v1 : turned(jets->forms.i, v1);
       e[j] = Extremality<K>{extremality(jets->forms, v), v};
-      proven |= prove_colour<K>(j, record, *e[j], open, ends);
+      const auto c = direction(record.verdict[j]);
+      if ((open & kVerdict << j) != 0 && has_no_zero(e[j]->slope(c[0], c[1])))
+        proven |= kVerdict << j;
+      if ((open & kType << j) != 0 && prove_type<K>(j, record, *e[j], method.turn[j]))
+        proven |= kType << j;
       if (findings != nullptr) find_signs<K>(j, *e[j], *jets, *findings);
     }
   }
   if constexpr (K > 0)
-    if ((open & (kApart | kCross)) != 0 && e[0] && e[1]) {
-      const auto &x = e[0]->e, &y = e[1]->e;
-      if (has_no_common_zero(std::array{x.value(), y.value()}) || are_parallel<M>(x, y))
-        proven |= kApart;
-      if (has_no_zero(x.d(1, 0) * y.d(0, 1) - x.d(0, 1) * y.d(1, 0))) proven |= kCross;
-    }
+    if ((open & kPurple) != 0 && e[0] && e[1] && prove_purple<K>(e[0]->e, e[1]->e, method, advisor))
+      proven |= kPurple;
   return open & ~proven;
 }
 
 template <class M>
-unsigned FaceProver<M>::prove(std::uint32_t face, const Piece& piece, unsigned open,
-                              FaceFindings* findings, unsigned& ends) {
+unsigned FaceProver<M>::prove(std::uint32_t face, const Piece& piece, unsigned open, Method& method,
+                              FaceFindings* findings, Advisor* advisor) {
   const auto at = place(face, piece);
   if (!at) return open;
   if (findings != nullptr && surface_.surface().implicit)
     findings->box = {at->x[0].range(), at->x[1].range(), at->x[2].range()};
   if (!surface_.surface().implicit || ((open & kChart) != 0 && keeps_orientation(*at, face)))
     open &= ~static_cast<unsigned>(kChart);
-  const unsigned chart = open & kChart;
-  unsigned forms = open & ~static_cast<unsigned>(kChart);
-  if (forms == 0) return chart;
   const SmoothFaceRecord& record = c_.face_records[face];
+  const unsigned others = open & (kChart | kInside), forms = open & ~others;
+  if (forms == 0 && (findings == nullptr || record.in_patch)) return others;
   int order = 0;
   for (std::size_t j = 0; j < 2; ++j) {
-    const unsigned asked = forms & ((kVerdict | kType) << j | kApart | kCross);
+    const unsigned asked = forms & ((kVerdict | kType) << j | kPurple);
     if (record.verdict[j] == SmoothFaceRecord::kNoZero || (asked == 0 && findings == nullptr))
       continue;
-    order = std::max(order, (forms & kType << j) != 0 && record.type[j] == 3 ? 2 : 1);
+    order = std::max(order, (forms & kType << j) != 0 && method.turn[j] ? 2 : 1);
   }
-  forms = order == 0   ? prove_order<0>(*at, face, forms, findings, ends)
-          : order == 1 ? prove_order<1>(*at, face, forms, findings, ends)
-                       : prove_order<2>(*at, face, forms, findings, ends);
-  // A sign of G_j that is not certain leaves the determinant.
-  const unsigned types = forms & (kType | kType << 1);
-  if (order == 1 && types != 0 && (forms & kRegular) == 0)
-    forms = (forms & ~types) | prove_order<2>(*at, face, types, nullptr, ends);
-  return chart | forms;
+  if (order == 0) return others | prove_order<0>(*at, face, forms, method, findings, advisor);
+  if (order == 1) return others | prove_order<1>(*at, face, forms, method, findings, advisor);
+  return others | prove_order<2>(*at, face, forms, method, findings, advisor);
 }
 
 }  // namespace crest::certify::smooth

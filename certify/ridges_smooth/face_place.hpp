@@ -39,18 +39,11 @@ auto FaceProver<M>::place(std::uint32_t face, const Piece& piece) -> std::option
     return at;
   }
   Vector3 p;
-  double size = 0, length = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     p[k] = affine(face, k, piece, l);
     at.m[k] = affine(face, k + 3, piece, l);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& a = c_.vertices[c_.faces[face][i]];
-      const auto& b = c_.vertices[c_.faces[face][(i + 1) % 3]];
-      size = std::fmax(size, std::fabs(a[k] - b[k]));
-      length = std::fmax(length, std::fabs(a[k + 3]));
-    }
   }
-  const auto foot = find_foot(surface_, p, at.m, size / length);
+  const auto foot = find_foot(surface_, p, at.m, fibre_length(c_, face));
   if (!foot) return std::nullopt;
   at.x = foot->x;
   at.s = foot->s;

@@ -33,10 +33,11 @@ void FaceProver<M>::find_signs(std::size_t j, const Extremality<K>& e, const Jet
     const auto k = static_cast<std::size_t>(i);
     const M value = e.e.value();
     findings.corner[j][k] = kernel::certain_sign(value.at_corner(i));
+    if ((findings.ask_value[j] >> i & 1U) != 0)
+      findings.value[j][k] = kernel::certain_sign(value.range_on_edge(i));
+    if ((findings.ask_slope[j] >> i & 1U) == 0) continue;
     const M along = e.e.d(1, 0) * jets.edge[k][0] + e.e.d(0, 1) * jets.edge[k][1];
-    if (nonzero(kernel::certain_sign(value.range_on_edge(i))) ||
-        nonzero(kernel::certain_sign(along.range_on_edge(i))))
-      findings.decided[j] = static_cast<std::uint8_t>(findings.decided[j] | 1U << i);
+    findings.slope[j][k] = kernel::certain_sign(along.range_on_edge(i));
   }
 }
 

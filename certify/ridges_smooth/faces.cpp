@@ -18,49 +18,103 @@ class FaceChecker {
 
   FaceResult check(u32 face) {
     face_ = face;
+    const bool implicit = claim_.surface.implicit;
     const SmoothFaceRecord& record = claim_.certificate.face_records[face];
+    WitnessReader in(record.witness, "face", face);
     FaceFindings found;
     FaceResult result;
+    if (implicit) in.byte();  // fibre_length()
     if (record.in_patch) {
-      provers_.prove(face, kChart, &found);
-      result.box = found.box;
-      return result;
+      if (implicit) provers_.prove(face, kChart | kInside, {}, in, found);
+    } else {
+      check_outside(record, in, found, result);
     }
-    unsigned open = kChart | kRegular | kVerdict | kVerdict << 1;
-    for (unsigned j = 0; j < 2; ++j)
-      if (record.type[j] != 0) open |= kType << j;
-    if (record.type[0] != 0 && record.type[1] != 0)
-      open |= record.purple ? kCross : kApart | kCross;
-    const unsigned ends = provers_.prove(face, open, &found);
+    in.end();
     result.box = found.box;
-    result.decided = found.decided;
-    for (std::size_t j = 0; j < 2; ++j)
-      if (record.verdict[j] != SmoothFaceRecord::kNoZero)
-        result.crossed[j] = crossed_edges(j, found, result.loose[j]);
-    check_types(record, result, ends);
     return result;
   }
 
  private:
-  Question ask(std::size_t colour, Quantity quantity) const { return {face_, colour, quantity, 0}; }
+  Question ask(std::size_t colour, Quantity quantity, std::size_t edge = 0) const {
+    return {face_, colour, quantity, edge};
+  }
+  static bool has(unsigned bits, std::size_t i) { return (bits >> i & 1U) != 0; }
 
-  /// A corner of the square, if no direction is periodic.
-  bool is_domain_corner(std::size_t i) const {
-    if (claim_.surface.implicit || claim_.surface.periodic[0] || claim_.surface.periodic[1])
-      return false;
-    const auto& v = claim_.certificate.vertices[claim_.certificate.faces[face_][i]];
-    return (v[0] == 0 || v[0] == 1) && (v[1] == 0 || v[1] == 1);
+  void check_outside(const SmoothFaceRecord& record, WitnessReader& in, FaceFindings& found,
+                     FaceResult& result) {
+    const bool arcs = record.type[0] != 0 || record.type[1] != 0;
+    const unsigned methods = arcs ? in.byte() : 0;
+    const Method method = Method::of_byte(methods);
+    in.check(methods < 8 && (!method.turn[0] || record.type[0] != 0) &&
+                 (!method.turn[1] || record.type[1] != 0) &&
+                 (!method.cross || (record.type[0] != 0 && record.type[1] != 0)),
+             "shows what is not claimed");
+    in.check(method.cross || !record.purple, "keeps arcs apart that are said to cross");
+    std::array<unsigned, 2> edges{};
+    for (std::size_t j = 0; j < 2; ++j)
+      if (record.verdict[j] != SmoothFaceRecord::kNoZero) edges[j] = read_edges(in, j, found);
+    unsigned open = kRegular | kVerdict | kVerdict << 1;
+    if (claim_.surface.implicit) open |= kChart;
+    for (unsigned j = 0; j < 2; ++j)
+      if (record.type[j] != 0) open |= kType << j;
+    if (record.type[0] != 0 && record.type[1] != 0) open |= kPurple;
+    provers_.prove(face_, open, method, in, found);
+    for (std::size_t j = 0; j < 2; ++j)
+      if (record.verdict[j] != SmoothFaceRecord::kNoZero) {
+        check_edges(j, edges[j], found, in, result);
+        result.crossed[j] = crossed_edges(j, found, result.loose[j]);
+      }
+    check_types(record, method, result, in);
   }
 
-  /// Signs at the corners, on the whole face or at the points alone.
+  /// What is asked of the whole face's model.
+  unsigned read_edges(WitnessReader& in, std::size_t j, FaceFindings& found) {
+    const unsigned bits = in.byte(), decided = bits & 7U, by_value = bits >> 3 & 7U;
+    const bool divided = has(bits, 6);
+    in.check(bits < 128 && (by_value & ~decided) == 0 && (!divided || decided != 0),
+             "decides edges in no way that there is");
+    if (!divided) {
+      found.ask_value[j] = by_value;
+      found.ask_slope[j] = decided & ~by_value;
+    }
+    return bits;
+  }
+
+  void check_edges(std::size_t j, unsigned bits, const FaceFindings& found, WitnessReader& in,
+                   FaceResult& result) {
+    result.decided[j] = static_cast<std::uint8_t>(bits & 7U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!has(bits, i)) continue;
+      const bool by_value = has(bits, 3 + i);
+      auto sign = by_value ? found.value[j][i] : found.slope[j][i];
+      if (has(bits, 6))
+        sign = provers_.on_segment(ask(j, by_value ? Quantity::value : Quantity::along_edge, i),
+                                   on_edge(i, 0), on_edge(i, 1), in);
+      if (!nonzero(sign))
+        in.fail(fmt::format("{} crossings of edge {}", j == 0 ? "blue" : "red", i));
+      if (!by_value) result.slope[j][i] = sign;
+    }
+  }
+
+  /// A corner of the square where the claim takes the sign of E_j for positive.
+  bool is_loose(std::size_t j, std::size_t i) const {
+    const RidgesSmoothCertificate& c = claim_.certificate;
+    if (c.loose_corners == 0) return false;
+    const auto& v = c.vertices[c.faces[face_][i]];
+    for (const double x : {v[0], v[1]})
+      if (x != 0 && x != 1) return false;
+    return has(c.loose_corners, loose_bit(v, j));
+  }
+
+  /// Signs at the corners, of the whole face's model or at the points alone.
   std::uint8_t crossed_edges(std::size_t j, const FaceFindings& found, std::uint8_t& loose) {
     for (std::size_t i = 0; i < 3; ++i) {
       auto sign = found.corner[j][i];
-      if (!nonzero(sign)) sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, 0));
-      if (!nonzero(sign) && is_domain_corner(i)) {
+      if (is_loose(j, i)) {
         loose = static_cast<std::uint8_t>(loose | 1U << i);
         sign = Sign::positive;
       }
+      if (!nonzero(sign)) sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, 0));
       if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign at corner {}", face_, i));
       corner_[j][i] = *sign;
     }
@@ -70,88 +124,71 @@ class FaceChecker {
     return static_cast<std::uint8_t>(bits);
   }
 
-  void check_types(const SmoothFaceRecord& record, const FaceResult& result, unsigned ends) {
+  void check_types(const SmoothFaceRecord& record, const Method& method, const FaceResult& result,
+                   WitnessReader& in) {
     for (std::size_t j = 0; j < 2; ++j) {
       require((record.type[j] != 0) == (result.crossed[j] != 0), "face {}: a type {} an arc", face_,
               record.type[j] != 0 ? "without" : "is missing for");
-      if ((ends & kType << j) == 0) continue;
+      if (!method.turn[j]) continue;
       require(result.loose[j] == 0, "face {}: its type at a corner of the domain", face_);
-      check_growth(j, record.type[j], result.crossed[j]);
+      check_turn(j, record.type[j], result.crossed[j], in);
     }
-    const bool both = result.crossed[0] != 0 && result.crossed[1] != 0;
-    require(both || !record.purple, "face {}: a purple point without two arcs", face_);
-    if (both && (ends & kCross) != 0) {
-      require(result.loose[0] == 0 && result.loose[1] == 0,
-              "face {}: purple at a corner of the domain", face_);
-      Sign product = Sign::positive;
-      for (std::size_t i = 0; i < 3; ++i)
-        if ((result.crossed[0] >> i & 1U) != 0) product = product * red_at_blue(i, result);
-      require(record.purple == (product == Sign::negative), "face {}: the purple bit", face_);
-    }
-  }
-
-  /// The signs of G_j at the two crossings: opposite at a turning point, else lemma 5's.
-  void check_growth(std::size_t j, unsigned type, unsigned crossed) {
+    if (!method.cross) return;
+    require(result.loose[0] == 0 && result.loose[1] == 0,
+            "face {}: purple at a corner of the domain", face_);
     Sign product = Sign::positive;
     for (std::size_t i = 0; i < 3; ++i) {
-      if ((crossed >> i & 1U) == 0) continue;
-      const Sign sign = growth_at_crossing(j, i);
-      product = product * sign;
-      require(type == 3 || (sign == Sign::negative) == ((type == 1) == (j == 0)),
+      const Sign red = has(result.crossed[1], i) ? red_at_blue(i, result, in) : corner_[1][i];
+      if (has(result.crossed[0], i)) product = product * red;
+    }
+    require(record.purple == (product == Sign::negative), "face {}: the purple bit", face_);
+  }
+
+  double read_place(WitnessReader& in) const {
+    const double t = in.f64();
+    in.check(t >= 0 && t <= 1 && std::floor(t * 0x1p50) == t * 0x1p50,
+             "has no such point of an edge");
+    return t;
+  }
+  /// Of E_j at a point of edge i, certain and not zero.
+  Sign sign_at(std::size_t j, std::size_t i, double t) {
+    if (t == 0 || t == 1) return corner_[j][t == 0 ? i : (i + 1) % 3];
+    const auto sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, t));
+    if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign on edge {}", face_, i));
+    return *sign;
+  }
+
+  /// The signs of G_j at the two crossings, each on a part of the edge at whose ends E_j has
+  /// opposite signs: opposite at a turning point, else lemma 5's.
+  void check_turn(std::size_t j, unsigned type, unsigned crossed, WitnessReader& in) {
+    Sign product = Sign::positive;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!has(crossed, i)) continue;
+      const double low = read_place(in), high = read_place(in);
+      in.check(low < high && sign_at(j, i, low) == corner_[j][i] &&
+                   sign_at(j, i, high) == corner_[j][(i + 1) % 3],
+               "names a part of an edge without the crossing");
+      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
+      const auto sign =
+          provers_.at_order(4, [&](auto& p) { return p.sign(ask(j, Quantity::growth), part); });
+      if (!nonzero(sign)) in.fail(fmt::format("G at the crossing of edge {}", i));
+      product = product * *sign;
+      require(type == 3 || (*sign == Sign::negative) == ((type == 1) == (j == 0)),
               "face {}: type {}", face_, type);
     }
     require(type != 3 || product == Sign::negative, "face {}: no turning point", face_);
   }
 
-  /// A point of the edge between two others where E_j is certain. Barycentric coordinates stay
-  /// exact.
-  std::optional<std::pair<double, Sign>> between(std::size_t j, std::size_t i, double low,
-                                                 double high) {
-    if (high - low < 0x1p-40) return std::nullopt;
-    for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
-      const double t = low + part * (high - low);
-      const auto sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, t));
-      if (nonzero(sign)) return std::pair(t, *sign);
-    }
-    return std::nullopt;
-  }
-
-  /// G_j's sign on a part of edge i at whose ends E_j has opposite signs.
-  Sign growth_at_crossing(std::size_t j, std::size_t i) {
-    double low = 0, high = 1;
-    for (;;) {
-      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
-      const auto sign =
-          provers_.at_depth(0, [&](auto& p) { return p.sign(ask(j, Quantity::growth), part); });
-      if (nonzero(sign)) return *sign;
-      const auto next = between(j, i, low, high);
-      if (!next) throw Undecided(fmt::format("face {}: G at the crossing of edge {}", face_, i));
-      (next->second == corner_[j][i] ? low : high) = next->first;
-    }
-  }
-
-  /// The sign of E2 where E1 is zero on edge i. On an edge crossed twice a point is looked for that
+  /// The sign of E2 where E1 is zero on edge i, which is crossed in red; in both colours a point
   /// separates the crossings.
-  Sign red_at_blue(std::size_t i, const FaceResult& result) {
+  Sign red_at_blue(std::size_t i, const FaceResult& result, WitnessReader& in) {
     const Sign red = corner_[1][i];
-    if ((result.crossed[1] >> i & 1U) == 0) return red;
-    double low = 0, high = 1;
-    while (high - low > 0x1p-40) {  // then t and 1 - t are exact
-      bool moved = false;
-      for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
-        const double t = low + part * (high - low);
-        const auto blue_sign = provers_.at_point(ask(0, Quantity::value), on_edge(i, t));
-        const auto red_sign = provers_.at_point(ask(1, Quantity::value), on_edge(i, t));
-        if (!nonzero(blue_sign) || !nonzero(red_sign)) continue;
-        const bool blue_passed = *blue_sign != corner_[0][i], red_passed = *red_sign != red;
-        if (blue_passed != red_passed) return blue_passed ? red : -red;
-        (blue_passed ? high : low) = t;
-        moved = true;
-        break;
-      }
-      if (!moved) break;
-    }
-    throw Undecided(fmt::format("face {}: the order of two crossings on edge {}", face_, i));
+    if (!has(result.crossed[0], i)) return red;
+    const double t = read_place(in);
+    const bool blue_passed = sign_at(0, i, t) != corner_[0][i],
+               red_passed = sign_at(1, i, t) != red;
+    in.check(blue_passed != red_passed, "names a point that separates no crossings");
+    return blue_passed ? red : -red;
   }
 
   const Claim& claim_;
@@ -160,68 +197,34 @@ class FaceChecker {
   std::array<std::array<Sign, 3>, 2> corner_{};
 };
 
-/// One edge and colour that needs a proof in one of two faces.
-struct OpenEdge {
-  u32 edge;
-  std::size_t colour;
-  std::array<u32, 2> side;  ///< or kNone
-};
-
-void decide(FaceProvers& provers, const OpenEdge& open) {
-  for (const u32 side : open.side) {
-    if (side == kNone) continue;
-    const std::size_t i = side % 3;
-    for (const auto quantity : {Quantity::along_edge, Quantity::value})
-      if (nonzero(provers.on_segment({side / 3, open.colour, quantity, i}, on_edge(i, 0),
-                                     on_edge(i, 1))))
-        return;
+/// The faces at a corner of the domain where a sign is taken (SPEC.md, "Loose corners").
+void check_loose_corner(const Claim& claim, const std::vector<FaceResult>& faces, u32 vertex,
+                        std::size_t j) {
+  const auto& topology = claim.mesh.topology;
+  std::vector<kernel::Sign> slopes;
+  std::optional<u32> first;
+  unsigned opposite = 0, along = 0;
+  for (u32 k = topology.ring_start[vertex]; k < topology.ring_start[vertex + 1]; ++k) {
+    const u32 f = topology.ring[k] / 3, i = topology.ring[k] % 3;
+    if (!first) first = f;
+    const SmoothFaceRecord &r = claim.certificate.face_records[f],
+                           &o = claim.certificate.face_records[*first];
+    require(!r.in_patch && r.w == o.w && r.verdict[j] == o.verdict[j] &&
+                r.verdict[j] != SmoothFaceRecord::kNoZero,
+            "vertex {}: its faces differ at a corner of the domain", vertex);
+    require(faces[f].loose[j] == 1U << i, "face {}: at two loose corners of the domain", f);
+    opposite += faces[f].crossed[j] >> (i + 1) % 3 & 1U;
+    for (const u32 side : {i, (i + 2) % 3}) {
+      if (topology.twin[3 * f + side] != kNone) continue;
+      along += faces[f].crossed[j] >> side & 1U;
+      const auto& slope = faces[f].slope[j][side];
+      require(slope.has_value(), "face {}: along the boundary at a corner", f);
+      slopes.push_back(*slope);
+    }
   }
-  throw Undecided(
-      fmt::format("edge {}: number of {} crossings", open.edge, open.colour == 0 ? "blue" : "red"));
+  require(slopes.size() == 2 && slopes[0] == slopes[1] && opposite == 1 && along == 1,
+          "vertex {}: a ridge at a corner of the domain", vertex);
 }
-
-/// The faces at a corner of the domain where a sign was taken (SPEC.md, "Corners of the domain").
-class LooseCorner {
- public:
-  LooseCorner(const Claim& claim, const std::vector<FaceResult>& faces, u32 vertex, std::size_t j)
-      : claim_(claim), faces_(faces), provers_(claim), vertex_(vertex), j_(j) {}
-
-  void check() {
-    const auto& c = claim_.certificate;
-    std::optional<u32> first;
-    std::vector<Sign> slopes;
-    unsigned opposite = 0, along = 0;
-    for (u32 f = 0; f < c.faces.size(); ++f)
-      for (u32 i = 0; i < 3; ++i) {
-        if (c.faces[f][i] != vertex_) continue;
-        const SmoothFaceRecord& r = c.face_records[f];
-        if (!first) first = f;
-        const SmoothFaceRecord& o = c.face_records[*first];
-        require(!r.in_patch && r.w == o.w && r.verdict[j_] == o.verdict[j_] &&
-                    r.verdict[j_] != SmoothFaceRecord::kNoZero,
-                "vertex {}: its faces differ at a corner of the domain", vertex_);
-        opposite += faces_[f].crossed[j_] >> (i + 1) % 3 & 1U;
-        for (const u32 k : {i, (i + 2) % 3}) {
-          if (claim_.mesh.topology.twin[3 * f + k] != kNone) continue;
-          along += faces_[f].crossed[j_] >> k & 1U;
-          const auto sign =
-              provers_.on_segment({f, j_, Quantity::along_edge, k}, on_edge(k, 0), on_edge(k, 1));
-          if (!nonzero(sign))
-            throw Undecided(fmt::format("face {}: along the boundary at a corner", f));
-          slopes.push_back(*sign);
-        }
-      }
-    require(slopes.size() == 2 && slopes[0] == slopes[1] && opposite == 1 && along == 1,
-            "vertex {}: a ridge at a corner of the domain", vertex_);
-  }
-
- private:
-  const Claim& claim_;
-  const std::vector<FaceResult>& faces_;
-  FaceProvers provers_;
-  u32 vertex_;
-  std::size_t j_;
-};
 
 /// Checks them all; by colour the vertices.
 std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
@@ -232,7 +235,7 @@ std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
       for (std::size_t i = 0; i < 3; ++i)
         if ((faces[f].loose[j] >> i & 1U) != 0) vertices[j].insert(claim.certificate.faces[f][i]);
   for (std::size_t j = 0; j < 2; ++j)
-    for (const u32 v : vertices[j]) LooseCorner(claim, faces, v, j).check();
+    for (const u32 v : vertices[j]) check_loose_corner(claim, faces, v, j);
   return vertices;
 }
 
@@ -254,7 +257,6 @@ std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
   const auto& patch_of = claim.mesh.patch_of;
   const auto& records = claim.certificate.face_records;
   std::array<std::vector<std::uint8_t>, 2> crossed;
-  std::vector<OpenEdge> open;
   const auto loose = check_loose_corners(claim, faces);
   for (auto& list : crossed) list.assign(edges.size(), 0);
   for (u32 e = 0; e < edges.size(); ++e) {
@@ -267,7 +269,7 @@ std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
     if (patch[0] != kNone && patch[0] == patch[1]) continue;
     require(side[0] != kNone || side[1] != kNone, "edge {}: no face outside patches", e);
     for (std::size_t j = 0; j < 2; ++j) {
-      bool decided = false;
+      bool decided = loose[j].count(edges[e].low) + loose[j].count(edges[e].high) > 0;
       std::array<int, 2> seen = {-1, -1};
       for (std::size_t k = 0; k < 2; ++k) {
         if (side[k] == kNone) continue;
@@ -277,17 +279,10 @@ std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
         seen[k] = face.crossed[j] >> side[k] % 3 & 1;
       }
       require(seen[0] < 0 || seen[1] < 0 || seen[0] == seen[1], "edge {}: its faces disagree", e);
+      require(decided, "edge {}: no face decides its {} crossings", e, j == 0 ? "blue" : "red");
       crossed[j][e] = static_cast<std::uint8_t>(std::max(seen[0], seen[1]));
-      const u32 any = side[0] != kNone ? side[0] : side[1];
-      const auto& corners = claim.certificate.faces[any / 3];
-      const bool free =
-          loose[j].count(corners[any % 3]) + loose[j].count(corners[(any + 1) % 3]) > 0;
-      if (!decided && !free) open.push_back({e, j, side});
     }
   }
-  parallel_for(
-      open.size(), [&] { return FaceProvers(claim); },
-      [&](FaceProvers& provers, std::size_t k) { decide(provers, open[k]); });
   return crossed;
 }
 

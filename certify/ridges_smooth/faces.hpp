@@ -11,6 +11,8 @@ struct FaceResult {
   std::optional<std::array<kernel::Range, 3>> box;  ///< kind 0: of the image, if found
   std::array<std::uint8_t, 2> crossed{};            ///< of colours with a direction c
   std::array<std::uint8_t, 2> decided{};
+  /// Of E_j along the edges that are decided by it.
+  std::array<std::array<kernel::MaybeSign, 3>, 2> slope{};
   std::array<std::uint8_t, 2> loose{};  ///< bits: corners of the domain, their sign taken positive
 };
 
@@ -18,8 +20,8 @@ struct FaceResult {
 /// points. Throws Reject, of the least face.
 std::vector<FaceResult> check_faces(const Claim& claim);
 
-/// Every edge that is not interior to a patch: by colour, is it crossed? Throws Reject: an edge not
-/// decided, or between a patch and another patch or the boundary.
+/// Every edge that is not interior to a patch: by colour, is it crossed? Throws Reject: an edge
+/// that no face decides, or one between a patch and another patch or the boundary.
 std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,
                                                      const std::vector<FaceResult>& faces);
 

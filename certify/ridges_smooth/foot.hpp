@@ -13,7 +13,6 @@ template <class M>
 struct Foot {
   std::array<M, 3> x;
   M s;
-  double h;
 };
 
 template <class Jet>
@@ -21,35 +20,23 @@ auto gradient(const Jet& f) {
   return std::array{f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
 }
 
-/// Nothing if (F), or (A) on the fibres, is undecided. `scale` is a length below which h makes no
-/// difference, as a multiple of m. Proof. Let D enclose dF/ds = grad F . m for |s| <= h, D > 0, and
-/// let t be a polynomial and N = t
+/// Nothing if (F), or (A) on the fibres, is undecided. Proof. Let D enclose dF/ds = grad F . m for
+/// |s| <= h, D > 0, and let t be a polynomial and N = t
 /// - F(p + t m) / D, both within (-h, h). F ascends along the fibre, and by the mean value theorem
 /// F(p + s m) = F(p + t m) + d (s - t) with a d in D for |s| <= h: negative at s = -h and positive
 /// at h, as -h < t - F(p + t m) / d < h. So there is one zero, and it is in N.
 template <class M>
 std::optional<Foot<M>> find_foot(SurfaceEvaluator<M>& surface, const std::array<M, 3>& p,
-                                 const std::array<M, 3>& m, double scale) {
-  // Any h will do: this one is about twice what is needed if the slope's bounds are near each
-  // other.
-  const M at_p = surface.value(p);
-  const auto middle = [](const std::array<M, 3>& x) {
-    std::array<double, 3> r;
-    for (std::size_t k = 0; k < 3; ++k) r[k] = x[k].range().low / 2 + x[k].range().high / 2;
-    return r;
-  };
-  const double guess = dot(surface.slope_near(middle(p)), middle(m));
-  const double h = 2 * magnitude(at_p.range()) / guess + scale * 0x1p-10;
-  if (!(h > 0 && h < HUGE_VAL)) return std::nullopt;
+                                 const std::array<M, 3>& m, double h) {
   const auto nearby = surface.template implicit<1>(along(p, M::around(0, h), m));
   if (!is_defined(nearby)) return std::nullopt;  // (A)
   const M slope = dot(gradient(nearby), m);
   if (!is_positive(slope)) return std::nullopt;
-  const M factor = inverse(slope);
+  const M factor = inverse(slope), at_p = surface.value(p);
   const M t = polynomial(-(at_p * factor));
   const M s = t - surface.value(along(p, t, m)) * factor;
   if (!(std::fmax(magnitude(t.range()), magnitude(s.range())) < h)) return std::nullopt;
-  return Foot<M>{along(p, s, m), s, h};
+  return Foot<M>{along(p, s, m), s};
 }
 
 /// The Taylor coefficients of h up to order n, without the constant, from those of F at points of

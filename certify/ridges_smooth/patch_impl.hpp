@@ -13,7 +13,7 @@ std::optional<int> PatchProver<M>::turn(const Leaf& from, const Leaf& to) {
   const Sector& b = sectors_[to.sector];
   if (a.w == b.w) return 1;
   // One r is enough: on all of the ray S(w) > 0 in both frames. At r = 0 it is cheapest.
-  const auto f = ray_forms(*centre_, a.fan, from.side, a.w, M(0.0), M(from.t1));
+  const auto f = ray_forms(*centre_, a.fan, from.t.side, a.w, M(0.0), M(from.t.t1));
   if (!f) return std::nullopt;
   const auto sign = certain(inner(values(f->i), b.w, Pair<M>{f->v1[0].value(), f->v1[1].value()}));
   if (!nonzero(sign)) return std::nullopt;
@@ -26,7 +26,7 @@ template <class M>
 std::optional<std::uint32_t> PatchProver<M>::count(const std::vector<Leaf>& leaves) {
   const std::size_t n = leaves.size();
   std::size_t start = 0;
-  while (start < n && leaves[start].branch) ++start;
+  while (start < n && leaves[start].running) ++start;
   if (start == n) return std::nullopt;
   int frame = 1, before = leaves[start].sign, run = 0;
   std::uint32_t branches = 0;
@@ -36,7 +36,7 @@ std::optional<std::uint32_t> PatchProver<M>::count(const std::vector<Leaf>& leav
     if (!turned) return std::nullopt;
     frame *= *turned;
     const int sign = frame * leaf.sign;
-    if (leaf.branch) {
+    if (leaf.running) {
       if (run != 0 && run != sign) return std::nullopt;
       run = sign;
       continue;
@@ -54,15 +54,14 @@ std::optional<std::uint32_t> PatchProver<M>::count(const std::vector<Leaf>& leav
 }
 
 template <class M>
-std::optional<std::array<std::uint32_t, 2>> PatchProver<M>::branches() {
-  if (!find_centre()) return std::nullopt;
+std::array<std::uint32_t, 2> PatchProver<M>::branches(WitnessReader& in) {
+  if (!find_centre()) in.fail("the surface about the umbilic");
   for (int side = 0; side < 4; ++side)
-    for (int k = 0; k < 4; ++k)
-      if (!divide(side, -1 + k * 0.5, -0.5 + k * 0.5, kFirstDepth, SIZE_MAX, 3))
-        return std::nullopt;
+    for (int k = 0; k < 4; ++k) divide({side, -1 + k * 0.5, -0.5 + k * 0.5}, 0, 3, in);
+  in.end();
   const auto blue = count(leaves_[0]), red = count(leaves_[1]);
-  if (!blue || !red) return std::nullopt;
-  return std::array{*blue, *red};
+  if (!blue || !red) in.fail("its branches");
+  return {*blue, *red};
 }
 
 }  // namespace crest::certify::smooth

@@ -9,49 +9,30 @@
 namespace crest::certify::smooth {
 
 template <class M>
-PatchProver<M>::PatchProver(const Surface& surface, const SmoothPatchRecord& patch, double sign)
+PatchProver<M>::PatchProver(const Surface& surface, const SmoothPatchRecord& patch, double sign,
+                            double reach)
     : surface_(surface),
       patch_(patch),
       sign_(sign),
+      reach_(reach),
       p_((patch.axis + 1U) % 3),
       q_((patch.axis + 2U) % 3),
       m_(patch.axis) {
   radius_ = (patch.radius - patch.rho) * (1 + 0x1p-51);
   slack_ = (std::fabs(patch.centre[0]) + std::fabs(patch.centre[1]) + radius_) * 0x1p-51;
-  if (surface.implicit) approximate_ = kernel::jet_evaluator<double, 3, 1>(surface.texts[0]);
-}
-
-/// Newton's method from the middle: any number will do, a good one makes s small.
-template <class M>
-double PatchProver<M>::height_near(const std::array<double, 2>& at) {
-  using Jet = kernel::Jet<double, 3, 1>;
-  double m = patch_.height[0] / 2 + patch_.height[1] / 2;
-  for (int i = 0; i < 20; ++i) {
-    std::array<double, 3> x{};
-    x[p_] = at[0];
-    x[q_] = at[1];
-    x[m_] = m;
-    const std::array<Jet, 3> jets = {Jet::variable(0, x[0]), Jet::variable(1, x[1]),
-                                     Jet::variable(2, x[2])};
-    const Jet f = (*approximate_)(jets);
-    const double next = std::clamp(m - f[0] / gradient(f)[m_], patch_.height[0], patch_.height[1]);
-    if (!(std::fabs(next - m) > 0)) break;
-    m = next;
-  }
-  return m;
 }
 
 /// The points of the graph over the triangle (kind 0), which are unique between m0 and m1.
 template <class M>
 std::optional<std::array<M, 3>> PatchProver<M>::lift(const PlaneTriangle& t) {
   std::array<M, 3> base, direction;
-  std::array<double, 3> h{};
-  for (std::size_t i = 0; i < 3; ++i) h[i] = height_near(t.corner[i]);
   base[p_] = M::linear(t.corner[0][0], t.corner[1][0], t.corner[2][0], t.error);
   base[q_] = M::linear(t.corner[0][1], t.corner[1][1], t.corner[2][1], t.error);
-  base[m_] = M::linear(h[0], h[1], h[2]);
+  const M a = base[p_] - M(patch_.centre[0]), b = base[q_] - M(patch_.centre[1]);
+  const auto g = [&](std::size_t k) { return M(patch_.graph[k]); };
+  base[m_] = g(0) + a * (g(1) + a * g(3) + b * g(4)) + b * (g(2) + b * g(5));
   direction[m_] = M(sign_);
-  const auto foot = find_foot(surface_, base, direction, patch_.radius);
+  const auto foot = find_foot(surface_, base, direction, reach_);
   if (!foot) return std::nullopt;
   const kernel::Range m = foot->x[m_].range();
   if (!(m.low > patch_.height[0] && m.high < patch_.height[1])) return std::nullopt;
@@ -122,7 +103,14 @@ kernel::MaybeSign PatchProver<M>::index() {
   return certain(d[0][0] * d[1][1] - d[0][1] * d[1][0]);
 }
 
-/// |Y (a, b)(z)| + |Id - Y D| rho < rho in each coordinate, Y about the inverse of D.
+template <class M>
+std::optional<std::array<kernel::Range, 4>> PatchProver<M>::derivative() {
+  if (!find_centre()) return std::nullopt;
+  const auto& d = centre_->da;
+  return std::array{d[0][0].range(), d[0][1].range(), d[1][0].range(), d[1][1].range()};
+}
+
+/// |Y (a, b)(z)| + |Id - Y D| rho < rho in each coordinate.
 template <class M>
 bool PatchProver<M>::has_umbilic() {
   if (!find_centre()) return false;
@@ -131,18 +119,12 @@ bool PatchProver<M>::has_umbilic() {
   const auto a = shape(f->forms);
   const std::array<M, 2> value = {a.a.value(), a.b.value()};
   const auto& d = centre_->da;
-  const auto middle = [](const M& x) {
-    const kernel::Range r = x.range();
-    return r.low / 2 + r.high / 2;
-  };
-  const double d00 = middle(d[0][0]), d01 = middle(d[0][1]), d10 = middle(d[1][0]),
-               d11 = middle(d[1][1]), det = d00 * d11 - d01 * d10;
-  const double y[2][2] = {{d11 / det, -d01 / det}, {-d10 / det, d00 / det}};
   for (std::size_t i = 0; i < 2; ++i) {
-    const M shift = value[0] * y[i][0] + value[1] * y[i][1];
+    const double* y = &patch_.krawczyk[2 * i];
+    const M shift = value[0] * y[0] + value[1] * y[1];
     double size = 0;
     for (std::size_t j = 0; j < 2; ++j) {
-      const M off = M(i == j ? 1.0 : 0.0) - (d[0][j] * y[i][0] + d[1][j] * y[i][1]);
+      const M off = M(i == j ? 1.0 : 0.0) - (d[0][j] * y[0] + d[1][j] * y[1]);
       size += magnitude(off.range()) * patch_.rho;
     }
     if (!((size + magnitude(shift.range())) * (1 + 0x1p-40) < patch_.rho)) return false;

@@ -3,7 +3,7 @@
 
 #include "certify/container/parallel.hpp"
 #include "certify/container/reject.hpp"
-#include "certify/ridges_smooth/box.hpp"
+#include "certify/ridges_smooth/box_pairs.hpp"
 #include "certify/ridges_smooth/patch.hpp"
 
 namespace crest::certify::smooth {
@@ -14,8 +14,6 @@ using kernel::Sign;
 using u32 = std::uint32_t;
 using Ranges = std::array<kernel::Range, 3>;
 
-constexpr int kDepth = 5;
-
 /// |x - centre| < R - 2 rho, exactly.
 bool is_near(const SmoothPatchRecord& p, std::size_t d, const Rational& x) {
   const Rational off = abs(Rational(x - Rational(p.centre[d])));
@@ -24,27 +22,24 @@ bool is_near(const SmoothPatchRecord& p, std::size_t d, const Rational& x) {
 
 class PatchChecker {
  public:
-  explicit PatchChecker(const Claim& claim) : claim_(claim), provers_(claim) {}
+  explicit PatchChecker(const Claim& claim) : claim_(claim) {}
 
   /// Returns an enclosure of the umbilic: kind 0 in x, y, z; kind 1 of the coordinates.
-  Ranges check(u32 number, const std::vector<FaceResult>& faces) {
+  Ranges check(u32 number) {
     const SmoothPatchRecord& p = claim_.certificate.patches[number];
     number_ = number;
     require(p.rho > 0 && 2 * p.rho < p.radius && p.radius < 0x1p500, "patch {}: rho and R", number);
     for (const auto n : p.branches) require(n == 1 || n == 3, "patch {}: {} branches", number, n);
+    WitnessReader in(p.witness, "patch", number);
     double sign = 1;
-    if (claim_.surface.implicit)
-      sign = check_graph(p);
-    else
+    if (claim_.surface.implicit) {
+      sign = check_graph(p, in);
+    } else {
       check_square(p);
-    for (const u32 f : p.faces) check_face(p, f, faces[f]);
-    kernel::Range height{0, 0};
-    const bool proven =
-        claim_.arithmetic == Arithmetic::mpfr
-            ? check_umbilic<MpModel>(p, sign, height)
-            : check_umbilic<Model3>(p, sign, height) || check_umbilic<Model5>(p, sign, height);
-    if (!proven) throw Undecided(fmt::format("patch {}: the umbilic", number));
-    return enclosure(p, height);
+      for (const u32 f : p.faces) check_face(p, f);
+    }
+    if (claim_.arithmetic == Arithmetic::mpfr) return check_umbilic<MpModel>(p, sign, in);
+    return p.order == 3 ? check_umbilic<Model3>(p, sign, in) : check_umbilic<Model5>(p, sign, in);
   }
 
  private:
@@ -60,46 +55,25 @@ class PatchChecker {
   }
 
   /// Kind 0: S is a graph over Q between m0 and m1. The sign of F_m.
-  double check_graph(const SmoothPatchRecord& p) {
+  double check_graph(const SmoothPatchRecord& p, WitnessReader& in) {
     require(p.height[0] < p.height[1], "patch {}: no height", number_);
-    const std::size_t m = p.axis, axes[2] = {(m + 1) % 3, (m + 2) % 3};
-    Box box;
-    for (std::size_t d = 0; d < 2; ++d) {
-      // More than Q, by more than what rounding adds to the pieces of PatchProver.
-      const double wide =
-          p.radius + (std::fabs(p.centre[0]) + std::fabs(p.centre[1]) + p.radius) * 0x1p-48;
-      box.low[axes[d]] = p.centre[d] - wide;
-      box.high[axes[d]] = p.centre[d] + wide;
-    }
-    box.low[m] = p.height[0];
-    box.high[m] = p.height[1];
-    std::array<double, 3> axis{};
-    axis[m] = 1;
-    Box below = box, above = box;
-    below.high[m] = box.low[m];
-    above.low[m] = box.high[m];
     const auto signs = claim_.arithmetic == Arithmetic::mpfr
-                           ? signs_of<kernel::MpInterval>(below, above, box, axis)
-                           : signs_of<kernel::Interval>(below, above, box, axis);
-    for (const auto& sign : signs)
-      if (!nonzero(sign)) throw Undecided(fmt::format("patch {}: S as a graph", number_));
-    require(*signs[0] != *signs[1], "patch {}: S does not pass between m0 and m1", number_);
-    return *signs[2] == Sign::positive ? 1 : -1;
+                           ? signs_of<kernel::MpInterval>(graph_box(p), in)
+                           : signs_of<kernel::Interval>(graph_box(p), in);
+    require(signs[0] != signs[1], "patch {}: S does not pass between m0 and m1", number_);
+    return signs[2] == Sign::positive ? 1 : -1;
   }
 
   template <class T>
-  std::array<kernel::MaybeSign, 3> signs_of(const Box& below, const Box& above, const Box& all,
-                                            const std::array<double, 3>& axis) {
+  std::array<Sign, 3> signs_of(const GraphBox& b, WitnessReader& in) {
     BoxProver<T> prover(claim_.surface);
-    return {prover.value(below), prover.value(above), prover.slope(all, axis)};
+    const Sign below = prover.on_pieces(b.below, nullptr, in);
+    const Sign above = prover.on_pieces(b.above, nullptr, in);
+    return {below, above, prover.on_pieces(b.all, &b.axis, in)};
   }
 
-  /// Item 1.
-  void check_face(const SmoothPatchRecord& p, u32 f, const FaceResult& result) {
-    if (claim_.surface.implicit) {
-      if ((result.box && is_inside(p, *result.box)) || is_inside(p, f, Piece::face(), 0)) return;
-      throw Undecided(fmt::format("patch {}: face {} is not inside", number_, f));
-    }
+  /// Item 1 of kind 1.
+  void check_face(const SmoothPatchRecord& p, u32 f) {
     const auto& c = claim_.certificate;
     for (std::size_t d = 0; d < 2; ++d) {
       const auto at = [&](std::size_t i) {
@@ -115,45 +89,26 @@ class PatchChecker {
     }
   }
 
-  bool is_inside(const SmoothPatchRecord& p, const Ranges& box) const {
-    const std::size_t m = p.axis;
-    for (std::size_t d = 0; d < 2; ++d) {
-      const kernel::Range& x = box[(m + 1 + d) % 3];
-      if (!std::isfinite(x.low) || !std::isfinite(x.high)) return false;
-      if (!is_near(p, d, Rational(x.low)) || !is_near(p, d, Rational(x.high))) return false;
-    }
-    return box[m].low > p.height[0] && box[m].high < p.height[1];
-  }
-  bool is_inside(const SmoothPatchRecord& p, u32 f, const Piece& piece, int depth) {
-    const bool proven = provers_.at_depth(depth, [&](auto& prover) {
-      const auto image = prover.image(f, piece, false);
-      return image && is_inside(p, {image->x[0].range(), image->x[1].range(), image->x[2].range()});
-    });
-    if (proven || depth == kDepth) return proven;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!is_inside(p, f, piece.child(k), depth + 1)) return false;
-    return true;
-  }
-
-  /// Items 2, 4, 5. False: not decided with this model type.
+  /// Items 2, 4, 5.
   template <class M>
-  bool check_umbilic(const SmoothPatchRecord& p, double sign, kernel::Range& height) {
-    PatchProver<M> prover(claim_.surface, p, sign);
-    if (!prover.has_umbilic()) return false;
+  Ranges check_umbilic(const SmoothPatchRecord& p, double sign, WitnessReader& in) {
+    PatchProver<M> prover(claim_.surface, p, sign,
+                          std::ldexp(1.0, claim_.certificate.reach - int{p.reach}));
+    if (!prover.has_umbilic()) in.fail("the umbilic");
     const auto index = prover.index();
-    if (!nonzero(index)) return false;
+    if (!nonzero(index)) in.fail("the index");
     require_equal(p.twice_index, static_cast<int>(*index), "patch: twice the index");
+    kernel::Range height{0, 0};
     if (claim_.surface.implicit) {
       const auto found = prover.height();
-      if (!found) return false;
+      if (!found) in.fail("the umbilic's height");
       height = *found;
     }
-    const auto branches = prover.branches();
-    if (!branches) return false;
+    const auto branches = prover.branches(in);
     for (std::size_t j = 0; j < 2; ++j)
-      require_equal(p.branches[j], (*branches)[j],
+      require_equal(p.branches[j], branches[j],
                     j == 0 ? "patch: blue branches" : "patch: red branches");
-    return true;
+    return enclosure(p, height);
   }
 
   Ranges enclosure(const SmoothPatchRecord& p, const kernel::Range& height) const {
@@ -168,39 +123,61 @@ class PatchChecker {
   }
 
   const Claim& claim_;
-  FaceProvers provers_;
   u32 number_ = 0;
 };
 
-/// Item 3. Kind 1: modulo 1 in periodic directions.
-bool are_apart(const Surface& surface, const Ranges& a, const Ranges& b) {
-  for (std::size_t d = 0; d < (surface.implicit ? 3 : 2); ++d) {
-    if (surface.implicit || !surface.periodic[d]) {
-      if (a[d].low > b[d].high || b[d].low > a[d].high) return true;
-      continue;
+/// Item 3. Kind 1 modulo 1: with copies moved by 1, a little wider than rounding makes them.
+void check_apart(const Surface& surface, const std::vector<Ranges>& umbilics) {
+  std::vector<Ranges> copies = umbilics;
+  for (std::size_t d = 0; d < 2 && !surface.implicit; ++d) {
+    if (!surface.periodic[d]) continue;
+    for (Ranges& r : copies) {
+      const double shift = std::floor(r[d].low);  // below 4
+      r[d] = {r[d].low - shift - 0x1p-48, r[d].high - shift + 0x1p-48};
     }
-    // The least distance of the two ranges' points, modulo 1; coordinates are below 4.
-    const double middle = (a[d].low + a[d].high - b[d].low - b[d].high) / 2;
-    const double widths = (a[d].high - a[d].low + b[d].high - b[d].low) / 2;
-    if (std::fabs(middle - std::nearbyint(middle)) > widths + 0x1p-48) return true;
+    const std::size_t count = copies.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      copies.push_back(copies[i]);
+      copies.back()[d] = {copies[i][d].low + 1, copies[i][d].high + 1};
+    }
   }
-  return false;
+  // Each box meets itself; copies of one umbilic do not meet, as they are less than 1 wide.
+  for (const auto& [i, k] : meeting_boxes(copies, copies, 2 * copies.size())) {
+    const std::size_t a = i % umbilics.size(), b = k % umbilics.size();
+    require(i == k, "patches {} and {}: their umbilics may be one", std::min(a, b), std::max(a, b));
+  }
 }
 
 }  // namespace
 
-void check_patches(const Claim& claim, const std::vector<FaceResult>& faces) {
+GraphBox graph_box(const SmoothPatchRecord& p) {
+  GraphBox b{};
+  const std::size_t m = p.axis, axes[2] = {(m + 1) % 3, (m + 2) % 3};
+  for (std::size_t d = 0; d < 2; ++d) {
+    // More than Q, by more than what rounding adds to the pieces of PatchProver.
+    const double wide =
+        p.radius + (std::fabs(p.centre[0]) + std::fabs(p.centre[1]) + p.radius) * 0x1p-48;
+    b.all.low[axes[d]] = p.centre[d] - wide;
+    b.all.high[axes[d]] = p.centre[d] + wide;
+  }
+  b.all.low[m] = p.height[0];
+  b.all.high[m] = p.height[1];
+  b.axis[m] = 1;
+  b.below = b.above = b.all;
+  b.below.high[m] = p.height[0];
+  b.above.low[m] = p.height[1];
+  return b;
+}
+
+void check_patches(const Claim& claim) {
   const auto& patches = claim.certificate.patches;
   std::vector<Ranges> umbilics(patches.size());
   parallel_for(
       patches.size(), [&] { return PatchChecker(claim); },
       [&](PatchChecker& checker, std::size_t i) {
-        umbilics[i] = checker.check(static_cast<u32>(i), faces);
+        umbilics[i] = checker.check(static_cast<u32>(i));
       });
-  for (std::size_t i = 0; i < umbilics.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      require(are_apart(claim.surface, umbilics[i], umbilics[k]),
-              "patches {} and {}: their umbilics may be one", k, i);
+  check_apart(claim.surface, umbilics);
 }
 
 }  // namespace crest::certify::smooth

@@ -69,15 +69,6 @@ template <class M>
 bool is_positive(const M& x) {
   return certain(x) == kernel::Sign::positive;
 }
-/// One of the two has no zero, or a combination that is large in the middle has none.
-template <class M>
-bool has_no_common_zero(const std::array<M, 2>& f) {
-  const kernel::Range a = f[0].range(), b = f[1].range();
-  if (nonzero(kernel::certain_sign(a)) || nonzero(kernel::certain_sign(b))) return true;
-  const double u = a.high - a.low, v = b.high - b.low;
-  return has_no_zero(f[0] * ((a.low / 2 + a.high / 2) / u / u) +
-                     f[1] * ((b.low / 2 + b.high / 2) / v / v));
-}
 inline double magnitude(const kernel::Range& r) {
   return std::fmax(std::fabs(r.low), std::fabs(r.high));
 }

@@ -1,88 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/ridges_smooth/provers.hpp"
 
-#include "certify/container/reject.hpp"
+#include "kernel/arithmetic/rational.hpp"
 
 namespace crest::certify::smooth {
-namespace {
 
-std::string names_of(unsigned open) {
+using kernel::Rational;
+
+std::string names_of(unsigned statements) {
+  constexpr std::array kNames = {"chart",     "S(w) > 0", "blue verdict", "red verdict",
+                                 "blue type", "red type", "purple point", "inside the patch"};
   std::string names;
-  const auto add = [&](unsigned bits, const char* name) {
-    if ((open & bits) != 0) names += names.empty() ? name : std::string(", ") + name;
-  };
-  add(kChart, "chart");
-  add(kRegular, "S(w) > 0");
-  add(kVerdict, "blue verdict");
-  add(kVerdict << 1, "red verdict");
-  add(kType, "blue type");
-  add(kType << 1, "red type");
-  add(kApart | kCross, "purple point");
+  for (unsigned i = 0; i < kNames.size(); ++i)
+    if ((statements >> i & 1U) != 0) names += (names.empty() ? "" : ", ") + std::string(kNames[i]);
   return names;
 }
 
-}  // namespace
-
-unsigned FaceProvers::prove(std::uint32_t face, unsigned open, FaceFindings* findings) {
-  constexpr unsigned kBoth = kApart | kCross;
-  const Piece whole = Piece::face();
-  unsigned ends = 0;
-  const bool choice = (open & kBoth) == kBoth;
-  const SmoothFaceRecord& record = claim_.certificate.face_records[face];
-  const auto no_zero = SmoothFaceRecord::kNoZero;
-  if (record.in_patch || (record.verdict[0] == no_zero && record.verdict[1] == no_zero))
-    open = cheaply([&](auto& p) { return p.prove(face, whole, open, findings, ends); });
-  if (open == 0) return ends;
-  open = at_depth(0, [&](auto& p) { return p.prove(face, whole, open, findings, ends); });
-  if (!choice) {
-    if (open != 0) prove_children(face, whole, 0, open, ends);
-    return ends | kCross;
+bool is_inside(const SmoothPatchRecord& p, const std::array<kernel::Range, 3>& box) {
+  const Rational most = Rational(p.radius) - 2 * Rational(p.rho);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const kernel::Range& x = box[(p.axis + 1 + d) % 3];
+    if (!std::isfinite(x.low) || !std::isfinite(x.high)) return false;
+    const Rational z(p.centre[d]);
+    if (!(Rational(x.high) - z < most && z - Rational(x.low) < most)) return false;
   }
-  const unsigned others = open & ~kBoth;
-  if (others != 0) prove_children(face, whole, 0, others, ends);
-  if ((open & kApart) == 0) return ends;
-  if ((open & kCross) == 0) return ends | kCross;
-  // On pieces one of the two must hold throughout.
-  try {
-    prove_children(face, whole, 0, kApart, ends);
-    return ends;
-  } catch (const Undecided&) {
-    prove_children(face, whole, 0, kCross, ends);
-    return ends | kCross;
-  }
+  return box[p.axis].low > p.height[0] && box[p.axis].high < p.height[1];
 }
 
-void FaceProvers::prove_children(std::uint32_t face, const Piece& piece, int depth, unsigned open,
-                                 unsigned& ends) {
-  if (depth == kDepth) throw Undecided(fmt::format("face {}: {}", face, names_of(open)));
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Piece child = piece.child(k);
-    const unsigned left = at_depth(depth + 1, [&](auto& p) {
-      return p.prove(face, child, open, static_cast<FaceFindings*>(nullptr), ends);
-    });
-    if (left != 0) prove_children(face, child, depth + 1, left, ends);
+unsigned FaceProvers::left_open(std::uint32_t face, const Piece& piece, unsigned here,
+                                Method& method, int order, FaceFindings* findings,
+                                Advisor* advisor) {
+  FaceFindings own;
+  if (findings == nullptr && (here & kInside) != 0) findings = &own;
+  const unsigned left = at_order(
+      order, [&](auto& p) { return p.prove(face, piece, here, method, findings, advisor); });
+  if ((left & kInside) == 0 || !findings->box) return left;
+  const auto& patch = claim_.certificate.patches[claim_.mesh.patch_of[face]];
+  return is_inside(patch, *findings->box) ? left & ~static_cast<unsigned>(kInside) : left;
+}
+
+void FaceProvers::prove(std::uint32_t face, const Piece& piece, unsigned open, Method method,
+                        WitnessReader& in, FaceFindings* findings, int depth) {
+  const DivisionNode node(in, depth, DivisionNode::kDepth);
+  in.check(node.functional() <= 1, "says what no piece has");
+  const unsigned here = node.divided() ? in.byte() : open;
+  in.check((here & ~open) == 0 && !(node.divided() && here == open),
+           "names other statements than those open");
+  method.steep = node.steep();
+  if ((here & kPurple) != 0 && !method.cross) {
+    method.combination[0] = in.f32();
+    method.combination[1] = in.f32();
   }
+  if (here != 0 || findings != nullptr) {
+    unsigned left = left_open(face, piece, here, method, node.order(), findings);
+    if (left != 0 && further(piece, [&](const Piece& part) {
+          return left_open(face, part, left, method, node.order(), nullptr) == 0;
+        }))
+      left = 0;
+    if (left != 0) in.fail(names_of(left));
+  }
+  for (std::size_t k = 0; node.divided() && k < 4; ++k)
+    prove(face, piece.child(k), open & ~here, method, in, nullptr, depth + 1);
 }
 
-kernel::MaybeSign FaceProvers::on_segment(const Question& q, const Barycentric& a,
-                                          const Barycentric& b) {
-  return on_segment(q, a, b, 0);
-}
-
-kernel::MaybeSign FaceProvers::on_segment(const Question& q, const Barycentric& a,
-                                          const Barycentric& b, int depth) {
-  const auto sign = at_depth(depth, [&](auto& p) { return p.sign(q, Piece::segment(a, b)); });
-  if (nonzero(sign)) return sign;
-  if (depth == kSegmentDepth) return std::nullopt;
-  const Barycentric middle = midpoint(a, b);
-  const auto first = on_segment(q, a, middle, depth + 1);
-  // Both hold at the middle: the signs agree.
-  return nonzero(first) && nonzero(on_segment(q, middle, b, depth + 1)) ? first : std::nullopt;
+kernel::Sign FaceProvers::on_segment(const Question& q, const Barycentric& a, const Barycentric& b,
+                                     WitnessReader& in, int depth) {
+  const DivisionNode node(in, depth, DivisionNode::kSegmentDepth);
+  in.check(node.functional() == 0, "says what no segment has");
+  if (node.divided()) {
+    const Barycentric middle = midpoint(a, b);
+    const kernel::Sign first = on_segment(q, a, middle, in, depth + 1);
+    // Both hold at the middle: the signs agree.
+    on_segment(q, middle, b, in, depth + 1);
+    return first;
+  }
+  kernel::MaybeSign sign;
+  const auto is_certain = [&](const Piece& part) {
+    sign = at_order(node.order(), [&](auto& p) { return p.sign(q, part); });
+    return nonzero(sign);
+  };
+  if (!further(Piece::segment(a, b), is_certain))
+    in.fail(fmt::format("crossings of edge {}", q.edge));
+  return *sign;
 }
 
 kernel::MaybeSign FaceProvers::at_point(const Question& q, const Barycentric& at) {
   const Piece point = Piece::point(at);
-  const auto sign = at_depth(0, [&](auto& p) { return p.sign(q, point); });
+  const auto sign = at_order(4, [&](auto& p) { return p.sign(q, point); });
   if (nonzero(sign) || claim_.arithmetic == Arithmetic::mpfr) return sign;
   return precisely([&](auto& p) { return p.sign(q, point); });
 }

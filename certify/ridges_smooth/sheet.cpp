@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/ridges_smooth/sheet.hpp"
 
+#include <algorithm>
+
 #include "certify/container/parallel.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/ridges_smooth/box_pairs.hpp"
 
 namespace crest::certify::smooth {
 namespace {
@@ -10,150 +13,127 @@ namespace {
 using u32 = std::uint32_t;
 using Vec3 = std::array<double, 3>;
 
-constexpr int kDepth = 5;
-/// Exact, about a third.
-constexpr Barycentric kCentre = {349525 * 0x1p-20, 349525 * 0x1p-20, 349526 * 0x1p-20};
-
 class SheetChecker {
  public:
-  SheetChecker(const Claim& claim, const std::vector<FaceResult>& faces)
-      : claim_(claim), faces_(faces), provers_(claim) {}
+  explicit SheetChecker(const Claim& claim) : claim_(claim), provers_(claim) {}
 
-  void check(u32 face) {
+  /// Returns an enclosure of y.
+  Ranges check(const OneSheetRecord& sheet) {
+    const u32 face = sheet.face;
     require(!claim_.certificate.face_records[face].in_patch,
             "one sheet: the named face {} is in a patch", face);
-    face_ = face;
-    if (!is_injective()) throw Undecided(fmt::format("one sheet: face {} may fold", face));
-    if (!find_point()) throw Undecided(fmt::format("one sheet: a point of face {}", face));
+    WitnessReader in(sheet.witness, "one sheet: face", face);
+    const bool injective = provers_.on_pieces(
+        Piece::face(), in, [&](auto& prover, const Piece& piece, unsigned functional) {
+          in.check(functional == 0, "says what no piece has");
+          return is_injective(prover, claim_.certificate, sheet, piece);
+        });
+    if (!injective) in.fail("it may fold");
+    in.end();
+    const auto point = sheet_point(provers_, face);
+    if (!point) throw Undecided(fmt::format("one sheet: a point of face {}", face));
     const Surface& s = claim_.surface;
     for (std::size_t k = 0; k < 3; ++k)
-      require(y_[k].low > s.box[2 * k] && y_[k].high < s.box[2 * k + 1],
+      require((*point)[k].low > s.box[2 * k] && (*point)[k].high < s.box[2 * k + 1],
               "one sheet: face {} is not inside the box", face);
-    make_conormals();
-    for (u32 other = 0; other < faces_.size(); ++other)
-      if (other != face && !(faces_[other].box && apart(*faces_[other].box)) &&
-          !misses(other, Piece::face(), 0))
-        throw Undecided(
-            fmt::format("one sheet: face {} may cover a point of face {}", other, face));
+    for (std::size_t i = 0; i < sheet.near.size(); ++i)
+      check_near(sheet, i, {*point, conormals(claim_.certificate, face)});
+    return *point;
   }
 
  private:
-  using Ranges = std::array<kernel::Range, 3>;
-  using Matrix = std::array<Vec3, 2>;
-
-  Frame frame() const { return frame_of(claim_.certificate.face_records[face_]); }
-
-  /// A positive definite symmetric part of C D(projection), C constant: on a convex domain the map
-  /// is then injective.
-  bool is_injective() {
-    Matrix c{};
-    const Frame along = frame();
-    const bool found = provers_.at_depth(0, [&](auto& prover) {
-      const auto image = prover.image(face_, Piece::point(kCentre), true);
-      if (!image) return false;
-      const auto middle = [&](std::size_t i, std::size_t k) {
-        const kernel::Range r = dot(image->derivative[i], along[k]).range();
-        return r.low / 2 + r.high / 2;
-      };
-      const double a = middle(0, 0), b = middle(1, 0), d = middle(0, 1), e = middle(1, 1),
-                   det = a * e - b * d;
-      c = {Vec3{e / det, -b / det, 0}, Vec3{-d / det, a / det, 0}};
-      return true;
-    });
-    return found && is_injective(Piece::face(), 0, c);
-  }
-
-  bool is_injective(const Piece& piece, int depth, const Matrix& c) {
-    const Frame along = frame();
-    const bool proven = provers_.at_depth(depth, [&](auto& prover) {
-      const auto image = prover.image(face_, piece, true);
-      if (!image) return false;
-      const auto& d = image->derivative;
-      const auto entry = [&](std::size_t i, std::size_t j) {
-        return dot(d[j], along[0]) * c[i][0] + dot(d[j], along[1]) * c[i][1];
-      };
-      const auto first = entry(0, 0), twice = entry(0, 1) + entry(1, 0);
-      return is_positive(first) && is_positive(first * entry(1, 1) * 4.0 - twice * twice);
-    });
-    if (proven || depth == kDepth) return proven;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!is_injective(piece.child(k), depth + 1, c)) return false;
-    return true;
-  }
-
-  bool find_point() {
-    return provers_.at_depth(0, [&](auto& prover) {
-      const auto image = prover.image(face_, Piece::point(kCentre), false);
-      if (!image) return false;
-      for (std::size_t k = 0; k < 3; ++k) y_[k] = image->x[k].range();
-      return true;
-    });
-  }
-
-  bool apart(const Ranges& box) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (box[k].low > y_[k].high || box[k].high < y_[k].low) return true;
-    return false;
-  }
-
-  /// Any vectors prove something; these separate neighbours.
-  void make_conormals() {
-    const auto& corners = claim_.certificate.faces[face_];
-    const auto step = [&](std::size_t i, std::size_t j) {
-      Vec3 d;
-      for (std::size_t k = 0; k < 3; ++k)
-        d[k] =
-            claim_.certificate.vertices[corners[j]][k] - claim_.certificate.vertices[corners[i]][k];
-      return d;
-    };
-    const Vec3 normal = cross(step(0, 1), step(0, 2));
-    for (std::size_t i = 0; i < 3; ++i) conormal_[i] = cross(step(i, (i + 1) % 3), normal);
-  }
-
-  /// Some functional differs from its value at y on each piece.
-  bool misses(u32 other, const Piece& piece, int depth) {
-    const bool proven = provers_.at_depth(depth, [&](auto& prover) {
-      const auto image = prover.image(other, piece, false);
-      if (!image) return false;
-      const auto& x = image->x;
-      if (apart({x[0].range(), x[1].range(), x[2].range()})) return true;
-      using Model = std::decay_t<decltype(x[0])>;
-      std::array<Model, 3> away;
-      for (std::size_t k = 0; k < 3; ++k) away[k] = x[k] - constants<Model>(y_[k]);
-      for (const Vec3& c : conormal_)
-        if (has_no_zero(away[0] * c[0] + away[1] * c[1] + away[2] * c[2])) return true;
-      return false;
-    });
-    if (proven || depth == kDepth) return proven;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!misses(other, piece.child(k), depth + 1)) return false;
-    return true;
+  void check_near(const OneSheetRecord& sheet, std::size_t i, const SheetPoint& y) {
+    const auto& near = sheet.near[i];
+    require(near.face < claim_.certificate.faces.size() && near.face != sheet.face &&
+                (i == 0 || sheet.near[i - 1].face < near.face),
+            "one sheet: the faces near face {}", sheet.face);
+    WitnessReader in(near.witness, "one sheet: near face", near.face);
+    const bool misses = provers_.on_pieces(
+        Piece::face(), in, [&](auto& prover, const Piece& piece, unsigned functional) {
+          in.check(functional < 6, "names no functional");
+          return y.misses(prover, near.face, piece, functional);
+        });
+    if (!misses) in.fail(fmt::format("it may cover the point of face {}", sheet.face));
+    in.end();
   }
 
   const Claim& claim_;
-  const std::vector<FaceResult>& faces_;
   FaceProvers provers_;
-  u32 face_ = 0;
-  Ranges y_{};
-  std::array<Vec3, 3> conormal_{};
 };
+
+/// No face but those listed has a box that meets y.
+void check_far(const Claim& claim, const std::vector<FaceResult>& faces,
+               const std::vector<Ranges>& points) {
+  const auto& sheets = claim.certificate.one_sheet;
+  std::vector<Ranges> boxes;
+  std::vector<u32> face_of;
+  std::size_t listed = 0;
+  std::vector<u32> without;  // faces without a box
+  for (u32 f = 0; f < faces.size(); ++f) {
+    if (!faces[f].box) {
+      without.push_back(f);
+      continue;
+    }
+    boxes.push_back(*faces[f].box);
+    face_of.push_back(f);
+  }
+  const auto is_listed = [&](const OneSheetRecord& sheet, u32 face) {
+    const auto found = std::lower_bound(sheet.near.begin(), sheet.near.end(), face,
+                                        [](const auto& n, u32 f) { return n.face < f; });
+    return sheet.face == face || (found != sheet.near.end() && found->face == face);
+  };
+  for (const OneSheetRecord& sheet : sheets) {
+    listed += 1 + sheet.near.size();
+    // As many comparisons as bytes: a list that is shorter lacks one.
+    require(without.size() <= 1 + sheet.near.size(), "one sheet: faces without a box");
+    for (const u32 f : without)
+      require(is_listed(sheet, f), "one sheet: face {} may cover a point of face {}", f,
+              sheet.face);
+  }
+  for (const auto& [point, box] : meeting_boxes(points, boxes, listed))
+    require(is_listed(sheets[point], face_of[box]),
+            "one sheet: face {} may cover a point of face {}", face_of[box], sheets[point].face);
+}
 
 }  // namespace
 
+std::optional<Ranges> sheet_point(FaceProvers& provers, u32 face) {
+  return provers.at_order(4, [&](auto& prover) -> std::optional<Ranges> {
+    const auto image = prover.image(face, Piece::point(kSheetPoint), false);
+    if (!image) return std::nullopt;
+    return Ranges{image->x[0].range(), image->x[1].range(), image->x[2].range()};
+  });
+}
+
+std::array<Vec3, 3> conormals(const RidgesSmoothCertificate& c, u32 face) {
+  const auto& corners = c.faces[face];
+  const auto step = [&](std::size_t i, std::size_t j) {
+    Vec3 d;
+    for (std::size_t k = 0; k < 3; ++k)
+      d[k] = c.vertices[corners[j]][k] - c.vertices[corners[i]][k];
+    return d;
+  };
+  const Vec3 normal = cross(step(0, 1), step(0, 2));
+  return {cross(step(0, 1), normal), cross(step(1, 2), normal), cross(step(2, 0), normal)};
+}
+
 void check_one_sheet(const Claim& claim, const std::vector<FaceResult>& faces) {
-  const auto& named = claim.certificate.one_sheet_faces;
-  require(named.size() == claim.mesh.components, "one sheet: a named face of each component");
+  const auto& sheets = claim.certificate.one_sheet;
+  require(sheets.size() == claim.mesh.components, "one sheet: a named face of each component");
   std::vector<std::uint8_t> seen(claim.mesh.components, 0);
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    require(named[i] < faces.size(), "one sheet: no face {}", named[i]);
-    require(i == 0 || named[i - 1] < named[i], "one sheet: faces not ascending");
-    auto& mark = seen[claim.mesh.component[named[i]]];
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const u32 face = sheets[i].face;
+    require(face < faces.size(), "one sheet: no face {}", face);
+    require(i == 0 || sheets[i - 1].face < face, "one sheet: faces not ascending");
+    auto& mark = seen[claim.mesh.component[face]];
     require(mark == 0, "one sheet: two faces of one component");
     mark = 1;
   }
+  std::vector<Ranges> points(sheets.size());
   parallel_for(
-      named.size(), [&] { return SheetChecker(claim, faces); },
-      [&](SheetChecker& checker, std::size_t i) { checker.check(named[i]); });
+      sheets.size(), [&] { return SheetChecker(claim); },
+      [&](SheetChecker& checker, std::size_t i) { points[i] = checker.check(sheets[i]); });
+  check_far(claim, faces, points);
 }
 
 }  // namespace crest::certify::smooth

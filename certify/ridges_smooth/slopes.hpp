@@ -16,13 +16,12 @@ struct Slopes {
   M blue, red;
   bool steep;  ///< v_1 = (s_1, 1), v_2 = (1, s_2)
 };
-/// By the larger of sigma + a and sigma - a.
+/// By sigma - a if `steep`, else by sigma + a.
 template <class M, int K>
-Slopes<M> slopes(const Shape<Local<M, K>>& shape) {
+Slopes<M> slopes(const Shape<Local<M, K>>& shape, bool steep) {
   const Shape<M> a = values(shape);
   const M sigma = square_root(a.a * a.a + a.b * a.c);
-  const kernel::Range range = a.a.range();
-  if (range.low + range.high >= 0) {
+  if (!steep) {
     const M factor = reciprocal(sigma + a.a);
     return {a.c * factor, -(a.b * factor), false};
   }

@@ -11,7 +11,11 @@ constexpr mpfr_prec_t kBits = 192;
 kernel::Expression parse(const std::string& text, const std::vector<std::string>& variables,
                          const char* name) {
   try {
-    return kernel::Expression::parse(text, variables);
+    auto expression = kernel::Expression::parse(text, variables);
+    require(expression.program().size() <= kMostWords,
+            "surface: {}: {} numbers, names and operators; at most {} can be evaluated", name,
+            expression.program().size(), kMostWords);
+    return expression;
   } catch (const kernel::ExpressionError& problem) {
     throw Reject(fmt::format("surface: {}: {}", name, problem.what()));
   }

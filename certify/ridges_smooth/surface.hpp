@@ -48,8 +48,6 @@ class SurfaceEvaluator {
 
   /// Kind 0: F.
   M value(const Point& x);
-  /// Kind 0: the gradient of F in plain double, for guesses.
-  std::array<double, 3> slope_near(const std::array<double, 3>& x);
   /// Kind 0: F and its derivatives up to n = 1, 3, 4, 5.
   template <int n>
   kernel::Jet<M, 3, n> implicit(const Point& x);
@@ -68,7 +66,6 @@ class SurfaceEvaluator {
 
   const Surface& surface_;
   std::optional<kernel::Evaluator<M>> value_;
-  std::optional<kernel::Evaluator<kernel::Jet<double, 3, 1>>> approximate_;
   // Made when first called: F of kind 0, x, y, z of kind 1.
   std::tuple<Program<3, 1>, Program<3, 3>, Program<3, 4>, Program<3, 5>> implicit_;
   std::tuple<Program<2, 3>, Program<2, 4>, Program<2, 5>> immersion_;

@@ -48,7 +48,7 @@ void mutate_number(Claim& c, Random& random) {
       return step(c.boundary_loops, random);
     case 2: {
       step(c.components, random);
-      if (c.surface.kind == 0) c.one_sheet_faces.resize(c.components % 5);
+      if (c.surface.kind == 0) c.one_sheet.resize(c.components % 5);
       c.components = c.surface.kind == 0 ? c.components % 5 : c.components;
       return;
     }
@@ -170,7 +170,7 @@ void mutate_sheets(Claim& c, Random& random) {
   if (c.surface.kind != 0) return mutate_record(c, random);
   switch (random() % 6) {
     case 0:
-      return step(any(c.one_sheet_faces, random), random);
+      return step(any(c.one_sheet, random).face, random);
     case 1:
       return nudge(any(c.graph_boxes, random).box[random() % 6], random);
     case 2:
@@ -184,6 +184,70 @@ void mutate_sheets(Claim& c, Random& random) {
     default:
       if (c.tree.size() > 1)
         c.tree.erase(c.tree.begin() + static_cast<std::ptrdiff_t>(random() % c.tree.size()));
+  }
+}
+
+/// A byte changed, dropped, doubled or taken from another.
+void mutate_bytes_of(Bytes& witness, const Bytes& other, Random& random) {
+  if (witness.empty()) return witness.push_back(static_cast<std::uint8_t>(random()));
+  const std::size_t at = random() % witness.size();
+  switch (random() % 6) {
+    case 0:
+      witness[at] = static_cast<std::uint8_t>(random());
+      return;
+    case 1:
+      witness[at] = static_cast<std::uint8_t>(witness[at] ^ 1U << random() % 8);
+      return;
+    case 2:
+      return step(witness[at], random);
+    case 3:
+      witness.erase(witness.begin() + static_cast<std::ptrdiff_t>(at));
+      return;
+    case 4:
+      witness.push_back(witness[at]);
+      return;
+    default:
+      witness = other;
+  }
+}
+
+void mutate_witness(Claim& c, Random& random) {
+  const bool implicit = c.surface.kind == 0;
+  switch (random() % (implicit ? 10 : 6)) {
+    case 0:
+    case 1:
+    case 2:
+      return mutate_bytes_of(any(c.face_records, random).witness,
+                             any(c.face_records, random).witness, random);
+    case 3:
+      if (implicit) return step(c.reach, random);
+      c.loose_corners = static_cast<std::uint8_t>(c.loose_corners ^ 1U << random() % 8);
+      return;
+    case 4:
+    case 5: {
+      if (c.patches.empty()) return;
+      SmoothPatchRecord& p = any(c.patches, random);
+      if (random() % 2) return mutate_bytes_of(p.witness, any(c.patches, random).witness, random);
+      if (random() % 2) return nudge(p.krawczyk[random() % 4], random);
+      if (implicit && random() % 3 == 0) return step(p.reach, random);
+      if (implicit && random() % 2) return nudge(p.graph[random() % 6], random);
+      p.order = p.order == 3 ? 5 : 3;
+      return;
+    }
+    case 6:
+      return mutate_bytes_of(any(c.graph_boxes, random).witness, any(c.graph_boxes, random).witness,
+                             random);
+    default: {
+      OneSheetRecord& sheet = any(c.one_sheet, random);
+      if (random() % 3 == 0) return nudge(sheet.matrix[random() % 4], random);
+      if (random() % 2 || sheet.near.empty()) return mutate_bytes_of(sheet.witness, {}, random);
+      if (random() % 3 == 0) return step(any(sheet.near, random).face, random);
+      if (random() % 2)
+        return mutate_bytes_of(any(sheet.near, random).witness, any(sheet.near, random).witness,
+                               random);
+      sheet.near.erase(sheet.near.begin() +
+                       static_cast<std::ptrdiff_t>(random() % sheet.near.size()));
+    }
   }
 }
 
@@ -204,9 +268,10 @@ void mutate_data(Claim& c, Random& random) {
 std::string mutate_smooth_claim(Claim& c, Random& random) {
   using Mutation = void (*)(Claim&, Random&);
   const std::pair<const char*, Mutation> all[] = {
-      {"number", mutate_number}, {"mesh", mutate_mesh},     {"record", mutate_record},
-      {"patch", mutate_patch},   {"sheets", mutate_sheets}, {"data", mutate_data}};
-  const auto& [name, mutate] = all[random() % 6];
+      {"number", mutate_number},   {"mesh", mutate_mesh},      {"record", mutate_record},
+      {"patch", mutate_patch},     {"sheets", mutate_sheets},  {"data", mutate_data},
+      {"witness", mutate_witness}, {"witness", mutate_witness}};
+  const auto& [name, mutate] = all[random() % 8];
   mutate(c, random);
   return name;
 }

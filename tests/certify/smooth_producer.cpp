@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "certify/smooth_witness/record.hpp"
 #include "certify/surface/mesh_checks.hpp"
 #include "tests/certify/smooth_samples.hpp"
 #include "tests/support/random.hpp"
@@ -149,6 +150,7 @@ RidgesSmoothCertificate smooth_grid(const SmoothSurfaceData& surface, int nu, in
       }
   if (surface.periodic == 0) c.lifts.clear();
   const ClaimFiller filler(c, rings);
+  if (const auto open = record_witnesses(c)) throw std::runtime_error(*open);
   return c;
 }
 
