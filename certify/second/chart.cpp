@@ -74,11 +74,6 @@ Vector Problem::chord(Index face, Index i, Index j, const Model& s) const {
   return d;
 }
 
-void Problem::require_orientation(Index face, const Fibre& fibre, const Model& s) const {
-  const Vector first = chord(face, 0, 1, s), second = chord(face, 0, 2, s);
-  require(determinant(first, second, fibre.along).sign() > 0, "(J)");
-}
-
 Float Problem::lifted(Index face, Index corner, std::size_t direction) const {
   const double x = certificate.vertices[certificate.faces[face][corner]][direction];
   const unsigned bit = certificate.lifts[face] >> (corner + 3 * direction) & 1;

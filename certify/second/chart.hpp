@@ -51,8 +51,6 @@ struct Problem {
   Fibre fibre(Index face, const Piece& piece, int c) const;
   /// Kind 0: x_j - x_i + s (N_j - N_i).
   Vector chord(Index face, Index i, Index j, const Model& s) const;
-  /// Kind 0: (J) at the foot.
-  void require_orientation(Index face, const Fibre& fibre, const Model& s) const;
   /// Kind 1: a corner's lifted coordinate (exact), and both over a piece.
   Float lifted(Index face, Index corner, std::size_t direction) const;
   std::array<Model, 2> unit(Index face, const Piece& piece) const;

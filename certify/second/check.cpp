@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/second/check.hpp"
 
+#include "certify/second/crossings.hpp"
 #include "certify/second/graph.hpp"
 #include "certify/second/patches.hpp"
 

@@ -3,7 +3,7 @@
 
 // SPEC.md, "Faces outside patches" (theorem 9), the chart conditions of a face, and the part of a
 // patch's condition 1 that is said of its faces; their strings in "Witnesses".
-#include "certify/second/chart.hpp"
+#include "certify/second/face_sample.hpp"
 
 namespace crest::recheck {
 
@@ -37,11 +37,6 @@ class LooseCorners {
 /// Proves everything that is said of the face alone.
 /// Throws: Rejected, Open, Undefined.
 FaceOutcome check_face(const Problem& problem, const LooseCorners& loose, Index face);
-
-/// Proves that every edge is decided, and the conditions of loose corners.
-/// Guarantees: whether an edge is crossed in a colour; false inside patches.
-std::array<std::vector<bool>, 2> crossed_edges(const Problem& problem, const LooseCorners& loose,
-                                               const std::vector<FaceOutcome>& outcomes);
 
 /// Degrees of the models at a root byte of a division; rejects unknown bits.
 int order_of(Reader& in, unsigned byte, unsigned allowed);

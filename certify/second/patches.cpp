@@ -3,79 +3,19 @@
 
 #include <algorithm>
 
+#include "certify/second/rays.hpp"
 #include "certify/second/vectors.hpp"
 
 namespace crest::recheck {
 namespace {
 
-constexpr int kRayDepth = 16, kRayFurther = 2;
+constexpr int kRayDepth = 16;
 
-using Balls = std::vector<Ball>;
-
-/// The coefficients of degree k of jets, as numbers that enclose them on all of the set.
-std::vector<Balls> enclosed(const Form& jets, int k) {
-  std::vector<Balls> all;
-  const auto& count = Monomials<2>::get().count;
-  for (const Jet2& jet : jets) {
-    all.emplace_back();
-    for (Index i = count[static_cast<Index>(k)]; i < count[static_cast<Index>(k) + 1]; ++i)
-      all.back().push_back(jet[i].range().ball());
-  }
-  return all;
-}
-
-/// Taylor coefficients by degree of I (3), the entries of A (3), the coefficients of E (6).
-struct Coefficients {
-  std::vector<Balls> i[3], a[4], e[3];
-};
-
-Coefficients coefficients(const Forms& f, const Operator& a) {
-  Coefficients c;
-  const Scope scope(2);
-  const Form e = quintic(f), entries = {a.a11, a.a12, a.a21};
-  for (int k = 0; k <= 3; ++k) {
-    c.a[k] = enclosed(entries, k);
-    if (k == 3) continue;
-    c.i[k] = enclosed(f.i, k);
-    c.e[k] = enclosed(e, k);
-  }
-  return c;
-}
-
-/// [low, high] in two coordinates, as two triangles.
-struct Rectangle {
-  std::array<Ball, 2> low, high;
-  std::vector<Rectangle> children() const {
-    std::vector<Rectangle> all;
-    const std::array<Ball, 2> middle = {scaled(low[0] + high[0], 1, 2),
-                                        scaled(low[1] + high[1], 1, 2)};
-    for (const bool i : {false, true})
-      for (const bool j : {false, true})
-        all.push_back({{i ? middle[0] : low[0], j ? middle[1] : low[1]},
-                       {i ? high[0] : middle[0], j ? high[1] : middle[1]}});
-    return all;
-  }
-  /// (low, low), then (high, low) or (low, high), then (high, high).
-  std::array<Model, 2> triangle(bool second) const {
-    return {Model::linear(low[0], second ? low[0] : high[0], high[0]),
-            Model::linear(low[1], second ? high[1] : low[1], high[1])};
-  }
-};
-
-/// A sector: [D^2 I], [D^3 A], [D^2 E] over its triangle, and its direction.
+/// [D^k] over a triangle, and its direction.
 struct Sector {
-  int w;
+  int w = 0;
   Coefficients over;
 };
-
-/// What holds at an interval of t, before signs are compared.
-struct Statement {
-  int side;
-  double t0, t1;
-  std::array<int, 2> kind{};  ///< by colour: kFree, kRunning, or nothing here
-  std::array<double, 2> combination{};
-};
-constexpr int kOpen = 0, kFree = 1, kRunning = 2, kSaid = 3;
 
 class PatchProof {
  public:
@@ -151,8 +91,7 @@ class PatchProof {
         const Scope scope(0);
         const auto uv = part.triangle(second);
         const Form i = problem_.surface.forms(uv[0], uv[1]).i;
-        require(scaled(i[0][0] * i[2][0], 4).range().sign() > 0 &&
-                    (scaled(i[0][0] * i[2][0], 4) - i[1][0] * i[1][0]).sign() > 0,
+        require((scaled(i[0][0] * i[2][0], 4) - i[1][0] * i[1][0]).sign() > 0,
                 "patch: det I has no zero on Q");
       }
     });
@@ -184,8 +123,9 @@ class PatchProof {
     Interval height;
     const Scope scope(3);
     const Forms f = forms(Model(Ball(patch_.z[0]) + rho), Model(Ball(patch_.z[1]) + rho), &height);
-    at_umbilic_ = coefficients(f, operator_of(f));
-    const Balls &a = at_umbilic_.a[1][0], &b = at_umbilic_.a[1][1];
+    const Coefficients c = coefficients(f);
+    const Balls &a = c.a[1][0], &b = c.a[1][1];
+    rays_ = Rays(c, r1());
     {
       const Scope values(0);
       const Operator o = operator_of(forms(Model(patch_.z[0]), Model(patch_.z[1])));
@@ -209,192 +149,74 @@ class PatchProof {
     return box;
   }
 
-  /// e(t) of a side as jets in (r, t).
-  static Direction ray(int side, const Jet2& t) {
-    const Jet2 one(1.0);
-    switch (side) {
-      case 0:
-        return {one, t};
-      case 1:
-        return {-t, one};
-      case 2:
-        return {-one, -t};
-      default:
-        return {t, -one};
-    }
-  }
-  static std::array<double, 2> derivative_of_ray(int side) {
-    switch (side) {
-      case 0:
-        return {0, 1};
-      case 1:
-        return {-1, 0};
-      case 2:
-        return {0, -1};
-      default:
-        return {1, 0};
-    }
-  }
-
   /// Condition 4: reads all intervals and shows what is said of them.
   void rays() {
     for (int side = 0; side < 4; ++side)
-      for (int k = 0; k < 4; ++k) interval(side, -1 + k / 2.0, -0.5 + k / 2.0, nullptr, {}, 0);
+      for (int k = 0; k < 4; ++k) interval({side, -1 + k / 2.0, -0.5 + k / 2.0}, nullptr, {}, 0);
   }
-  void interval(int side, double t0, double t1, const Sector* above, std::array<bool, 2> said,
-                int depth) {
+  void interval(const Arc& arc, const Sector* above, std::array<bool, 2> said, int depth) {
     const unsigned byte = in_.u8();
     if (byte > 31) in_.fail("an interval has unknown bits");
     Sector own;
     if ((byte & 1) != 0) {
-      own.w = in_.u8();
-      if (own.w > 127) in_.fail("a direction w is not below 128");
-      read_sector(own, side, t0, t1);
+      own = read_sector(arc);
       above = &own;
     }
-    Statement s = {side, t0, t1, {}, {}};
+    Statement s = {arc, {}, {}, 0};
     bool open = false, any = false;
     for (std::size_t j = 0; j < 2; ++j) {
-      const int kind = static_cast<int>(byte >> (1 + 2 * j) & 3);
-      if ((kind == kSaid) != said[j]) in_.fail("an interval is said of twice, or never");
-      s.kind[j] = kind;
-      open = open || kind == kOpen;
-      any = any || kind == kFree || kind == kRunning;
-      said[j] = kind != kOpen;
+      s.kind[j] = static_cast<Kind>(byte >> (1 + 2 * j) & 3);
+      if ((s.kind[j] == Kind::said) != said[j]) in_.fail("an interval is said of twice, or never");
+      open = open || s.kind[j] == Kind::open;
+      any = any || s.kind[j] == Kind::free || s.kind[j] == Kind::running;
+      said[j] = s.kind[j] != Kind::open;
     }
-    if (s.kind[0] == kRunning || s.kind[1] == kRunning) s.combination = {in_.f32(), in_.f32()};
-    if (any && above == nullptr) in_.fail("an interval has no sector");
-    if (any) show(s, *above);
+    if (s.kind[0] == Kind::running || s.kind[1] == Kind::running)
+      s.combination = {in_.f32(), in_.f32()};
+    if (any) state(s, above);
     if (!open) return;
     if (depth == kRayDepth) in_.fail("intervals are deeper than 16");
-    const double middle = (t0 + t1) / 2;
-    interval(side, t0, middle, above, said, depth + 1);
-    interval(side, middle, t1, above, said, depth + 1);
+    const double middle = (arc.t0 + arc.t1) / 2;
+    interval({arc.side, arc.t0, middle}, above, said, depth + 1);
+    interval({arc.side, middle, arc.t1}, above, said, depth + 1);
   }
 
-  void read_sector(Sector& sector, int side, double t0, double t1) const {
+  /// Enclosures over the triangle z, z + R1 e(t0), z + R1 e(t1), its points moved by at most rho.
+  Sector read_sector(const Arc& arc) {
+    const int w = in_.u8();
+    if (w > 127) in_.fail("a direction w is not below 128");
     const Scope scope(3);
-    const Ball rho = Ball::radius(patch_.rho);
+    const auto from = ray_at(arc.side, arc.t0), to = ray_at(arc.side, arc.t1);
     std::array<Model, 2> at;
-    const auto from = ray(side, Jet2(t0)), to = ray(side, Jet2(t1));
     for (std::size_t d = 0; d < 2; ++d) {
       const Ball z = patch_.z[d];
-      at[d] = Model::linear(z, z + r1() * from[d][0].range().ball(),
-                            z + r1() * to[d][0].range().ball()) +
-              Model(rho);
+      at[d] =
+          Model::linear(z, z + r1() * from[d], z + r1() * to[d]) + Model(Ball::radius(patch_.rho));
     }
-    const Forms f = forms(at[0], at[1]);
-    sector.over = coefficients(f, operator_of(f));
+    return {w, coefficients(forms(at[0], at[1]))};
   }
 
-  static Form constants(const Balls& balls) {
-    Form f;
-    for (const Ball& b : balls) f.emplace_back(Model(b));
-    return f;
-  }
-  /// f along the ray from its value and derivatives; P for A.
-  static Jet2 along(const Balls& value, const Balls& first, const Balls& second, const Jet2& r,
-                    const Direction& e) {
-    const Jet2 rest = evaluate(constants(first), e) + r * evaluate(constants(second), e);
-    return value.empty() ? rest : Jet2(Model(value[0])) + r * rest;
-  }
-  static Jet2 blown_up(const Balls& first, const Balls& second, const Balls& third, const Jet2& r,
-                       const Direction& e) {
-    return evaluate(constants(first), e) +
-           r * (evaluate(constants(second), e) + r * evaluate(constants(third), e));
-  }
-  Operator operator_along(const Sector& sector, const Jet2& r, const Direction& e) const {
-    std::array<Jet2, 3> p;
-    for (Index k = 0; k < 3; ++k)
-      p[k] = blown_up(at_umbilic_.a[1][k], at_umbilic_.a[2][k], sector.over.a[3][k], r, e);
-    return {p[0], p[1], p[2]};
-  }
-  Form form_along(const std::vector<Balls> (&at)[3], const std::vector<Balls> (&over)[3],
-                  const Jet2& r, const Direction& e) const {
-    Form f;
-    for (Index k = 0; k < at[0].size(); ++k)
-      f.push_back(along(at[0][k], at[1][k], over[2][k], r, e));
-    return f;
-  }
-
-  void show(const Statement& s, const Sector& sector) {
-    std::array<int, 2> signs{};
-    const Rectangle whole = {{Ball(0.0), Ball(s.t0)}, {r1(), Ball(s.t1)}};
-    shown<Rectangle>(whole, kRayFurther, [&](const Rectangle& part) {
-      for (const bool second : {false, true}) show_on(s, sector, part.triangle(second), signs);
-    });
+  void state(Statement& s, const Sector* sector) {
+    if (sector == nullptr) in_.fail("an interval has no sector");
+    s.w = sector->w;
+    const auto signs = rays_.show(s, sector->over);
     for (std::size_t j = 0; j < 2; ++j)
-      if (s.kind[j] == kFree || s.kind[j] == kRunning)
-        around_[j].push_back({s.side, s.t1, sector.w, {s.kind[j] == kFree, signs[j], 1}});
-  }
-  void show_on(const Statement& s, const Sector& sector, const std::array<Model, 2>& at,
-               std::array<int, 2>& signs) const {
-    const bool runs = s.kind[0] == kRunning || s.kind[1] == kRunning;
-    const Scope scope(runs ? 1 : 0);
-    const Jet2 r(at[0], {Model(1.0), Model()}), t(at[1], {Model(), Model(1.0)});
-    const Direction e = ray(s.side, t);
-    const Form i = form_along(at_umbilic_.i, sector.over.i, r, e),
-               form = form_along(at_umbilic_.e, sector.over.e, r, e);
-    const Operator p = operator_along(sector, r, e);
-    require(definite({i, {}, {}, {}}, p, direction(sector.w)).sign() > 0,
-            "patch, 4: I(w, P w) > 0");
-    const auto v = directions(i, p, direction(sector.w));
-    std::array<Jet2, 2> value;
-    for (std::size_t j = 0; j < 2; ++j)
-      if (runs || s.kind[j] == kFree) value[j] = evaluate(form, v[j]);
-    const auto note = [&](std::size_t j, const Model& x) {
-      const int sign = x.sign();
-      require(sign != 0 && sign != -signs[j], "patch, 4: E_j, or its derivative, has no zero");
-      signs[j] = sign;
-    };
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (s.kind[j] == kFree) note(j, value[j][0]);
-      if (s.kind[j] != kRunning) continue;
-      note(j, value[j][2]);
-      const auto e1 = derivative_of_ray(s.side);
-      const Model &v0 = v[j][0][0], &v1 = v[j][1][0];
-      const Model in_e = v0 * Model(e1[1]) - v1 * Model(e1[0]);
-      const Model in_t = e[0][0] * v1 - e[1][0] * v0;
-      require((r[0] * in_e * value[j][1] + in_t * value[j][2]).sign() != 0,
-              "patch, 4: G_j has no zero");
-    }
-    if (runs)
-      require(
-          (Model(s.combination[0]) * value[0][0] + Model(s.combination[1]) * value[1][0]).sign() !=
-              0,
-          "patch, 4: a combination has no zero");
+      if (s.kind[j] == Kind::free || s.kind[j] == Kind::running)
+        around_[j].push_back({s.arc, s.w, {s.kind[j] == Kind::free, signs[j], 1}});
   }
 
   struct Placed {
-    int side;
-    double end;
+    Arc arc;
     int w;
     RayInterval interval;
   };
-  /// Of the frame, at the end of an interval, to the direction of the next one.
-  int change_of_frame(const Placed& from, int w) const {
-    if (from.w == w) return 1;
-    const Scope scope(0);
-    const Direction e = ray(from.side, Jet2(from.end));
-    Form i;
-    for (const Balls& value : at_umbilic_.i[0]) i.emplace_back(Model(value[0]));
-    std::array<Jet2, 3> p;
-    for (Index k = 0; k < 3; ++k) p[k] = evaluate(constants(at_umbilic_.a[1][k]), e);
-    const Direction v = directions(i, {p[0], p[1], p[2]}, direction(from.w))[0];
-    const auto next = direction(w);
-    const Jet2 i12 = scaled(i[1], 1, 2);
-    const int sign = (scaled(i[0] * v[0] + i12 * v[1], next[0], 1) +
-                      scaled(i12 * v[0] + i[2] * v[1], next[1], 1))[0]
-                         .sign();
-    require(sign != 0, "patch, 4: the change of frame");
-    return sign;
-  }
-  int branches_of(std::size_t colour) {
-    auto& around = around_[colour];
+  int branches_of(std::size_t colour) const {
+    const auto& around = around_[colour];
     std::vector<RayInterval> intervals;
     for (Index k = 0; k < around.size(); ++k) {
-      around[k].interval.change = change_of_frame(around[k], around[(k + 1) % around.size()].w);
       intervals.push_back(around[k].interval);
+      intervals.back().change =
+          rays_.change_of_frame(around[k].arc, around[k].w, around[(k + 1) % around.size()].w);
     }
     return count_branches(intervals);
   }
@@ -403,7 +225,7 @@ class PatchProof {
   const PatchRecord& patch_;
   Reader in_;
   int sign_ = 1;  ///< kind 0: of F along the axis
-  Coefficients at_umbilic_;
+  Rays rays_;
   std::array<std::vector<Placed>, 2> around_;
 };
 
@@ -439,34 +261,6 @@ void check_disjoint(const Problem& problem, std::vector<Box> boxes) {
 }
 
 }  // namespace
-
-int count_branches(const std::vector<RayInterval>& around) {
-  const auto fail = [] { throw Rejected("patch, 4: the signs around an umbilic do not fit"); };
-  const Index n = around.size();
-  Index first = 0;
-  int total = 1;
-  for (const RayInterval& i : around) total *= i.change;
-  while (first < n && !around[first].free) ++first;
-  if (first == n || total != -1) fail();
-  int frame = 1, before = around[first].sign, run = 0, branches = 0;
-  for (Index k = 1; k <= n; ++k) {
-    frame *= around[(first + k - 1) % n].change;
-    const RayInterval& now = around[(first + k) % n];
-    const int sign = frame * now.sign;
-    if (!now.free) {
-      if (run == -sign) fail();
-      run = sign;
-      continue;
-    }
-    if (sign != before) {
-      if (run != sign) fail();
-      ++branches;
-    }
-    before = sign;
-    run = 0;
-  }
-  return branches;
-}
 
 void check_patches(const Problem& problem) {
   const auto& patches = problem.certificate.patches;

@@ -11,13 +11,4 @@ namespace crest::recheck {
 /// it.
 void check_patches(const Problem& problem);
 
-/// The branches of a colour: the intervals of t once around, as they are recorded.
-struct RayInterval {
-  bool free;
-  int sign;    ///< of E_j, or running, of dE_j / dt
-  int change;  ///< of the frame from this interval to the next
-};
-/// Throws: Rejected where the conditions of 4 on neighbouring intervals do not hold.
-int count_branches(const std::vector<RayInterval>& around);
-
 }  // namespace crest::recheck
