@@ -18,7 +18,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/CrestConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/CrestConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest)
 get_property(checkers GLOBAL PROPERTY CREST_CHECKERS)
-foreach(program crest ${checkers})
+foreach(program crest crest-recheck ${checkers})
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()

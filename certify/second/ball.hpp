@@ -113,6 +113,22 @@ class Float {
   arf_t v_;
 };
 
+inline Float sum(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
+  Float r;
+  arf_add(r.get(), a.get(), b.get(), precision, direction);
+  return r;
+}
+inline Float difference(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
+  Float r;
+  arf_sub(r.get(), a.get(), b.get(), precision, direction);
+  return r;
+}
+inline Float product(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
+  Float r;
+  arf_mul(r.get(), a.get(), b.get(), precision, direction);
+  return r;
+}
+
 class Ball {
  public:
   Ball() { arb_init(v_); }

@@ -13,17 +13,18 @@ Barycentric middle(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-Float exactly(int (*operation)(arf_ptr, arf_srcptr, arf_srcptr, slong, arf_rnd_t), const Float& a,
-              const Float& b) {
-  Float r;
-  operation(r.get(), a.get(), b.get(), ARF_PREC_EXACT, ARF_RND_DOWN);
-  return r;
-}
 Float difference(const Float& a, const Float& b) {
-  return exactly([](auto... x) { return arf_sub(x...); }, a, b);
+  return difference(a, b, ARF_PREC_EXACT, ARF_RND_DOWN);
 }
 Float product(const Float& a, const Float& b) {
-  return exactly([](auto... x) { return arf_mul(x...); }, a, b);
+  return product(a, b, ARF_PREC_EXACT, ARF_RND_DOWN);
+}
+
+/// The affine function with these values at the piece's corners.
+Model affine(const Piece& piece, const std::array<Ball, 3>& value) {
+  if (piece.is_point()) return Model(value[0]);
+  return Model::linear(value[0], value[1] - value[0],
+                       piece.is_segment() ? Ball() : value[2] - value[0]);
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ Float product(const Float& a, const Float& b) {
 std::vector<Piece> Piece::children() const {
   if (is_point()) return {};
   const auto& [a, b, c] = corner;
-  if (a == c) {
+  if (is_segment()) {
     const Barycentric m = middle(a, b);
     return {segment(a, m), segment(m, b)};
   }
@@ -59,8 +60,7 @@ Fibre Problem::fibre(Index face, const Piece& piece, int c) const {
       for (Index j = 0; j < 3; ++j)
         value[i].add_product(Ball(piece.corner[i][j]),
                              Ball(certificate.vertices[certificate.faces[face][j]][k]));
-    (k < 3 ? f.base[k] : f.along[k - 3]) =
-        piece.is_point() ? Model(value[0]) : Model::linear(value[0], value[1], value[2]);
+    (k < 3 ? f.base[k] : f.along[k - 3]) = affine(piece, value);
   }
   return f;
 }
@@ -77,7 +77,7 @@ Vector Problem::chord(Index face, Index i, Index j, const Model& s) const {
 Float Problem::lifted(Index face, Index corner, std::size_t direction) const {
   const double x = certificate.vertices[certificate.faces[face][corner]][direction];
   const unsigned bit = certificate.lifts[face] >> (corner + 3 * direction) & 1;
-  return exactly([](auto... y) { return arf_add(y...); }, x, static_cast<double>(bit));
+  return sum(x, static_cast<double>(bit), ARF_PREC_EXACT, ARF_RND_DOWN);
 }
 
 std::array<Model, 2> Problem::unit(Index face, const Piece& piece) const {
@@ -87,7 +87,7 @@ std::array<Model, 2> Problem::unit(Index face, const Piece& piece) const {
     for (Index i = 0; i < 3; ++i)
       for (Index j = 0; j < 3; ++j)
         value[i].add_product(Ball(piece.corner[i][j]), Ball(lifted(face, j, d)));
-    uv[d] = piece.is_point() ? Model(value[0]) : Model::linear(value[0], value[1], value[2]);
+    uv[d] = affine(piece, value);
   }
   return uv;
 }

@@ -18,7 +18,8 @@ struct Piece {
   static Piece face() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}; }
   static Piece segment(const Barycentric& a, const Barycentric& b) { return {{a, b, a}}; }
   static Piece point(const Barycentric& a) { return {{a, a, a}}; }
-  bool is_point() const { return corner[0] == corner[1] && corner[0] == corner[2]; }
+  bool is_segment() const { return corner[0] == corner[2]; }
+  bool is_point() const { return is_segment() && corner[0] == corner[1]; }
   /// Four, in the order of SPEC.md; two of a segment; none of a point.
   std::vector<Piece> children() const;
 };

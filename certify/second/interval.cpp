@@ -22,20 +22,14 @@ Float upper_of(const Ball& b) {
   return f;
 }
 
-template <class Operation>
-Float rounded(Operation f, const Float& a, const Float& b, arf_rnd_t direction) {
-  Float r;
-  f(r.get(), a.get(), b.get(), context.precision, direction);
-  return r;
-}
 Float sum(const Float& a, const Float& b, arf_rnd_t d) {
-  return rounded([](auto... x) { arf_add(x...); }, a, b, d);
+  return sum(a, b, context.precision, d);
 }
 Float difference(const Float& a, const Float& b, arf_rnd_t d) {
-  return rounded([](auto... x) { arf_sub(x...); }, a, b, d);
+  return difference(a, b, context.precision, d);
 }
 Float product(const Float& a, const Float& b, arf_rnd_t d) {
-  return rounded([](auto... x) { arf_mul(x...); }, a, b, d);
+  return product(a, b, context.precision, d);
 }
 
 Interval clamped(const Interval& x) {

@@ -92,12 +92,12 @@ void bound_beyond(mag_t sum, const std::vector<Ball>& a, const std::vector<Ball>
 
 }  // namespace
 
-Model Model::linear(const Ball& f0, const Ball& f1, const Ball& f2) {
+Model Model::linear(const Ball& value, const Ball& to1, const Ball& to2) {
   Model m;
   m.grow(1);
-  m.c_[0] = scaled(f0 + f1 + f2, 1, 3);
-  m.c_[1] = scaled(f1 - f0, 2, 3);
-  m.c_[2] = scaled(f2 - f0, 2, 3);
+  m.c_[0] = value + scaled(to1 + to2, 1, 3);
+  m.c_[1] = scaled(to1, 2, 3);
+  m.c_[2] = scaled(to2, 2, 3);
   return m;
 }
 

@@ -20,8 +20,8 @@ class Model {
   Model() : c_(1) {}
   Model(double x) : c_{Ball(x)} {}
   explicit Model(Ball constant) : c_{std::move(constant)} {}
-  /// The affine function with these values at the corners.
-  static Model linear(const Ball& f0, const Ball& f1, const Ball& f2);
+  /// The affine function with this value at corner 0, and differences to it at the others.
+  static Model linear(const Ball& value, const Ball& to1, const Ball& to2);
 
   int degree() const { return degree_; }
   bool is_zero() const { return degree_ == 0 && c_[0].is_zero(); }

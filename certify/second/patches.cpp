@@ -190,8 +190,7 @@ class PatchProof {
     std::array<Model, 2> at;
     for (std::size_t d = 0; d < 2; ++d) {
       const Ball z = patch_.z[d];
-      at[d] =
-          Model::linear(z, z + r1() * from[d], z + r1() * to[d]) + Model(Ball::radius(patch_.rho));
+      at[d] = Model::linear(z, r1() * from[d], r1() * to[d]) + Model(Ball::radius(patch_.rho));
     }
     return {w, coefficients(forms(at[0], at[1]))};
   }

@@ -97,8 +97,8 @@ std::vector<Rectangle> Rectangle::children() const {
   return all;
 }
 std::array<Model, 2> Rectangle::triangle(bool second) const {
-  return {Model::linear(low[0], second ? low[0] : high[0], high[0]),
-          Model::linear(low[1], second ? high[1] : low[1], high[1])};
+  const Ball x = high[0] - low[0], y = high[1] - low[1], none;
+  return {Model::linear(low[0], second ? none : x, x), Model::linear(low[1], second ? y : none, y)};
 }
 
 std::array<Ball, 2> ray_at(int side, double t) {
