@@ -90,6 +90,30 @@ void Crossings::purple(bool by_cross) {
 
 namespace {
 
+/// At a loose corner the true sign of E_j may be another than the one it counts as, and the arc
+/// runs through other faces at the corner than those it is drawn in: on these too it has its type,
+/// and no purple point.
+void show_undrawn(const Problem& problem, Index face, const FaceOutcome& outcome, std::size_t j,
+                  int type) {
+  const Sampler sampler(problem, face);
+  const int expected = type == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
+  shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
+    const Scope scope;
+    context.order = outcome.order;
+    const Sample s = sampler.forms(p, outcome.c, 1, 3);
+    if (s.e[j][0].sign() != 0) return;
+    require(s.growth[j].sign() == expected, "a loose corner: the type in the faces around it");
+    bool apart = s.e[1 - j][0].sign() != 0;
+    const Ball other = s.e[1 - j][0].range().ball(), scale = s.e[j][0].range().ball();
+    for (const int weight : {-4, -1, 1, 4}) {
+      if (apart) break;
+      const Model a(other.magnitude()), b(scaled(scale.magnitude(), weight));
+      apart = (a * s.e[j][0] + b * s.e[1 - j][0]).sign() != 0;
+    }
+    require(apart, "a loose corner: no purple point in the faces around it");
+  });
+}
+
 /// The conditions of a loose corner that several faces share.
 void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t j,
                  std::uint32_t vertex, const std::vector<FaceOutcome>& outcomes) {
@@ -99,7 +123,8 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
   };
   const FaceRecord* first = nullptr;
   std::vector<int> slopes, ends;
-  int opposite_crossed = 0;
+  std::vector<Index> undrawn;
+  int opposite_crossed = 0, type = 0;
   for (Index f = 0; f < c.faces.size(); ++f)
     for (Index k = 0; k < 3; ++k) {
       if (c.faces[f][k] != vertex) continue;
@@ -109,6 +134,10 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
              r.verdict[j] != 255);
       demand(!loose.at(j, c.faces[f][(k + 1) % 3]) && !loose.at(j, c.faces[f][(k + 2) % 3]));
       opposite_crossed += outcomes[f].crossed(j, (k + 1) % 3) ? 1 : 0;
+      if (r.type[j] == 0)
+        undrawn.push_back(f);
+      else
+        type = r.type[j];
       for (const Index side : {k, (k + 2) % 3}) {
         if (problem.complex.edges[problem.complex.edge_of[f][side]].faces == 2) continue;
         demand(outcomes[f].decided[j][side] && outcomes[f].slope[j][side] != 0);
@@ -118,6 +147,7 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
     }
   demand(slopes.size() == 2 && slopes[0] == slopes[1] && ends[0] != ends[1] &&
          opposite_crossed == 1);
+  for (const Index f : undrawn) show_undrawn(problem, f, outcomes[f], j, type);
 }
 
 }  // namespace
