@@ -17,6 +17,9 @@ T Reader::real() {
   return x;
 }
 
+template double Reader::real<double>();
+template float Reader::real<float>();
+
 Bytes Reader::bytes(std::size_t n) {
   if (left() < n) fail("ends too early");
   Bytes b(at_, n);
