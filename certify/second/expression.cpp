@@ -209,7 +209,7 @@ class Parser {
     if (first == std::string::npos) return r;
     const long leading =
         static_cast<long>(digits.size() - first) + exponent;  // 10^(leading - 1) <= r
-    if (leading > kDecimal + 1 || leading < -kDecimal) fail("a number between 1e-400 and 1e400");
+    if (leading > kDecimal + 1 || leading < 1 - kDecimal) fail("a number between 1e-400 and 1e400");
     fmpz_set_str(fmpq_numref(r.get()), digits.c_str(), 10);
     fmpz_t ten;
     fmpz_init_set_ui(ten, 10);

@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
     return 3;
   }
   try {
-    std::cout << "ACCEPTED\n" << recheck(Bytes(text.begin(), text.end()));
+    const std::string claim = recheck(Bytes(text.begin(), text.end()));
+    std::cout << "ACCEPTED\n" << claim;
   } catch (const Rejected& why) {
     std::cout << "REJECTED: " << why.what() << "\n";
     return 1;
