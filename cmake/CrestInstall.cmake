@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 
 # The programs. Pages and completion are made from their --help, when they are installed.
 get_property(checkers GLOBAL PROPERTY CREST_CHECKERS)
-foreach(program crest ${checkers})
+foreach(program crest crest-recheck ${checkers})
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
     list(APPEND program_files ${CMAKE_CURRENT_BINARY_DIR}/cli/${program})

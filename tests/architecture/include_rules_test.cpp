@@ -123,6 +123,9 @@ const std::map<std::string, std::vector<std::string>>& arrows() {
 /// An empty string, or why `file` may not include `target`.
 std::string objection(const std::string& file, const std::string& target) {
   const std::string from = layer_of(file), to = layer_of(target);
+  const bool in_second = has_prefix(file, "certify/second/");
+  if (in_second != has_prefix(target, "certify/second/") && (in_second || from != "tests"))
+    return "the second checker shares nothing with the project";
   if (file == "cli/crest_verify.cpp" || has_prefix(file, "cli/input_mesh.")) {
     const bool own = target == "cli/input_mesh.hpp";
     return own || to == "certify" || has_prefix(to, "kernel/") ? ""
@@ -241,6 +244,12 @@ TEST_CASE("the include rules refuse the arrows that design forbids") {
   CHECK(objection("cli/input_mesh.cpp", "io/read/mesh_reader.hpp") != "");
   CHECK(objection("io/clean/a.cpp", "io/read/mesh_reader.hpp") != "");
   CHECK(objection("io/ridges/a.cpp", "io/clean/surface.hpp") != "");
+  CHECK(objection("certify/second/a.cpp", "kernel/arithmetic/b.hpp") != "");
+  CHECK(objection("certify/second/a.cpp", "certify/certificate.hpp") != "");
+  CHECK(objection("certify/reeb/a.cpp", "certify/second/b.hpp") != "");
+  CHECK(objection("cli/crest_verify.cpp", "certify/second/b.hpp") != "");
+  CHECK(objection("certify/second/a.cpp", "certify/second/b.hpp") == "");
+  CHECK(objection("tests/recheck/a.cpp", "certify/second/b.hpp") == "");
   CHECK(objection("experiments/a/b.cpp", "cli/report.hpp") != "");
   CHECK(objection("io/ridges/a.cpp", "algorithms/ridges/ridge_graph.hpp") == "");
   CHECK(objection("io/ridges/a.cpp", "io/picture/drawing.hpp") == "");

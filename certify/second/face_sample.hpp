@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a face's statements are shown with: the foot, the forms and E_j over one of its pieces.
+#include "certify/second/chart.hpp"
+#include "certify/second/vectors.hpp"
+
+namespace crest::recheck {
+
+struct Sample {
+  Fibre fibre;      ///< kind 0
+  Foot foot;        ///< kind 0
+  Vector gradient;  ///< kind 0: of F, in the frame
+  Forms forms;
+  Operator a;
+  std::array<Jet2, 2> e;
+  std::array<Model, 2> growth;  ///< G_j
+  std::array<Model, 2> turn;    ///< det(grad E_j, grad G_j)
+};
+
+/// Of one face outside patches, or the foot alone of any.
+class Sampler {
+ public:
+  Sampler(const Problem& problem, Index face)
+      : problem_(problem), record_(problem.certificate.records[face]), face_(face) {}
+
+  /// Over a piece: (F), and what follows from it.
+  Sample foot(const Piece& piece, int c) const;
+  /// Over a piece: (F), (R), forms with jets of this degree, and the E_j of bit j of `wanted`; G_j
+  /// from degree 1, its determinant from 2.
+  Sample forms(const Piece& piece, int c, int jet_order, unsigned wanted) const;
+  /// Kind 0: (J).
+  void require_orientation(const Sample& s) const;
+  /// The certain sign of E_j at a point.
+  int sign_at(const Barycentric& l, int c, std::size_t j) const;
+  /// The vector of side k in coordinates.
+  std::array<Model, 2> along(const Sample& s, Index k) const;
+
+ private:
+  const Problem& problem_;
+  const FaceRecord& record_;
+  Index face_;
+};
+
+/// E_j up to a factor without zeros, of degree 0 (SPEC.md, "E_j for verdict 255").
+Model extremality_without_root(const Sample& s, std::size_t j, bool steep);
+
+}  // namespace crest::recheck
