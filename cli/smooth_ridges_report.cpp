@@ -176,6 +176,7 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
   report["open_ends"] = io::open_ends(result);
   report["turning_points"] = points_json(result.turning_points, true);
   report["purple_points"] = points_json(result.purple_points, false);
+  report["stopped"] = result.stopped;
   report["obstacles"] = result.obstacles;
   report["uncertified_cells"] = cells_json(result);
   report["data_digest"] = run.data_digest;

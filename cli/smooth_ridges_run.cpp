@@ -5,11 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <chrono>
 #include <stdexcept>
 #include <vector>
 
 #include "algorithms/smooth_ridges/surface.hpp"
 #include "certify/ridges_smooth/encode.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_report.hpp"
 #include "io/ridges/smooth_ridge_picture.hpp"
@@ -92,6 +94,13 @@ SmoothRidges extract(const Surface& surface, const SmoothRidgesOptions& o, const
   options.refinement.progress = [&](int round, std::size_t faces, std::size_t left) {
     run.show(fmt::format("round {}: {} faces, {} undecided", round, grouped(faces), grouped(left)));
   };
+  const Interrupt interrupt;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  options.stop = [&] {
+    return interrupt.requested() ||
+           (o.seconds && std::chrono::duration<double>(Clock::now() - start).count() >= *o.seconds);
+  };
   run.show(surface.is_implicit() ? "searching the box" : "placing the first triangles");
   return smooth_ridges::smooth_ridges(surface, options);
 }
@@ -107,7 +116,7 @@ std::vector<std::string> used_references(bool implicit, bool certificate) {
 
 int exit_code(const SmoothRidges& result) {
   if (result.certified) return kDone;
-  return result.undecided.empty() ? kNotCertified : kExhausted;
+  return result.stopped || !result.undecided.empty() ? kExhausted : kNotCertified;
 }
 
 void write_results(Run& run, const SmoothRidges& result, const std::string& digest) {
@@ -161,6 +170,9 @@ void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& o) {
       ->check(CLI::Range(0, 1000));
   add("--budget", o.algorithm.refinement.max_faces, "N", "faces at most")
       ->check(CLI::Range(8, 1000000000));
+  add("--seconds", o.seconds, "S",
+      "stop after so long, as Ctrl-C does: what is proven is written, no certificate, exit 4")
+      ->check(CLI::PositiveNumber);
   add("--mesh", o.mesh, "FILE", "the triangulation (.vtp .off .obj .ply)");
 }
 

@@ -141,10 +141,24 @@ class CriticalPoints {
   ImplicitMap<double, 2> map_;
 };
 
+Vec3 centre_of(const Box& b) {
+  return {(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2};
+}
+
+const char* text_of(CoverFailure::Reason reason, bool deepest) {
+  using Reason = CoverFailure::Reason;
+  if (reason == Reason::stopped) return "stopped while the box was searched for components,";
+  if (reason == Reason::boundary) return "the surface reaches the boundary of the box";
+  if (reason == Reason::singular)
+    return "F and its gradient vanish together, or nearly so: a singular point";
+  return deepest ? "neither F nor its critical points could be told from zero"
+                 : "the budget of cells was spent";
+}
+
 class Coverer {
  public:
-  Coverer(const Surface& surface, std::size_t budget)
-      : surface_(surface), enclose_(surface), critical_(surface), budget_(budget) {}
+  Coverer(const Surface& surface, std::size_t budget, const Stop& stop)
+      : surface_(surface), enclose_(surface), critical_(surface), budget_(budget), stop_(stop) {}
 
   CoverResult run() {
     visit(surface_.box(), 0);
@@ -156,6 +170,7 @@ class Coverer {
   void visit(const Box& b, int depth) {
     if (failure_) return;
     if (++cover_.cells > budget_) return fail(CoverFailure::Reason::undecided, b, depth);
+    if (is_over(stop_)) return fail(CoverFailure::Reason::stopped, b, depth);
     const bool outer = touches_boundary(b);
     if (const auto leaf = decide(b, outer)) {
       cover_.tree.push_back(*leaf);
@@ -215,7 +230,7 @@ class Coverer {
 
   /// Looks for a critical point in or near the cell that no graph box holds.
   bool find_graph_box(const Box& b) {
-    const Vec3 middle = centre(b);
+    const Vec3 middle = centre_of(b);
     const double size = std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]});
     const auto p = critical_.near(middle, 3 * size);
     if (!p) return false;
@@ -277,12 +292,8 @@ class Coverer {
     return r;
   }
 
-  static Vec3 centre(const Box& b) {
-    return {(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2};
-  }
-
   void fail(CoverFailure::Reason reason, const Box& b, int depth) {
-    const Vec3 p = centre(b);
+    const Vec3 p = centre_of(b);
     bool flat = true;
     {
       const kernel::RoundUpward guard;
@@ -290,14 +301,9 @@ class Coverer {
         flat = flat && g.inf() <= 0 && g.sup() >= 0;
     }
     if (flat && reason == CoverFailure::Reason::undecided) reason = CoverFailure::Reason::singular;
-    const char* why =
-        reason == CoverFailure::Reason::boundary ? "the surface reaches the boundary of the box"
-        : reason == CoverFailure::Reason::singular
-            ? "F and its gradient vanish together, or nearly so: a singular point"
-        : depth >= kDeepest ? "neither F nor its critical points could be told from zero"
-                            : "the budget of cells was spent";
     char line[256];
-    std::snprintf(line, sizeof line, "%s near (%.6g, %.6g, %.6g)", why, p[0], p[1], p[2]);
+    std::snprintf(line, sizeof line, "%s near (%.6g, %.6g, %.6g)",
+                  text_of(reason, depth >= kDeepest), p[0], p[1], p[2]);
     failure_ = CoverFailure{reason, p, line};
   }
 
@@ -305,14 +311,15 @@ class Coverer {
   Enclosures enclose_;
   CriticalPoints critical_;
   std::size_t budget_, in_box_ = 0;
+  const Stop& stop_;
   Cover cover_;
   std::optional<CoverFailure> failure_;
 };
 
 }  // namespace
 
-CoverResult cover_box(const Surface& surface, std::size_t budget) {
-  return Coverer(surface, budget).run();
+CoverResult cover_box(const Surface& surface, std::size_t budget, const Stop& stop) {
+  return Coverer(surface, budget, stop).run();
 }
 
 namespace {
@@ -349,6 +356,16 @@ void refine_at(Triangulation& mesh, Index vertex) {
 }
 
 }  // namespace
+
+std::vector<FineSpot> known_points(const Cover& cover) {
+  std::vector<FineSpot> points;
+  for (std::size_t j = 0; j < cover.boxes.size(); ++j) {
+    const Box& box = cover.boxes[j].box;
+    const std::size_t across = cover.boxes[j].axis == 0 ? 2 : 0;
+    points.push_back({cover.critical_points[j], (box[across + 1] - box[across]) / 2});
+  }
+  return points;
+}
 
 std::optional<std::size_t> place_vertices(Cover& cover, Triangulation& mesh) {
   constexpr int kRounds = 40;

@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/smooth_ridges/projection.hpp"
+#include "algorithms/smooth_ridges/graded_grid.hpp"
+#include "algorithms/smooth_ridges/stop.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -29,9 +30,10 @@ struct Cover {
 /// Why the box could not be covered, and where.
 struct CoverFailure {
   enum class Reason {
-    boundary,  ///< F has a zero, or nearly so, on the box's boundary
-    singular,  ///< F and grad F are nearly zero
-    undecided  ///< degenerate critical points, or the budget is spent
+    boundary,   ///< F has a zero, or nearly so, on the box's boundary
+    singular,   ///< F and grad F are nearly zero
+    undecided,  ///< degenerate critical points, or the budget is spent
+    stopped
   };
   Reason reason;
   Vec3 where;
@@ -44,7 +46,10 @@ struct CoverResult {
 };
 
 /// Requires: an implicit surface. `budget`: cells.
-CoverResult cover_box(const Surface& surface, std::size_t budget = 2000000);
+CoverResult cover_box(const Surface& surface, std::size_t budget = 2000000, const Stop& stop = {});
+
+/// Its points of S, each with half the side of its graph box: the surface is no finer there.
+std::vector<FineSpot> known_points(const Cover& cover);
 
 /// Gives each graph box the vertex well inside it nearest to its critical point; where there is
 /// none the mesh is refined around that point first. Vertices stay when a mesh is refined on, so
@@ -58,11 +63,17 @@ std::uint8_t face_axis(const Triangulation& mesh, Index face);
 struct OneSheet {
   std::vector<Index> faces;     ///< ascending, one a component
   std::optional<Index> failed;  ///< a face of a component where no face was found
+  bool stopped = false;         ///< before it was looked for everywhere
 };
+/// Enclosures of the images of faces, as far as they are known: the rest are infinite.
+using FaceImages = std::vector<std::array<kernel::Range, 3>>;
+
 /// One face a component that satisfies "One sheet" with its face_axis(), no face with skip[f] != 0
-/// among them (empty: no face is skipped). Requires: all charts hold.
+/// among them (empty: no face is skipped). `images` (empty: not known) save their charts.
+/// Requires: all charts hold.
 /// Cost: a chart a face, and a bounding box test a face and candidate.
 OneSheet one_sheet(const Surface& surface, const Triangulation& mesh,
-                   const std::vector<std::uint8_t>& skip = {});
+                   const std::vector<std::uint8_t>& skip = {}, const FaceImages& images = {},
+                   const Stop& stop = {});
 
 }  // namespace crest::smooth_ridges

@@ -6,6 +6,7 @@
 
 #include "algorithms/smooth_ridges/directions.hpp"
 #include "algorithms/smooth_ridges/forms.hpp"
+#include "algorithms/smooth_ridges/frame_jet.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -29,28 +30,115 @@ struct Extremalities {
   std::array<Pair<Field<K>>, 2> v;
 };
 
-/// A model's polynomial on edge i at s in [0, 1].
-double on_edge(const Model& f, std::size_t edge, double s) {
+/// A polynomial in s, by ascending degree.
+using EdgePolynomial = std::array<double, 5>;
+static_assert(Model::kTable.exponents.back()[0] + 1 == EdgePolynomial{}.size());
+
+constexpr EdgePolynomial times_linear(const EdgePolynomial& p, double at0, double at1) {
+  EdgePolynomial r{};
+  for (std::size_t n = 0; n < r.size(); ++n)
+    r[n] = at0 * p[n] + (n > 0 ? (at1 - at0) * p[n - 1] : 0);
+  return r;
+}
+
+/// The monomials on edge i, s in [0, 1] from its corner i.
+constexpr auto kOnEdges = [] {
   constexpr double u[] = {-0.5, 1, -0.5}, v[] = {-0.5, -0.5, 1};
-  const std::size_t next = (edge + 1) % 3;
-  const double x = u[edge] + s * (u[next] - u[edge]), y = v[edge] + s * (v[next] - v[edge]);
-  double sum = 0;
-  for (std::size_t k = 0; k < Model::kCount; ++k) {
-    const auto& e = Model::kTable.exponents[k];
-    sum += f.c[k] * std::pow(x, e[0]) * std::pow(y, e[1]);
-  }
+  std::array<std::array<EdgePolynomial, Model::kCount>, 3> all{};
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    for (std::size_t k = 0; k < Model::kCount; ++k) {
+      EdgePolynomial p{1};
+      const std::size_t next = (edge + 1) % 3;
+      for (int n = 0; n < Model::kTable.exponents[k][0]; ++n) p = times_linear(p, u[edge], u[next]);
+      for (int n = 0; n < Model::kTable.exponents[k][1]; ++n) p = times_linear(p, v[edge], v[next]);
+      all[edge][k] = p;
+    }
+  return all;
+}();
+
+/// A model's polynomial on edge i.
+EdgePolynomial on_edge(const Model& f, std::size_t edge) {
+  EdgePolynomial sum{};
+  for (std::size_t k = 0; k < Model::kCount; ++k)
+    for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += f.c[k] * kOnEdges[edge][k][n];
   return sum;
+}
+double value(const EdgePolynomial& p, double s) {
+  return p[0] + s * (p[1] + s * (p[2] + s * (p[3] + s * p[4])));
 }
 
 /// The zero on a crossed edge by bisection.
 double zero_on_edge(const Model& f, std::size_t edge) {
+  const EdgePolynomial p = on_edge(f, edge);
   double low = 0, high = 1;
-  const bool rising = on_edge(f, edge, 0) < 0;
+  const bool rising = p[0] < 0;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    ((on_edge(f, edge, middle) < 0) == rising ? low : high) = middle;
+    ((value(p, middle) < 0) == rising ? low : high) = middle;
   }
   return 0.5 * (low + high);
+}
+
+FaceImage image_of(const Chart<Model>& chart) {
+  return {chart.x[0].range(), chart.x[1].range(), chart.x[2].range()};
+}
+
+std::uint8_t along_first(double a, double b, double c, double sigma) {
+  return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
+}
+
+Vec3 mean_normal(const Corners& c) {
+  const Vec3 sum = normal(c[0]) + normal(c[1]) + normal(c[2]);
+  const double size = norm(sum);
+  return {sum[0] / size, sum[1] / size, sum[2] / size};
+}
+
+/// The derivatives by the model's coordinates at (u, v), without the remainder.
+std::array<double, 2> slopes_at(const Model& f, double u, double v) {
+  std::array<double, 6> pu{1}, pv{1};
+  for (std::size_t n = 1; n < 5; ++n) pu[n] = pu[n - 1] * u, pv[n] = pv[n - 1] * v;
+  std::array<double, 2> sum{};
+  for (std::size_t k = 1; k < Model::kCount; ++k) {
+    const std::size_t i = Model::kTable.exponents[k][0], j = Model::kTable.exponents[k][1];
+    if (i > 0) sum[0] += f.c[k] * static_cast<double>(i) * pu[i - 1] * pv[j];
+    if (j > 0) sum[1] += f.c[k] * static_cast<double>(j) * pu[i] * pv[j - 1];
+  }
+  return sum;
+}
+
+using Tangents = std::array<std::array<double, 2>, 2>;
+
+/// At the centroid, by the models' u and v.
+Tangents tangents_of(const Chart<Model>& chart, bool implicit, const Frame& frame) {
+  const auto vectors =
+      implicit ? frame_vectors(frame) : std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Tangents t{};
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t i = 0; i < 3; ++i) t[d][k] += vectors[k][i] * chart.x[i].c[2 - d];
+  return t;
+}
+
+/// Whether E's polynomial shows that its derivatives would not decide the face: along the gradient
+/// at the centroid it falls somewhere.
+bool slope_turns(const Model& e, const Tangents& tangents) {
+  const auto& [tu, tv] = tangents;
+  const auto gradient = [&](double u, double v) {  // but for the factor det
+    const auto [eu, ev] = slopes_at(e, u, v);
+    return std::array{eu * tv[1] - ev * tu[1], ev * tu[0] - eu * tv[0]};
+  };
+  const auto c = gradient(0, 0);
+  constexpr std::array<double, 2> kPoints[] = {{-0.5, -0.5}, {1, -0.5},    {-0.5, 1},
+                                               {0.25, -0.5}, {0.25, 0.25}, {-0.5, 0.25}};
+  return std::any_of(std::begin(kPoints), std::end(kPoints), [&](const auto& p) {
+    const auto g = gradient(p[0], p[1]);
+    return c[0] * g[0] + c[1] * g[1] < 0;
+  });
+}
+
+/// Lemma 5: of the sign of G.
+RidgeType arc_type(int sign, std::size_t j) {
+  return (sign < 0) == (j == 0) ? RidgeType::elliptic : RidgeType::hyperbolic;
 }
 
 }  // namespace
@@ -77,6 +165,7 @@ struct FaceTest::State {
     FaceResult r;
     auto chart = charts(c);
     if (!chart) return r;
+    r.image = image_of(*chart);
     special = domain_corner(c);
     if (special) corner = at_corner(c[*special]);
     Extremalities<0> values;
@@ -85,8 +174,11 @@ struct FaceTest::State {
     for (std::size_t j = 0; j < 2; ++j) {
       const Model& e = values.e[j][0];
       r.colour[j].no_zero = !holds_zero(e.range());
-      // Derivatives lose more: not worth their cost where the remainder hides E's slope.
-      if (!r.colour[j].no_zero && e.radius > 0.5 * (std::fabs(e.c[1]) + std::fabs(e.c[2])))
+      // Derivatives lose more: not worth their cost where the remainder hides E's slope, or E
+      // tells.
+      if (!r.colour[j].no_zero &&
+          (e.radius > 0.5 * (std::fabs(e.c[1]) + std::fabs(e.c[2])) ||
+           (!special && slope_turns(e, tangents_of(*chart, implicit, r.frame)))))
         r.status = FaceStatus::ridge;
     }
     if (r.status != FaceStatus::proven) return r;
@@ -121,28 +213,18 @@ struct FaceTest::State {
     }
     return d;
   }
-  static std::uint8_t along_first(double a, double b, double c, double sigma) {
-    return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
-  }
-
   /// Stage without derivatives: axis, w, (R), values.
   FaceStatus plain(Chart<Model>& chart, const Corners& c, Extremalities<0>& values, FaceResult& r) {
     if (!implicit) return measure<0>(MapGeometry<Model, 3>{unit(*x3, chart)}, values, r, true);
     r.frame = nearest_frame(mean_normal(c));
-    const auto f = f3->along(chart.x, frame_vectors(r.frame));
+    const auto f = in_frame((*f3)(chart.x), frame_vectors(r.frame));
     if (!(f.coefficient(0, 0, 1).range().low > 0)) return FaceStatus::chart;
     return measure<0>(GraphGeometry<Model, 3>{GraphJet<Model, 3>::of(f, 2)}, values, r, true);
   }
 
-  static Vec3 mean_normal(const Corners& c) {
-    const Vec3 sum = normal(c[0]) + normal(c[1]) + normal(c[2]);
-    const double size = norm(sum);
-    return {sum[0] / size, sum[1] / size, sum[2] / size};
-  }
-
-  /// The same with K derivatives along the surface; implicit: and the chart's tangents.
+  /// The same with K derivatives along the surface; implicit, K = 1: and grad F.
   template <int K>
-  FaceStatus derived(Chart<Model>& chart, const Corners& c, Extremalities<K>& out, FaceResult& r) {
+  FaceStatus derived(Chart<Model>& chart, Extremalities<K>& out, FaceResult& r) {
     static_assert(K == 1 || K == 2);
     if (!implicit) {
       if constexpr (K == 1)
@@ -150,24 +232,26 @@ struct FaceTest::State {
       else
         return measure<K>(MapGeometry<Model, 5>{unit(*x5, chart)}, out, r, false);
     }
-    const auto frame = frame_vectors(r.frame);
     const auto f = [&] {
       if constexpr (K == 1)
-        return f4->along(chart.x, frame);
+        return (*f4)(chart.x);
       else
-        return f5->along(chart.x, frame);
+        return (*f5)(chart.x);
     }();
-    if constexpr (K == 1) set_tangents(chart, c, frame);
-    return measure<K>(GraphGeometry<Model, K + 3>{GraphJet<Model, K + 3>::of(f, 2)}, out, r, false);
+    if constexpr (K == 1)
+      gradient = {f.coefficient(1, 0, 0), f.coefficient(0, 1, 0), f.coefficient(0, 0, 1)};
+    const auto h = GraphJet<Model, K + 3>::of(in_frame(f, frame_vectors(r.frame)), 2);
+    return measure<K>(GraphGeometry<Model, K + 3>{h}, out, r, false);
   }
 
-  /// chart.dx: in the frame's coordinates, but for the factor n^2.
-  void set_tangents(Chart<Model>& chart, const Corners& c, const std::array<Vec3, 3>& frame) {
-    charts.tangents(chart, c);
+  /// chart.dx: in the frame's coordinates, but for the factor n^2. Requires: derived<1>.
+  void set_tangents(Chart<Model>& chart, const Corners& c, const Frame& frame) {
+    Charts<Model>::tangents(chart, c, gradient);
+    const auto vectors = frame_vectors(frame);
     for (auto& t : chart.dx) {
       const auto x = t;
       for (std::size_t k = 0; k < 3; ++k)
-        t[k] = x[0] * frame[k][0] + x[1] * frame[k][1] + x[2] * frame[k][2];
+        t[k] = x[0] * vectors[k][0] + x[1] * vectors[k][1] + x[2] * vectors[k][2];
     }
   }
 
@@ -194,14 +278,15 @@ struct FaceTest::State {
 
   FaceStatus ridges(Chart<Model>& chart, const Corners& c, FaceResult& r) {
     Extremalities<1> x;
-    const FaceStatus status = derived<1>(chart, c, x, r);
+    const FaceStatus status = derived<1>(chart, x, r);
     if (status != FaceStatus::proven) return status;
     for (std::size_t j = 0; j < 2; ++j)
       if (!r.colour[j].no_zero && !monotone(x.e[j], j, r.colour[j])) return FaceStatus::ridge;
+    if (implicit) set_tangents(chart, c, r.frame);
     for (std::size_t j = 0; j < 2; ++j) {
       if (r.colour[j].no_zero) continue;
       decide_edges(chart, x.e[j], r.colour[j]);
-      if (is_crossed(r.colour[j]) && !type(chart, c, x, j, r)) return FaceStatus::type;
+      if (is_crossed(r.colour[j]) && !type(chart, x, j, r)) return FaceStatus::type;
     }
     if (is_crossed(r.colour[0]) && is_crossed(r.colour[1]) && !purple(x, r))
       return FaceStatus::purple;
@@ -249,8 +334,7 @@ struct FaceTest::State {
     }
   }
 
-  bool type(Chart<Model>& chart, const Corners& c, const Extremalities<1>& x, std::size_t j,
-            FaceResult& r) {
+  bool type(Chart<Model>& chart, const Extremalities<1>& x, std::size_t j, FaceResult& r) {
     ColourResult& colour = r.colour[j];
     const Model g =
         x.v[j][0][0] * x.e[j].coefficient(1, 0) + x.v[j][1][0] * x.e[j].coefficient(0, 1);
@@ -261,7 +345,7 @@ struct FaceTest::State {
     }
     if (colour.loose_corner >= 0) return false;
     Extremalities<2> y;
-    if (derived<2>(chart, c, y, r) != FaceStatus::proven) return false;
+    if (derived<2>(chart, y, r) != FaceStatus::proven) return false;
     const auto e1 = partial<1>(y.e[j], 1, 0), e2 = partial<1>(y.e[j], 0, 1);
     const auto along = partial<1>(y.v[j][0], 0, 0) * e1 + partial<1>(y.v[j][1], 0, 0) * e2;
     const Model det = e1[0] * along.coefficient(0, 1) - e2[0] * along.coefficient(1, 0);
@@ -270,18 +354,13 @@ struct FaceTest::State {
     int sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!colour.crossed[k]) continue;
-      const double at = on_edge(along[0], k, colour.at[k]);
+      const double at = value(on_edge(along[0], k), colour.at[k]);
       if (!(std::fabs(at) > 4 * along[0].radius)) return false;
       sum += at > 0 ? 1 : -1;
     }
     colour.type = sum == 0 ? RidgeType::turning : arc_type(sum, j);
     return true;
   }
-  /// Lemma 5: of the sign of G.
-  static RidgeType arc_type(int sign, std::size_t j) {
-    return (sign < 0) == (j == 0) ? RidgeType::elliptic : RidgeType::hyperbolic;
-  }
-
   /// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.
   static bool apart(const Extremalities<1>& x) {
     std::array<double, 2> slope;
@@ -308,7 +387,7 @@ struct FaceTest::State {
         const double blue_at = r.colour[0].at[k], red_at = r.colour[1].at[k];
         const double between = 0.5 * (blue_at + red_at);
         for (const Extremalities<1>* both = &x; const auto& e : both->e)
-          if (!(std::fabs(on_edge(e[0], k, between)) > 2 * e[0].radius)) return false;
+          if (!(std::fabs(value(on_edge(e[0], k), between)) > 2 * e[0].radius)) return false;
         if (blue_at > red_at) sign = -sign;
       }
       product *= sign;
@@ -321,6 +400,7 @@ struct FaceTest::State {
   std::optional<std::size_t> special;  ///< corner of the present face that is one of the domain
   Directions corner{};                 ///< there
   std::optional<ParametricMap<double, 4>> plain_map;
+  std::array<Model, 3> gradient{};  ///< of F on the present face
   Charts<Model> charts;
   std::optional<ImplicitMap<Model, 3>> f3;
   std::optional<ImplicitMap<Model, 4>> f4;
@@ -338,10 +418,10 @@ FaceResult FaceTest::operator()(const Corners& corners) {
   return state_->run(corners);
 }
 
-std::optional<std::array<kernel::Range, 3>> FaceTest::image(const Corners& corners) {
+std::optional<FaceImage> FaceTest::image(const Corners& corners) {
   const auto chart = state_->charts(corners);
   if (!chart) return std::nullopt;
-  return std::array{chart->x[0].range(), chart->x[1].range(), chart->x[2].range()};
+  return image_of(*chart);
 }
 
 }  // namespace crest::smooth_ridges

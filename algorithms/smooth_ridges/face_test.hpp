@@ -4,6 +4,7 @@
 // The conditions on one face (certify/ridges_smooth/SPEC.md, Faces outside patches; paper 002,
 // section 6). Turning point: a ridge changes between elliptic and hyperbolic. Purple point: a blue
 // and a red ridge cross.
+#include <cmath>
 #include <memory>
 
 #include "algorithms/smooth_ridges/chart.hpp"
@@ -21,7 +22,8 @@ enum class FaceStatus : std::uint8_t {
   regular,  ///< (R): near an umbilic, or too coarse
   ridge,    ///< an extremality is neither free of zeros nor monotone
   type,     ///< elliptic or hyperbolic is not decided
-  purple    ///< the order of a blue and a red arc is not decided
+  purple,   ///< the order of a blue and a red arc is not decided
+  untested
 };
 
 struct ColourResult {
@@ -37,8 +39,14 @@ struct ColourResult {
   std::array<int, 3> slope{};
 };
 
+/// Enclosures of the image of a face: of x, y, z (implicit) or lifted U, V, 0.
+using FaceImage = std::array<kernel::Range, 3>;
+inline constexpr FaceImage kAnywhere = {
+    kernel::Range{-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}};
+
 struct FaceResult {
   FaceStatus status = FaceStatus::chart;
+  FaceImage image = kAnywhere;
   Frame frame{};  ///< implicit
   std::uint8_t w = 0;
   std::array<ColourResult, 2> colour;  ///< blue, red
@@ -53,9 +61,8 @@ class FaceTest {
   FaceTest(FaceTest&&) noexcept;
 
   FaceResult operator()(const std::array<Vertex, 3>& corners);
-  /// Enclosures of the image (implicit: of x, y, z; parametric: lifted U, V), or nothing if the
-  /// chart is not proven.
-  std::optional<std::array<kernel::Range, 3>> image(const std::array<Vertex, 3>& corners);
+  /// Nothing if the chart is not proven.
+  std::optional<FaceImage> image(const std::array<Vertex, 3>& corners);
 
  private:
   struct State;

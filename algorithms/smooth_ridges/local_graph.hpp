@@ -11,6 +11,7 @@
 #include <cstddef>
 
 #include "kernel/arithmetic/jet.hpp"
+#include "kernel/arithmetic/sparse_array.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -47,8 +48,8 @@ class GraphJet {
   static Graph of(const Surface& f, std::size_t axis) { return GraphJet(f, axis).solve(); }
 
  private:
-  static constexpr kernel::Monomials<2, Order> kPlane{};
   static constexpr kernel::Monomials<3, Order> kSpace{};
+  using Coefficients = kernel::SparseArray<T, Graph::kCount>;
 
   GraphJet(const Surface& f, std::size_t axis) : f_(f), axis_(axis) {}
 
@@ -61,56 +62,61 @@ class GraphJet {
     unit[axis_] = 1;
     const T& slope = f_.coefficient(unit[0], unit[1], unit[2]);
     const T factor = kernel::number_like(-1, &slope) / slope;
+    Graph h;
     for (int d = 1; d <= Order; ++d) {
       for (int i = 0; i <= d; ++i) extend_powers(i, d - i);
       for (int i = 0; i <= d; ++i) {
-        bool any = false;
-        const T rest = residual(i, d - i, any);
-        if (any) powers_[1].set(place(i, d - i), T(rest * factor));
+        const std::size_t at = place(i, d - i);
+        add_residual(i, d - i);
+        if (!powers_[1].has(at)) continue;
+        h.set(at, T(powers_[1][at] * factor));
+        powers_[1].put(at, h[at]);
       }
     }
-    return powers_[1];
+    return h;
   }
 
   /// h^c for c >= 2 at (i, j): coefficients of h of lower degree.
   void extend_powers(int i, int j) {
     for (std::size_t c = 2; c <= static_cast<std::size_t>(i + j); ++c)
       for (int k = 0; k <= i; ++k)
-        for (int l = 0; l <= j; ++l)
-          add(powers_[c], place(i, j), powers_[1], place(k, l), powers_[c - 1],
-              place(i - k, j - l));
+        for (int l = 0; l <= j; ++l) {
+          const std::size_t a = place(k, l), b = place(i - k, j - l);
+          if (powers_[1].has(a) && powers_[c - 1].has(b))
+            add(powers_[c], place(i, j), powers_[1][a], powers_[c - 1][b]);
+        }
   }
-  static void add(Graph& sum, std::size_t at, const Graph& a, std::size_t ia, const Graph& b,
-                  std::size_t ib) {
-    if ((a.mask() >> ia & 1) == 0 || (b.mask() >> ib & 1) == 0) return;
-    T value = a[ia] * b[ib];
-    sum.set(at, (sum.mask() >> at & 1) != 0 ? T(sum[at] + value) : value);
+  /// sums_at += x y.
+  static void add(Coefficients& sums, std::size_t at, const T& x, const T& y) {
+    using kernel::add_product;
+    if (sums.has(at))
+      add_product(sums.place(at), x, y);
+    else
+      sums.make(at, [&] { return T(x * y); });
   }
 
-  /// The coefficient of p^i q^j in F(p, q, h) but for F_m h_ij.
-  T residual(int i, int j, bool& any) const {
+  /// To h at (i, j) the coefficient of p^i q^j in F(p, q, h) but for F_m h_ij.
+  void add_residual(int i, int j) {
     const auto [p, q] = plane_axes(axis_);
-    T sum = kernel::number_like(0, &f_[0]);
+    const std::size_t to = place(i, j);
+    Coefficients& h = powers_[1];
     kernel::for_each_bit(f_.mask() & ~std::uint64_t{1}, [&](std::size_t at) {
       const auto& e = kSpace.exponents[at];
       const int k = i - e[p], l = j - e[q];
       const std::size_t c = e[axis_];
       if (k < 0 || l < 0) return;
       if (c == 0) {
-        if (k == 0 && l == 0) sum = sum + f_[at], any = true;
+        if (k == 0 && l == 0) h.put(to, h.has(to) ? T(h[to] + f_[at]) : f_[at]);
         return;
       }
       const std::size_t from = place(k, l);
-      if ((powers_[c].mask() >> from & 1) == 0) return;
-      sum = sum + f_[at] * powers_[c][from];
-      any = true;
+      if (powers_[c].has(from) && !(c == 1 && from == to)) add(h, to, f_[at], powers_[c][from]);
     });
-    return sum;
   }
 
   const Surface& f_;
   std::size_t axis_;
-  std::array<Graph, Order + 1> powers_;  ///< of h, from the first
+  std::array<Coefficients, Order + 1> powers_;  ///< of h, from the first
 };
 
 }  // namespace crest::smooth_ridges

@@ -2,6 +2,7 @@
 // Faces whose image no other face meets (certify/ridges_smooth/SPEC.md, "One sheet").
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "algorithms/smooth_ridges/chart.hpp"
 #include "algorithms/smooth_ridges/completeness.hpp"
@@ -11,25 +12,30 @@ namespace {
 
 using Model = kernel::TaylorModel<3>;
 using kernel::Range;
+constexpr Range kAll = {-HUGE_VAL, HUGE_VAL};
 
-/// Range, opened a little: the checker's may be wider.
-Range roomy(const Model& m) {
-  const Range r = m.range();
+/// Opened a little: the checker's may be wider.
+Range roomy(const Range& r) {
   const double room = 0.01 * (r.high - r.low) + 1e-12 * (std::fabs(r.low) + std::fabs(r.high));
   return {r.low - room, r.high + room};
+}
+Range roomy(const Model& m) {
+  return roomy(m.range());
 }
 
 class SheetFinder {
  public:
-  SheetFinder(const Surface& surface, const Triangulation& mesh) : mesh_(mesh), charts_(surface) {
-    for (Index f = 0; f < mesh.faces().size(); ++f) {
-      const auto chart = charts_(mesh.corners(f));
-      if (!chart) {
-        ranges_.push_back(
-            {Range{-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}});
-        continue;
-      }
-      ranges_.push_back({roomy(chart->x[0]), roomy(chart->x[1]), roomy(chart->x[2])});
+  SheetFinder(const Surface& surface, const Triangulation& mesh, FaceImages images)
+      : mesh_(mesh), charts_(surface), images_(std::move(images)) {
+    const auto is_known = [](const Range& r) { return std::isfinite(r.low - r.high); };
+    images_.resize(mesh.faces().size(), {kAll, kAll, kAll});
+    for (Index f = 0; f < images_.size(); ++f) {
+      auto& [x, y, z] = images_[f];
+      if (!is_known(x) || !is_known(y) || !is_known(z))
+        if (const auto chart = charts_(mesh.corners(f)))
+          std::tie(x, y, z) =
+              std::tuple(chart->x[0].range(), chart->x[1].range(), chart->x[2].range());
+      for (Range& r : images_[f]) r = roomy(r);
     }
   }
 
@@ -72,7 +78,7 @@ class SheetFinder {
              const std::array<Vec3, 3>& outward) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double room = 2 * centre[k].radius + 1e-12 * std::fabs(y[k]);
-      if (ranges_[f][k].low > y[k] + room || ranges_[f][k].high < y[k] - room) return true;
+      if (images_[f][k].low > y[k] + room || images_[f][k].high < y[k] - room) return true;
     }
     const auto chart = charts_(mesh_.corners(f));
     if (!chart) return false;
@@ -88,7 +94,7 @@ class SheetFinder {
 
   const Triangulation& mesh_;
   Charts<Model> charts_;
-  std::vector<std::array<Range, 3>> ranges_;
+  FaceImages images_;
 };
 
 /// The least sine of a face's angles: how well shaped it is.
@@ -115,14 +121,15 @@ std::uint8_t face_axis(const Triangulation& mesh, Index face) {
 }
 
 OneSheet one_sheet(const Surface& surface, const Triangulation& mesh,
-                   const std::vector<std::uint8_t>& skip) {
+                   const std::vector<std::uint8_t>& skip, const FaceImages& images,
+                   const Stop& stop) {
   const std::vector<Index> component = mesh.face_components();
   std::vector<std::vector<Index>> members;
   for (Index f = 0; f < component.size(); ++f) {
     if (component[f] == members.size()) members.emplace_back();
     members[component[f]].push_back(f);
   }
-  SheetFinder finder(surface, mesh);
+  SheetFinder finder(surface, mesh, images);
   OneSheet result;
   for (std::vector<Index>& faces : members) {
     // The best shaped first: slender neighbours spoil the conormals' test.
@@ -132,8 +139,11 @@ OneSheet one_sheet(const Surface& surface, const Triangulation& mesh,
     std::sort(order.begin(), order.end());
     constexpr std::size_t kCandidates = 400;
     if (order.size() > kCandidates) order.resize(kCandidates);
-    const auto found = std::find_if(order.begin(), order.end(),
-                                    [&](const auto& entry) { return finder.holds(entry.second); });
+    const auto found = std::find_if(order.begin(), order.end(), [&](const auto& entry) {
+      result.stopped = is_over(stop);
+      return !result.stopped && finder.holds(entry.second);
+    });
+    if (result.stopped) return result;
     if (found == order.end()) {
       result.failed = faces.front();
       return result;

@@ -16,12 +16,12 @@ class Search {
   Search(const Surface& surface, const Triangulation& mesh, const Umbilic& umbilic, FaceTest& test)
       : surface_(surface), mesh_(mesh), umbilic_(umbilic), test_(test) {}
 
-  PatchSearch run() {
+  PatchSearch run(const std::vector<Index>& candidates) {
     PatchSearch result;
     // A smaller square if the faces around a larger one do not form a disk.
     for (const double half : {0.5, 0.4, 0.3, 0.6}) {
       result = {};
-      for (Index f = 0; f < mesh_.faces().size(); ++f) {
+      for (const Index f : candidates) {
         const auto flat = near(f);
         if (!flat || !meets(*flat, half)) continue;
         (within(f, *flat) ? result.faces : result.too_large).push_back(f);
@@ -143,9 +143,34 @@ class Search {
 
 }  // namespace
 
+bool may_meet(const Surface& surface, const Triangulation& mesh, const Umbilic& umbilic,
+              Index face) {
+  // A new vertex stays within half an edge of the edge's middle.
+  constexpr double kSizes = 3;
+  const auto& u = umbilic.centre;
+  const auto c = mesh.corners(face);
+  if (!surface.is_implicit()) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double size = std::max(std::fabs(c[1][d] - c[0][d]), std::fabs(c[2][d] - c[0][d]));
+      double off = c[0][d] - u.z[d];
+      if (surface.periodic(d)) off -= std::round(off);
+      if (!(std::fabs(off) < umbilic.radius + kSizes * size)) return false;
+    }
+    return true;
+  }
+  const Vec3 off = position(c[0]) - in_space(u);
+  const double size =
+      std::max(norm(position(c[1]) - position(c[0])), norm(position(c[2]) - position(c[0])));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double reach = k == u.axis ? umbilic.heights[1] - umbilic.heights[0] : umbilic.radius;
+    if (!(std::fabs(off[k]) < reach + kSizes * size)) return false;
+  }
+  return true;
+}
+
 PatchSearch find_patch(const Surface& surface, const Triangulation& mesh, const Umbilic& umbilic,
-                       FaceTest& test) {
-  return Search(surface, mesh, umbilic, test).run();
+                       const std::vector<Index>& candidates, FaceTest& test) {
+  return Search(surface, mesh, umbilic, test).run(candidates);
 }
 
 }  // namespace crest::smooth_ridges

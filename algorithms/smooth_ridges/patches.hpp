@@ -15,8 +15,12 @@ struct PatchSearch {
   std::vector<Index> too_large;  ///< to be refined first
 };
 
-/// `candidates`: faces that may be near the umbilic.
+/// Whether the face, or one that bisection makes of it, may reach Q.
+bool may_meet(const Surface& surface, const Triangulation& mesh, const Umbilic& umbilic,
+              Index face);
+
+/// `candidates`: all faces that may_meet(), ascending.
 PatchSearch find_patch(const Surface& surface, const Triangulation& mesh, const Umbilic& umbilic,
-                       FaceTest& test);
+                       const std::vector<Index>& candidates, FaceTest& test);
 
 }  // namespace crest::smooth_ridges

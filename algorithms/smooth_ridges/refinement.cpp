@@ -15,12 +15,65 @@
 namespace crest::smooth_ridges {
 namespace {
 
+/// SPEC.md, "Corners of the domain": the faces at one must agree, with one arc from there.
+void mark_loose_corners(const Triangulation& mesh, const std::vector<FaceResult>& faces,
+                        std::vector<Index>& marks) {
+  struct Corner {
+    std::vector<Index> faces;
+    int loose = 0, slope = 0, opposite = 0, along = 0;
+  };
+  std::map<std::pair<Index, std::size_t>, Corner> corners;
+  for (Index f = 0; f < faces.size(); ++f)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const int k = faces[f].colour[j].loose_corner;
+      if (k >= 0) corners[{mesh.faces()[f][static_cast<std::size_t>(k)], j}].loose += 1;
+    }
+  if (corners.empty()) return;
+  for (Index f = 0; f < faces.size(); ++f)
+    for (std::size_t j = 0; j < 2; ++j)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = corners.find({mesh.faces()[f][k], j});
+        if (at == corners.end()) continue;
+        const ColourResult& c = faces[f].colour[j];
+        at->second.faces.push_back(f);
+        at->second.opposite += c.crossed[(k + 1) % 3] ? 1 : 0;
+        for (const std::size_t edge : {k, (k + 2) % 3}) {
+          if (mesh.neighbours()[f][edge] != kNone) continue;
+          at->second.slope += c.slope[edge];
+          at->second.along += c.crossed[edge] ? 1 : 0;
+        }
+      }
+  for (const auto& [key, c] : corners)
+    if (c.loose != static_cast<int>(c.faces.size()) || std::abs(c.slope) != 2 || c.opposite != 1 ||
+        c.along != 1)
+      marks.insert(marks.end(), c.faces.begin(), c.faces.end());
+}
+
+SurfacePoint middle(const Surface& surface, const std::array<Vertex, 3>& c) {
+  Vertex m{};
+  for (std::size_t k = 0; k < 6; ++k) m[k] = (c[0][k] + c[1][k] + c[2][k]) / 3;
+  SurfacePoint p;
+  if (!surface.is_implicit()) {
+    p.z = {m[0], m[1]};
+    return p;
+  }
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::fabs(m[3 + k]) > std::fabs(m[3 + axis])) axis = k;
+  const auto [i, j] = plane_axes(axis);
+  p = {axis, {m[i], m[j]}, m[axis]};
+  return p;
+}
+
 class Refinement {
  public:
-  Refinement(const Surface& surface, Triangulation start, const RefinementOptions& options)
+  Refinement(const Surface& surface, Triangulation start, const RefinementOptions& options,
+             const Stop& stop)
       : surface_(surface),
         options_(options),
+        stop_(stop),
         places_(surface),
+        find_umbilic_(surface),
         tests_([&surface] { return FaceTest(surface); }) {
     out_.mesh = std::move(start);
   }
@@ -34,10 +87,12 @@ class Refinement {
       });
       mark_failures(marks);
       if (options_.progress) options_.progress(out_.rounds, count(), marks.size());
-      if (marks.empty()) break;
-      if (out_.rounds >= options_.max_depth || count() + marks.size() > options_.max_faces ||
-          stalls(marks)) {
-        list_uncertified(marks);
+      const std::vector<Index> undecided = marks;
+      leave_singular(marks);
+      out_.stopped = !marks.empty() && is_over(stop_);
+      if (marks.empty() || out_.stopped || out_.rounds >= options_.max_depth ||
+          count() + marks.size() > options_.max_faces || stalls(marks)) {
+        list_uncertified(undecided);
         break;
       }
       timed(out_.seconds.bisection, [&] { out_.mesh.refine(marks); });
@@ -58,7 +113,10 @@ class Refinement {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 16), [&](const auto& range) {
       FaceTest& test = tests_.local();
       for (std::size_t i = range.begin(); i < range.end(); ++i)
-        out_.faces[fresh[i]] = test(out_.mesh.corners(fresh[i]));
+        if (is_over(stop_))
+          out_.faces[fresh[i]].status = FaceStatus::untested;
+        else
+          out_.faces[fresh[i]] = test(out_.mesh.corners(fresh[i]));
     });
     for (const Index f : fresh) known_[f] = out_.mesh.ids()[f];
     out_.tests += fresh.size();
@@ -70,10 +128,11 @@ class Refinement {
     constexpr int kGiveUp = 32;  // a sphere has as many as one likes
     for (const Index f : fresh_) {
       if (out_.faces[f].status != FaceStatus::regular || degenerate_ > kGiveUp) continue;
+      if (is_over(stop_)) return;
       const auto corners = out_.mesh.corners(f);
       const double size = longest(corners);
-      const SurfacePoint start = middle(corners);
-      auto found = find_umbilic(surface_, start, surface_.is_implicit() ? 3 * size : 0.25);
+      const SurfacePoint start = middle(surface_, corners);
+      auto found = find_umbilic_(start, surface_.is_implicit() ? 3 * size : 0.25);
       if (!found || !bring_inside(*found)) continue;
       const Vec3 place = point(*found);
       if (std::any_of(seen_.begin(), seen_.end(), [&](const Vec3& other) {
@@ -82,26 +141,10 @@ class Refinement {
         continue;
       seen_.push_back(place);
       if (auto proven = prove_umbilic(surface_, *found, largest_radius(*found)))
-        out_.patches.push_back({*proven, {}});
+        out_.patches.push_back({*proven, {}, false, {}, 0});
       else
         ++degenerate_;
     }
-  }
-
-  SurfacePoint middle(const std::array<Vertex, 3>& c) const {
-    Vertex m{};
-    for (std::size_t k = 0; k < 6; ++k) m[k] = (c[0][k] + c[1][k] + c[2][k]) / 3;
-    SurfacePoint p;
-    if (!surface_.is_implicit()) {
-      p.z = {m[0], m[1]};
-      return p;
-    }
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (std::fabs(m[3 + k]) > std::fabs(m[3 + axis])) axis = k;
-    const auto [i, j] = plane_axes(axis);
-    p = {axis, {m[i], m[j]}, m[axis]};
-    return p;
   }
 
   Vec3 point(const SurfacePoint& p) {
@@ -142,7 +185,12 @@ class Refinement {
     out_.patch_of.assign(count(), kNone);
     for (std::size_t k = 0; k < out_.patches.size(); ++k) {
       UmbilicPatch& patch = out_.patches[k];
-      PatchSearch search = find_patch(surface_, out_.mesh, patch.umbilic, tests_.local());
+      const auto meets = [&](Index f) { return may_meet(surface_, out_.mesh, patch.umbilic, f); };
+      std::erase_if(patch.near, [&](Index f) { return !meets(f); });
+      for (; patch.looked_at < count(); ++patch.looked_at)
+        if (const auto f = static_cast<Index>(patch.looked_at); meets(f)) patch.near.push_back(f);
+      PatchSearch search =
+          find_patch(surface_, out_.mesh, patch.umbilic, patch.near, tests_.local());
       // Faces within Q wait for the others: refining them would only cost.
       patch.faces = std::move(search.faces);
       patch.complete = search.too_large.empty();
@@ -165,7 +213,7 @@ class Refinement {
       for (std::size_t k = 0; k < 3; ++k)
         if (!edge_decided(f, k)) marks.push_back(f);
     }
-    mark_loose_corners(marks);
+    mark_loose_corners(out_.mesh, out_.faces, marks);
     // Crossings at a patch's border must be its branches.
     for (const UmbilicPatch& patch : out_.patches)
       if (patch.complete && !border_agrees(patch))
@@ -193,39 +241,6 @@ class Refinement {
     return c.loose_corner >= 0 && static_cast<std::size_t>(c.loose_corner) != (k + 2) % 3;
   }
 
-  /// SPEC.md, "Corners of the domain": the faces at one must agree, with one arc from there.
-  void mark_loose_corners(std::vector<Index>& marks) const {
-    struct Corner {
-      std::vector<Index> faces;
-      int loose = 0, slope = 0, opposite = 0, along = 0;
-    };
-    std::map<std::pair<Index, std::size_t>, Corner> corners;
-    for (Index f = 0; f < count(); ++f)
-      for (std::size_t j = 0; j < 2; ++j) {
-        const int k = out_.faces[f].colour[j].loose_corner;
-        if (k >= 0) corners[{out_.mesh.faces()[f][static_cast<std::size_t>(k)], j}].loose += 1;
-      }
-    if (corners.empty()) return;
-    for (Index f = 0; f < count(); ++f)
-      for (std::size_t j = 0; j < 2; ++j)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto at = corners.find({out_.mesh.faces()[f][k], j});
-          if (at == corners.end()) continue;
-          const ColourResult& c = out_.faces[f].colour[j];
-          at->second.faces.push_back(f);
-          at->second.opposite += c.crossed[(k + 1) % 3] ? 1 : 0;
-          for (const std::size_t edge : {k, (k + 2) % 3}) {
-            if (out_.mesh.neighbours()[f][edge] != kNone) continue;
-            at->second.slope += c.slope[edge];
-            at->second.along += c.crossed[edge] ? 1 : 0;
-          }
-        }
-    for (const auto& [key, c] : corners)
-      if (c.loose != static_cast<int>(c.faces.size()) || std::abs(c.slope) != 2 ||
-          c.opposite != 1 || c.along != 1)
-        marks.insert(marks.end(), c.faces.begin(), c.faces.end());
-  }
-
   /// False if the crossings at a patch's border are known and are not its branches.
   bool border_agrees(const UmbilicPatch& patch) const {
     std::array<int, 2> crossed{};
@@ -242,6 +257,34 @@ class Refinement {
           crossed[j] += out_.faces[n].colour[j].crossed[edge] ? 1 : 0;
       }
     return crossed == patch.umbilic.branches.count;
+  }
+
+  /// Takes the faces around singularities of ridges off the marks. They are looked for where the
+  /// undecided faces do not become fewer: along regular ridges they do.
+  void leave_singular(std::vector<Index>& marks) {
+    constexpr std::size_t kFirstRound = 8, kRounds = 4;
+    undecided_.push_back(marks.size());
+    const std::size_t n = undecided_.size();
+    if (n > kFirstRound && undecided_[n - 1] >= undecided_[n - 1 - kRounds]) {
+      if (!finder_) finder_.emplace(surface_);
+      for (const Index f : marks) {
+        const FaceResult& face = out_.faces[f];
+        if (face.status != FaceStatus::ridge || is_left(f)) continue;
+        const auto corners = out_.mesh.corners(f);
+        for (const Colour colour : {Colour::blue, Colour::red}) {
+          if (face.colour[static_cast<std::size_t>(colour)].no_zero) continue;
+          const double size = longest(corners);
+          if (const auto found = finder_->near(middle(surface_, corners), colour, size))
+            out_.singularities.push_back({point(*found), colour, 3 * size});
+        }
+      }
+    }
+    if (!out_.singularities.empty()) std::erase_if(marks, [&](Index f) { return is_left(f); });
+  }
+  bool is_left(Index f) {
+    const Vec3 p = point(middle(surface_, out_.mesh.corners(f)));
+    return std::any_of(out_.singularities.begin(), out_.singularities.end(),
+                       [&](const auto& s) { return norm(s.place - p) < s.reach; });
   }
 
   /// Whether the undecided part has not lost half its area in six rounds: around points and
@@ -285,21 +328,25 @@ class Refinement {
 
   const Surface& surface_;
   const RefinementOptions& options_;
+  const Stop& stop_;
   Places places_;
+  UmbilicFinder find_umbilic_;
   tbb::enumerable_thread_specific<FaceTest> tests_;
   RefinedSurface out_;
   std::vector<std::uint64_t> known_;  ///< the id that faces[f] speaks of
   std::vector<Index> fresh_;
-  std::vector<Vec3> seen_;              ///< umbilics found so far
-  int degenerate_ = 0;                  ///< umbilics found but not proven
+  std::vector<Vec3> seen_;  ///< umbilics found so far
+  int degenerate_ = 0;      ///< umbilics found but not proven
+  std::optional<SingularityFinder> finder_;
+  std::vector<std::size_t> undecided_;  ///< by round
   std::vector<double> undecided_area_;  ///< by round
 };
 
 }  // namespace
 
-RefinedSurface refine(const Surface& surface, Triangulation start,
-                      const RefinementOptions& options) {
-  return Refinement(surface, std::move(start), options).run();
+RefinedSurface refine(const Surface& surface, Triangulation start, const RefinementOptions& options,
+                      const Stop& stop) {
+  return Refinement(surface, std::move(start), options, stop).run();
 }
 
 Places::Places(const Surface& surface) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/smooth_ridges/face_test.hpp"
+#include "algorithms/smooth_ridges/ridge_singularity.hpp"
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 #include "algorithms/smooth_ridges/umbilics.hpp"
 
@@ -14,8 +15,10 @@ namespace crest::smooth_ridges {
 /// An umbilic and the disk of faces around it.
 struct UmbilicPatch {
   Umbilic umbilic;
-  std::vector<Index> faces;  ///< ascending
-  bool complete = false;     ///< they are a disk
+  std::vector<Index> faces;   ///< ascending
+  bool complete = false;      ///< they are a disk
+  std::vector<Index> near;    ///< while it is looked for: faces that may belong to it
+  std::size_t looked_at = 0;  ///< faces that were asked
 };
 
 struct UncertifiedCell {
@@ -31,6 +34,8 @@ struct RefinedSurface {
   std::vector<Index> patch_of;        ///< F: patch, or kNone
   std::vector<UmbilicPatch> patches;  ///< by ascending first face
   std::vector<UncertifiedCell> uncertified;
+  std::vector<RidgeSingularity> singularities;  ///< found by the way, in the order of finding
+  bool stopped = false;
   int rounds = 0;
   std::size_t tests = 0;  ///< of faces
   struct {
@@ -38,8 +43,10 @@ struct RefinedSurface {
   } seconds;  ///< testing faces; umbilics and their patches; making faces
 };
 
-RefinedSurface refine(const Surface& surface, Triangulation start,
-                      const RefinementOptions& options);
+/// Around points where ridges of one colour seem to meet nothing is refined once they are found: no
+/// number of faces would do.
+RefinedSurface refine(const Surface& surface, Triangulation start, const RefinementOptions& options,
+                      const Stop& stop = {});
 
 /// Midpoint, in space, of face's image; parametric: of X at the unit coordinates' mean.
 class Places {

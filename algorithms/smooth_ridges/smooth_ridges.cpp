@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/smooth_ridges/smooth_ridges.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "algorithms/smooth_ridges/certificate.hpp"
@@ -13,6 +15,8 @@
 
 namespace crest::smooth_ridges {
 namespace {
+
+constexpr std::size_t kMostCells = 2000000;  // of the completeness tree
 
 const char* likely_reason(FaceStatus status) {
   switch (status) {
@@ -27,9 +31,35 @@ const char* likely_reason(FaceStatus status) {
       return "the type of a ridge is not decided: a turning point that is not generic";
     case FaceStatus::purple:
       return "blue and red ridges touch within their enclosures";
+    case FaceStatus::untested:
+      return "not tested before the run was stopped";
     default:
       return "a ridge touches an edge, or runs along the boundary";
   }
+}
+
+std::string text(const Vec3& p) {
+  char line[96];
+  std::snprintf(line, sizeof line, "(%.6g, %.6g, %.6g)", p[0], p[1], p[2]);
+  return line;
+}
+
+std::vector<std::string> obstacles_of(const RefinedSurface& refined) {
+  std::vector<std::string> lines;
+  if (refined.uncertified.empty()) return lines;
+  if (const auto& all = refined.singularities; !all.empty()) {
+    const std::string more =
+        all.size() > 1 ? " and " + std::to_string(all.size() - 1) + " places more" : "";
+    lines.push_back((all[0].colour == Colour::blue ? "blue" : "red") +
+                    std::string(" ridges cross, touch or are degenerate at ") + text(all[0].place) +
+                    more +
+                    ": the extremality and its gradient vanish there, so the surface is not "
+                    "generic (a symmetry?)");
+  }
+  lines.push_back((refined.stopped ? "stopped: " : "") +
+                  std::to_string(refined.uncertified.size()) + " of " +
+                  std::to_string(refined.mesh.faces().size()) + " cells are not certified");
+  return lines;
 }
 
 class Run {
@@ -38,7 +68,7 @@ class Run {
 
   SmoothRidges run() {
     if (!start()) return std::move(out_);
-    refined_ = refine(surface_, std::move(mesh_), options_.refinement);
+    refined_ = refine(surface_, std::move(mesh_), options_.refinement, options_.stop);
     out_.seconds.faces = refined_.seconds.faces;
     out_.seconds.umbilics = refined_.seconds.umbilics;
     out_.seconds.bisection = refined_.seconds.bisection;
@@ -52,12 +82,9 @@ class Run {
       open.size = cell.size;
       open.reason = likely_reason(cell.status);
     }
-    if (!out_.undecided.empty()) {
-      out_.obstacles.push_back(std::to_string(out_.undecided.size()) + " of " +
-                               std::to_string(refined_.mesh.faces().size()) +
-                               " cells are not certified");
-      return std::move(out_);
-    }
+    out_.stopped = refined_.stopped;
+    out_.obstacles = obstacles_of(refined_);
+    if (!out_.obstacles.empty()) return std::move(out_);
     if (close()) {
       const auto open = timed(out_.seconds.graph, [&] {
         out_.certificate = make_certificate(surface_, refined_, out_, cover_, sheets_);
@@ -77,32 +104,45 @@ class Run {
       return false;
     }
     if (surface_.is_implicit()) {
-      const CoverResult covered =
-          timed(out_.seconds.completeness, [&] { return cover_box(surface_); });
+      const CoverResult covered = timed(out_.seconds.completeness, [&] {
+        return cover_box(surface_, kMostCells, options_.stop);
+      });
       if (!covered.cover) {
+        out_.stopped = covered.failure->reason == CoverFailure::Reason::stopped;
         out_.obstacles.push_back(covered.failure->text);
         return false;
       }
       cover_ = *covered.cover;
     }
     try {
-      mesh_ = timed(out_.seconds.start, [&] {
-        const int target = options_.start_faces.value_or(surface_.is_implicit() ? 1500 : 400);
-        return initial_mesh(surface_, target, cover_.critical_points);
-      });
+      timed(out_.seconds.start, [&] { triangulate(); });
     } catch (const MeshError& error) {
+      out_.stopped = error.reason() == MeshError::Reason::stopped;
       out_.obstacles.push_back(error.what());
-      return false;
     }
-    if (surface_.is_implicit())
-      if (const auto box = place_vertices(cover_, mesh_)) {
-        const Vec3& x = cover_.critical_points[*box];
-        out_.obstacles.emplace_back("the triangulation lacks the component at (" +
-                                    std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " +
-                                    std::to_string(x[2]) + "): start with more faces");
-        return false;
+    return out_.obstacles.empty();
+  }
+
+  /// The first triangulation; implicit: with a vertex in each graph box.
+  void triangulate() {
+    const int target = options_.start_faces.value_or(surface_.is_implicit() ? 1500 : 400);
+    StartPoints points{known_points(cover_), {}};
+    for (;;) {
+      mesh_ = initial_mesh(surface_, target, points, options_.stop);
+      if (!surface_.is_implicit()) return;
+      const auto lacking = place_vertices(cover_, mesh_);
+      if (!lacking) return;
+      // A vertex is near, but of another component: smaller cells there show both.
+      const FineSpot& spot = points.known[*lacking];
+      const bool tried = std::any_of(points.fine.begin(), points.fine.end(),
+                                     [&](const FineSpot& s) { return s.place == spot.place; });
+      if (tried) {
+        out_.obstacles.push_back("the triangulation lacks the component at " + text(spot.place) +
+                                 ": start with more faces");
+        return;
       }
-    return true;
+      points.fine.push_back({spot.place, spot.size / 2});
+    }
   }
 
   void describe_mesh() {
@@ -127,9 +167,18 @@ class Run {
   /// What the faces' proofs leave open.
   bool close() {
     if (surface_.is_implicit()) {
-      std::vector<std::uint8_t> skip(out_.in_patch.begin(), out_.in_patch.end());
-      sheets_ = timed(out_.seconds.completeness,
-                      [&] { return one_sheet(surface_, refined_.mesh, skip); });
+      const std::vector<std::uint8_t> skip(out_.in_patch.begin(), out_.in_patch.end());
+      FaceImages images;
+      for (const FaceResult& r : refined_.faces) images.push_back(r.image);
+      sheets_ = timed(out_.seconds.completeness, [&] {
+        return one_sheet(surface_, refined_.mesh, skip, images, options_.stop);
+      });
+      if (sheets_.stopped) {
+        out_.stopped = true;
+        out_.obstacles.emplace_back(
+            "stopped before it was shown that each component is covered once");
+        return false;
+      }
       if (sheets_.failed) {
         out_.obstacles.emplace_back("no face shows that its component is covered once");
         return false;

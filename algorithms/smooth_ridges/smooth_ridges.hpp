@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
+#include "algorithms/smooth_ridges/stop.hpp"
 
 namespace crest::smooth_ridges {
 
@@ -24,10 +25,11 @@ struct Options {
   /// parametrisation any grid is a start.
   std::optional<int> start_faces;
   RefinementOptions refinement;
+  Stop stop;
 };
 
 /// Throws: std::invalid_argument for options outside their ranges.
-/// The same result for any number of threads.
+/// The same result for any number of threads, unless it is stopped.
 SmoothRidges smooth_ridges(const Surface& surface, const Options& options);
 
 }  // namespace crest::smooth_ridges

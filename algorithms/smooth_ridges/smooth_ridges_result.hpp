@@ -50,7 +50,8 @@ struct UndecidedCell {
 
 struct SmoothRidges {
   bool certified = false;
-  std::vector<std::string> obstacles;  ///< if not: one line each
+  bool stopped = false;                ///< before all was tried (Options::stop)
+  std::vector<std::string> obstacles;  ///< if not certified: one line each
   std::vector<UndecidedCell> undecided;
 
   // The triangulation in space; what follows is right only where nothing is undecided.

@@ -2,53 +2,132 @@
 #include "algorithms/smooth_ridges/surface_net.hpp"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
+#include <set>
 
 #include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
 
-/// Orthonormal to rounding; no entry is near 0, 1 or a ratio of small integers.
-std::array<Vec3, 3> generic_axes() {
-  Vec3 a = {0.8316, 0.3871, 0.2547}, b = {-0.4329, 0.7213, 0.5418};
-  const double size = norm(a);
-  for (double& x : a) x /= size;
-  b = b - dot(a, b) * a;
-  const double other = norm(b);
-  for (double& x : b) x /= other;
-  return {a, b, cross(a, b)};
+using Coordinates = GradedGrid::Coordinates;
+using Cell = GradedGrid::Cell;
+
+Coordinates moved(Coordinates p, std::size_t axis, std::uint32_t by) {
+  p[axis] += by;
+  return p;
 }
 
-using Cell = std::array<std::size_t, 3>;
+/// A whole edge with a change of sign.
+struct Crossing {
+  Coordinates low;
+  std::size_t axis;
+  friend bool operator==(const Crossing&, const Crossing&) = default;
+};
+
+/// The sheets of the surface in one cell: its crossings, those of one sheet joined.
+class CellSheets {
+ public:
+  CellSheets(const GradedGrid& grid, const Cell& cell) : grid_(grid), cell_(cell) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::uint32_t v = 0; v < 2; ++v)
+        for (std::uint32_t u = 0; u < 2; ++u) {
+          const Coordinates low =
+              moved(moved(cell.low, (axis + 1) % 3, u * cell.side), (axis + 2) % 3, v * cell.side);
+          walk_edge(low, axis, cell.side, true, crossings_);
+        }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::uint32_t side = 0; side < 2; ++side)
+        walk_side(moved(cell.low, axis, side * cell.side), (axis + 1) % 3, (axis + 2) % 3,
+                  cell.side);
+  }
+
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  /// For each crossing the first one of its sheet.
+  std::vector<Index> sheets() const {
+    kernel::DisjointSets joined(static_cast<Index>(crossings_.size()));
+    for (const auto& [a, b] : pairs_) joined.unite(a, b);
+    std::vector<Index> first(crossings_.size());
+    for (Index i = 0; i < first.size(); ++i) first[i] = joined.find(i);
+    return first;
+  }
+
+ private:
+  bool negative(const Coordinates& p) const { return grid_.value(p) < 0; }
+
+  /// The crossings of an edge, upwards or downwards.
+  void walk_edge(const Coordinates& low, std::size_t axis, std::uint32_t length, bool up,
+                 std::vector<Crossing>& found) const {
+    const std::uint32_t half = length / 2;
+    const Coordinates middle = moved(low, axis, half);
+    if (half > 0 && grid_.is_corner(middle)) {
+      walk_edge(up ? low : middle, axis, half, up, found);
+      walk_edge(up ? middle : low, axis, half, up, found);
+    } else if (negative(low) != negative(moved(low, axis, length))) {
+      found.push_back({low, axis});
+    }
+  }
+
+  /// Joins the crossings around each run of negative corners of the side's whole parts.
+  void walk_side(const Coordinates& low, std::size_t u, std::size_t v, std::uint32_t side) {
+    const std::uint32_t half = side / 2;
+    if (half > 0 && grid_.is_corner(moved(moved(low, u, half), v, half))) {
+      for (const std::uint32_t i : {0u, half})
+        for (const std::uint32_t j : {0u, half})
+          walk_side(moved(moved(low, u, i), v, j), u, v, half);
+      return;
+    }
+    std::vector<Crossing> around;
+    walk_edge(low, u, side, true, around);
+    walk_edge(moved(low, u, side), v, side, true, around);
+    walk_edge(moved(low, v, side), u, side, false, around);
+    walk_edge(low, v, side, false, around);
+    const std::size_t n = around.size();
+    // From a corner that is not negative the first crossing enters a run.
+    for (std::size_t i = negative(low) ? 1 : 0; i < n; i += 2) {
+      const Index enters = number(around[i]), leaves = number(around[(i + 1) % n]);
+      pairs_.emplace_back(enters, leaves);
+    }
+  }
+  Index number(const Crossing& c) {
+    const auto at = std::find(crossings_.begin(), crossings_.end(), c);
+    const auto i = static_cast<Index>(at - crossings_.begin());
+    if (at == crossings_.end()) crossings_.push_back(c);
+    return i;
+  }
+
+  const GradedGrid& grid_;
+  Cell cell_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::pair<Index, Index>> pairs_;
+};
 
 class Net {
  public:
-  Net(Projection& f, const Surface::Box& box, const Grid& grid) : f_(f), box_(box), grid_(grid) {}
+  Net(Projection& f, const Surface::Box& box, const Grid& grid, const std::vector<FineSpot>& spots)
+      : box_(box), grid_(f, box, grid, spots) {}
 
   SurfaceNet make() {
-    sample();
-    for (Cell c{}; c[0] < grid_.points[0]; ++c[0])
-      for (c[1] = 0; c[1] < grid_.points[1]; ++c[1])
-        for (c[2] = 0; c[2] < grid_.points[2]; ++c[2])
-          for (std::size_t axis = 0; axis < 3; ++axis) edge(c, axis);
+    for (Coordinates p{}; p[0] <= grid_.end(0); p[0] += grid_.unit())
+      for (p[1] = 0; p[1] <= grid_.end(1); p[1] += grid_.unit())
+        for (p[2] = 0; p[2] <= grid_.end(2); p[2] += grid_.unit())
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            if (p[axis] < grid_.end(axis)) edge(p, axis, grid_.unit());
+    for (const Cell& c : grid_.small_cells())
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const std::uint32_t i : {0u, c.side})
+          for (const std::uint32_t j : {0u, c.side})
+            edge(moved(moved(c.low, (axis + 1) % 3, i), (axis + 2) % 3, j), axis, c.side);
     for (std::size_t i = 0; i < net_.points.size(); ++i) {
       const Vec3 p = net_.points[i];
       net_.points[i] = {p[0] / crossings_[i], p[1] / crossings_[i], p[2] / crossings_[i]};
     }
-    for (const auto& q : quads_) cut(q);
+    for (const auto& q : polygons_) cut(q);
     bound();
     return std::move(net_);
   }
 
  private:
-  std::size_t number(const Cell& c) const {
-    return (c[0] * grid_.points[1] + c[1]) * grid_.points[2] + c[2];
-  }
-  Vec3 point(const Cell& c) const {
-    return grid_.at(static_cast<double>(c[0]), static_cast<double>(c[1]),
-                    static_cast<double>(c[2]));
-  }
   bool outside(const Vec3& p) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (p[k] < box_[2 * k] || p[k] > box_[2 * k + 1]) return true;
@@ -59,106 +138,70 @@ class Net {
     return p;
   }
 
-  void sample() {
-    values_.resize(grid_.size());
-    for (Cell c{}; c[0] < grid_.points[0]; ++c[0])
-      for (c[1] = 0; c[1] < grid_.points[1]; ++c[1])
-        for (c[2] = 0; c[2] < grid_.points[2]; ++c[2])
-          values_[number(c)] = f_.value(clamped(point(c)));
-  }
-
-  /// The edge from point c along the axis: its crossing goes to the four cells around it.
-  void edge(const Cell& c, std::size_t axis) {
-    Cell end = c;
-    if (++end[axis] == grid_.points[axis]) return;
-    const double a = values_[number(c)], b = values_[number(end)];
+  /// A whole edge's crossing goes to the cells around it.
+  void edge(const Coordinates& low, std::size_t axis, std::uint32_t length) {
+    const Coordinates end = moved(low, axis, length);
+    if (length > 1 && grid_.is_corner(moved(low, axis, length / 2))) return;
+    const double a = grid_.value(low), b = grid_.value(end);
     if ((a < 0) == (b < 0)) return;
-    const Vec3 p = point(c), q = point(end);
+    // Cells of several sides meet it, each of them comes by.
+    if (length < grid_.unit() && !seen_.insert({low, axis}).second) return;
+    const Vec3 p = grid_.place(low), q = grid_.place(end);
     const double t = a / (a - b);
     const Vec3 crossing = p + (t >= 0 && t <= 1 ? t : 0.5) * (q - p);
     if (outside(p) && outside(q) && !net_.on_boundary) net_.on_boundary = clamped(crossing);
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    if (c[u] == 0 || c[v] == 0 || c[u] + 1 == grid_.points[u] || c[v] + 1 == grid_.points[v]) {
+    if (low[u] == 0 || low[v] == 0 || low[u] == grid_.end(u) || low[v] == grid_.end(v)) {
       if (!net_.on_boundary) net_.on_boundary = clamped(crossing);
       return;
     }
-    std::array<Index, 4> around{};
-    const std::array<std::array<unsigned, 2>, 4> shifts = {{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      Cell cell = c;
-      cell[u] -= shifts[i][0];
-      cell[v] -= shifts[i][1];
-      const unsigned corner = shifts[i][0] << u | shifts[i][1] << v;
-      around[i] = sheets(cell)[edge_of(corner, axis)];
-      net_.points[around[i]] = net_.points[around[i]] + crossing;
-      crossings_[around[i]] += 1;
+    std::vector<Index> around;
+    for (const auto& [i, j] : {std::pair{1u, 1u}, {0u, 1u}, {0u, 0u}, {1u, 0u}}) {
+      Coordinates below = low;
+      below[u] -= i;
+      below[v] -= j;
+      const Index vertex = sheet(grid_.cell_above(below), {low, axis});
+      if (around.empty() || (vertex != around.back() && vertex != around.front()))
+        around.push_back(vertex);
+    }
+    for (const Index vertex : around) {
+      net_.points[vertex] = net_.points[vertex] + crossing;
+      crossings_[vertex] += 1;
     }
     // Counter-clockwise around the axis: seen from its end, where F >= 0 if a < 0.
-    if (!(a < 0)) std::swap(around[1], around[3]);
-    quads_.push_back(around);
+    if (!(a < 0)) std::reverse(around.begin() + 1, around.end());
+    polygons_.push_back(std::move(around));
   }
 
-  /// The number of a cell's edge along the axis, from its corner (bit a: upper along axis a).
-  static std::size_t edge_of(unsigned corner, std::size_t axis) {
-    return 4 * axis + (corner >> (axis + 1) % 3 & 1) + 2 * (corner >> (axis + 2) % 3 & 1);
-  }
-  bool negative(const Cell& cell, unsigned corner) const {
-    return values_[number(
-               {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)})] < 0;
-  }
-
-  using Sheets = std::array<Index, 12>;
-  /// The vertex of the sheet that crosses each edge of the cell.
-  const Sheets& sheets(const Cell& cell) {
-    const auto [at, fresh] = sheets_.try_emplace(number(cell));
-    if (!fresh) return at->second;
-    kernel::DisjointSets joined(12);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (unsigned side = 0; side < 2; ++side) join(cell, axis, side, joined);
-    std::array<Index, 12> vertex;
-    vertex.fill(kNone);
-    Sheets& result = at->second;
-    for (Index e = 0; e < 12; ++e) {
-      const Index r = joined.find(e);
-      if (vertex[r] == kNone && crossed(cell, e)) {
-        vertex[r] = static_cast<Index>(net_.points.size());
+  /// The vertex of the sheet that crosses the edge in the cell.
+  Index sheet(const Cell& cell, const Crossing& c) {
+    const auto [at, fresh] = sheets_.try_emplace(cell.low);
+    auto& vertex = at->second;
+    if (fresh) {
+      const CellSheets found(grid_, cell);
+      const std::vector<Index> first = found.sheets();
+      for (Index i = 0; i < first.size(); ++i) {
+        vertex.emplace_back(found.crossings()[i], 0);
+        if (first[i] < i) {
+          vertex.back().second = vertex[first[i]].second;
+          continue;
+        }
+        vertex.back().second = static_cast<Index>(net_.points.size());
         net_.points.push_back({});
+        net_.cells.push_back(grid_.side_in_space(cell));
         crossings_.push_back(0);
       }
-      result[e] = vertex[r];
     }
-    return result;
-  }
-  bool crossed(const Cell& cell, Index e) const {
-    const std::size_t axis = e / 4;
-    const unsigned corner = (e & 1) << (axis + 1) % 3 | (e >> 1 & 1) << (axis + 2) % 3;
-    return negative(cell, corner) != negative(cell, corner | 1u << axis);
-  }
-  /// Joins crossed edges of a side: all, or around each negative corner if the signs alternate.
-  void join(const Cell& cell, std::size_t axis, unsigned side, kernel::DisjointSets& joined) const {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto corner = [&](unsigned i, unsigned j) { return side << axis | i << u | j << v; };
-    const bool alternate = negative(cell, corner(0, 0)) == negative(cell, corner(1, 1)) &&
-                           negative(cell, corner(1, 0)) == negative(cell, corner(0, 1)) &&
-                           negative(cell, corner(0, 0)) != negative(cell, corner(1, 0));
-    Index last = kNone;
-    for (unsigned i = 0; i < 2; ++i)
-      for (unsigned j = 0; j < 2; ++j) {
-        if (alternate && !negative(cell, corner(i, j))) continue;
-        if (alternate) last = kNone;
-        for (const std::size_t along : {u, v}) {
-          const Index e = static_cast<Index>(edge_of(corner(i, j), along));
-          if (!crossed(cell, e)) continue;
-          if (last != kNone) joined.unite(last, e);
-          last = e;
-        }
-      }
+    return std::find_if(vertex.begin(), vertex.end(), [&](const auto& x) { return x.first == c; })
+        ->second;
   }
 
-  /// Along the shorter diagonal.
-  void cut(const std::array<Index, 4>& q) {
+  /// A quadrangle along its shorter diagonal.
+  void cut(const std::vector<Index>& q) {
     const auto distance = [&](Index a, Index b) { return norm(net_.points[a] - net_.points[b]); };
-    if (distance(q[0], q[2]) <= distance(q[1], q[3])) {
+    if (q.size() == 3) {
+      net_.faces.push_back({q[0], q[1], q[2]});
+    } else if (distance(q[0], q[2]) <= distance(q[1], q[3])) {
       net_.faces.push_back({q[0], q[1], q[2]});
       net_.faces.push_back({q[0], q[2], q[3]});
     } else {
@@ -179,35 +222,20 @@ class Net {
     }
   }
 
-  Projection& f_;
   const Surface::Box& box_;
-  const Grid& grid_;
-  std::vector<double> values_;
-  std::unordered_map<std::size_t, Sheets> sheets_;
+  GradedGrid grid_;
+  std::map<Coordinates, std::vector<std::pair<Crossing, Index>>> sheets_;  ///< by the cell's low
+  std::set<std::pair<Coordinates, std::size_t>> seen_;                     ///< edges of small cells
   std::vector<double> crossings_;
-  std::vector<std::array<Index, 4>> quads_;
+  std::vector<std::vector<Index>> polygons_;
   SurfaceNet net_;
 };
 
 }  // namespace
 
-Vec3 along_generic_axes(const Vec3& p) {
-  const std::array<Vec3, 3> axes = generic_axes();
-  return {dot(p, axes[0]), dot(p, axes[1]), dot(p, axes[2])};
-}
-
-Grid generic_grid(const Vec3& low, const Vec3& high, double cell) {
-  const std::array<double, 3> shifts = {1.3713, 1.6127, 1.4519};  // of a cell
-  Grid grid{{}, generic_axes(), cell, {}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    grid.origin = grid.origin + (low[k] - shifts[k] * cell) * grid.axes[k];
-    grid.points[k] = static_cast<std::size_t>(std::ceil((high[k] - low[k]) / cell)) + 4;
-  }
-  return grid;
-}
-
-SurfaceNet surface_net(Projection& f, const Surface::Box& box, const Grid& grid) {
-  return Net(f, box, grid).make();
+SurfaceNet surface_net(Projection& f, const Surface::Box& box, const Grid& grid,
+                       const std::vector<FineSpot>& spots) {
+  return Net(f, box, grid, spots).make();
 }
 
 }  // namespace crest::smooth_ridges

@@ -193,33 +193,30 @@ class Proof {
 
 }  // namespace
 
-std::optional<SurfacePoint> find_umbilic(const Surface& surface, SurfacePoint p, double reach) {
-  const bool implicit = surface.is_implicit();
-  std::optional<ImplicitMap<double, 1>> value;
-  std::optional<ImplicitMap<double, 3>> jet;
-  std::optional<ParametricMap<double, 3>> map;
-  if (implicit) {
-    value.emplace(surface);
-    jet.emplace(surface);
-  } else {
-    map.emplace(surface);
-  }
+UmbilicFinder::UmbilicFinder(const Surface& surface) {
+  if (surface.is_implicit())
+    value_.emplace(surface), jet_.emplace(surface);
+  else
+    map_.emplace(surface);
+}
+
+std::optional<SurfacePoint> UmbilicFinder::operator()(SurfacePoint p, double reach) {
   double gone = 0;
   for (int i = 0; i < 40; ++i) {
-    if (implicit && !settle_axis(*value, p)) return std::nullopt;
+    if (value_ && !settle_axis(*value_, p)) return std::nullopt;
     std::array<double, 2> step;
-    if (implicit) {
-      const auto f = (*jet)(in_space(p));
+    if (jet_) {
+      const auto f = (*jet_)(in_space(p));
       step = newton_step(GraphGeometry<double, 3>{GraphJet<double, 3>::of(f, p.axis), 1});
     } else {
-      step = newton_step(MapGeometry<double, 3>{(*map)(p.z)});
+      step = newton_step(MapGeometry<double, 3>{(*map_)(p.z)});
     }
     const double length = std::hypot(step[0], step[1]);
     gone += length;
     if (!(gone <= reach)) return std::nullopt;
     p.z = {p.z[0] + step[0], p.z[1] + step[1]};
     if (length < 1e-14 * (1 + std::hypot(p.z[0], p.z[1]))) {
-      if (implicit && !settle(*value, p)) return std::nullopt;
+      if (value_ && !settle(*value_, p)) return std::nullopt;
       return p;
     }
   }

@@ -11,9 +11,19 @@
 
 namespace crest::smooth_ridges {
 
-/// The umbilic that Newton's method reaches from `start` within `steps` steps, none longer than
-/// `reach` in all. No proof.
-std::optional<SurfacePoint> find_umbilic(const Surface& surface, SurfacePoint start, double reach);
+/// Not for two threads at a time.
+class UmbilicFinder {
+ public:
+  explicit UmbilicFinder(const Surface& surface);
+  /// The umbilic that Newton's method reaches from `start` by steps of at most `reach` in all. No
+  /// proof.
+  std::optional<SurfacePoint> operator()(SurfacePoint start, double reach);
+
+ private:
+  std::optional<ImplicitMap<double, 1>> value_;
+  std::optional<ImplicitMap<double, 3>> jet_;
+  std::optional<ParametricMap<double, 3>> map_;
+};
 
 /// A proven umbilic.
 struct Umbilic {

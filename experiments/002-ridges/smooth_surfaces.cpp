@@ -125,6 +125,28 @@ std::vector<SmoothSurface> degenerate_surfaces() {
       height_field("monkey saddle", "u^3-3*u*v^2", {"-0.5", "0.5", "-0.5", "0.5"})};
 }
 
+std::vector<SmoothSurface> reported_surfaces() {
+  const auto beside_tiny = [](const std::string& squared) {
+    return implicit(
+        "beside one of squared size " + squared,
+        "(x^2+y^2/2.25+z^2/4-1)*((x-2.4)^2+(y-0.3)^2/1.69+(z-0.2)^2/2.9-" + squared + ")", cube(3));
+  };
+  const std::string r = "(0.7+0.1*cos(u))";
+  return {implicit("near", "x^2+y^2/1.002001+z^2/1.004004-1", cube(2)),
+          implicit("sincos", "x^2+y^2+1.2*z^2+0.3*sin(2*x+1)*cos(y)-1.5", cube(3)),
+          implicit("sqrt", "sqrt(1+x^2)+sqrt(1+2*y^2)+sqrt(1+0.5*z^2+0.2*x*z)-4", cube(4)),
+          implicit("quartic", "x^4+2*y^4+1.5*z^4+0.3*x*y*z+x^2+0.7*y^2+1.2*z^2-1", cube(2)),
+          implicit("wobble", "x^2+1.3*y^2+1.7*z^2-1+0.15*sin(3*x)*sin(2*y)*z", cube(2)),
+          doubly_periodic("torusA", {"(2+0.7*cos(v))*cos(u)", "(2+0.7*cos(v))*sin(u)*1.1",
+                                     "0.7*sin(v)+0.2*sin(2*u)"}),
+          doubly_periodic("torusB", {"(2+" + r + "*cos(v))*cos(u)", "(2+" + r + "*cos(v))*sin(u)",
+                                     r + "*sin(v)+0.15*cos(3*u)"}),
+          height_field("patchE", "0.4*u^2+0.6*v^2+0.2*exp(u*v)-0.1*sin(3*u)",
+                       {"-0.9", "1.1", "-1", "0.8"}),
+          beside_tiny("1e-4"),
+          beside_tiny("1e-6")};
+}
+
 std::vector<SmoothSurface> growing_surfaces() {
   std::vector<SmoothSurface> all;
   for (const double e : {0.5, 0.2, 0.1, 0.05}) all.push_back(ellipsoid(1, 1 + e, 1 + 2 * e));

@@ -33,6 +33,9 @@ SmoothSurface blend(double sharpness);
 std::vector<SmoothSurface> generic_surfaces();
 /// Surfaces without a ridge graph in the sense of the theorem.
 std::vector<SmoothSurface> degenerate_surfaces();
+/// Ordinary expressions that users wrote, and an ellipsoid beside another of a hundredth and a
+/// thousandth of its size. Two are not generic: they are to be refused with the place.
+std::vector<SmoothSurface> reported_surfaces();
 /// Ellipsoids whose axes come together, blends that sharpen.
 std::vector<SmoothSurface> growing_surfaces();
 

@@ -46,7 +46,8 @@ class Jet {
   static Jet constant(T value) {
     Jet r;
     r.c_.put(0, std::move(value));
-    return std::move(r).settled();
+    r.settle();
+    return r;
   }
   /// The variable i (from 0) at `value`.
   static Jet variable(int i, T value) {
@@ -55,7 +56,8 @@ class Jet {
     if constexpr (Order > 0)
       r.c_.put(static_cast<std::size_t>(Variables - i), number_like(1, &value));
     r.c_.put(0, std::move(value));
-    return std::move(r).settled();
+    r.settle();
+    return r;
   }
 
   const T& operator[](std::size_t i) const { return c_.has(i) ? c_[i] : zero(); }
@@ -93,16 +95,24 @@ class Jet {
       else
         spread(r.c_, i, a.c_[i], b.c_, b.mask());
     });
-    // One of the values may be identically zero.
-    if (!is_defined(a)) r.settle(a.c_[0]);
-    if (!is_defined(b)) r.settle(b.c_[0]);
-    return std::move(r).settled();
+    if (a.c_.has(0) && b.c_.has(0))
+      r.settle();
+    else if (!is_defined(a))  // the other value is identically zero
+      r.undefine(a.c_[0]);
+    else if (!is_defined(b))
+      r.undefine(b.c_[0]);
+    return r;
   }
   friend bool is_defined(const Jet& f) { return !f.c_.has(0) || is_defined(f.c_[0]); }
   friend Jet operator/(const Jet& a, const Jet& b) { return a.over(b); }
-  friend Jet operator+(Jet a, Scalar s) { return a.shift(s), std::move(a).settled(); }
-  friend Jet operator+(Scalar s, Jet a) { return std::move(a) + s; }
-  friend Jet operator-(Jet a, Scalar s) { return std::move(a) + -s; }
+  friend Jet operator+(const Jet& a, Scalar s) {
+    Jet r = a;
+    r.shift(s);
+    r.settle();
+    return r;
+  }
+  friend Jet operator+(Scalar s, const Jet& a) { return a + s; }
+  friend Jet operator-(const Jet& a, Scalar s) { return a + -s; }
   friend Jet operator-(Scalar s, const Jet& a) { return -a + s; }
   friend Jet operator*(Scalar s, const Jet& a) { return a * s; }
   friend Jet operator*(const Jet& a, Scalar s) {
@@ -131,7 +141,8 @@ class Jet {
   Jet each(Function&& f) const {
     Jet r;
     for_each_bit(mask(), [&](std::size_t i) { r.c_.make(i, [&] { return f(c_[i]); }); });
-    return std::move(r).settled();
+    r.settle();
+    return r;
   }
   static T number(Scalar s, const T* like) {
     if constexpr (std::is_same_v<Scalar, T>)
@@ -142,11 +153,10 @@ class Jet {
   void shift(Scalar s) { c_.put(0, c_.has(0) ? T(c_[0] + s) : number(s, &(*this)[0])); }
   Jet plus(const Jet& b, bool negative) const;
   /// Makes all coefficients `value`, an undefined one.
-  void settle(const T& value);
-  /// This jet, all of it undefined if its value is.
-  Jet settled() && {
-    if (!is_defined(*this)) settle(T(c_[0]));
-    return std::move(*this);
+  void undefine(T value);
+  /// Makes all coefficients undefined if the value is. In place: jets are large, copies dear.
+  void settle() {
+    if (!is_defined(*this)) undefine(c_[0]);
   }
 
   /// sums_{i + j} += x f_j for the j of `which`.

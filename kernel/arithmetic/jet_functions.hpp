@@ -8,7 +8,7 @@
 namespace crest::kernel {
 
 template <class T, int Variables, int Order>
-void Jet<T, Variables, Order>::settle(const T& value) {
+void Jet<T, Variables, Order>::undefine(T value) {
   for (std::size_t i = 0; i < kCount; ++i) c_.put(i, value);
 }
 
@@ -23,7 +23,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::plus(const Jet& b, bool negat
     else
       r.c_.make(i, [&] { return negative ? T(c_[i] - b.c_[i]) : T(c_[i] + b.c_[i]); });
   });
-  return std::move(r).settled();
+  r.settle();
+  return r;
 }
 
 template <class T, int Variables, int Order>
@@ -65,7 +66,7 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::over(const Jet& f) const {
   const std::uint64_t rest = f.mask() & ~std::uint64_t{1};
   Jet q;
   if (!is_defined(factor)) {
-    q.settle(factor);
+    q.undefine(factor);
     return q;
   }
   Coefficients sums;
@@ -77,7 +78,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::over(const Jet& f) const {
       q.c_.put(i, T((c_.has(i) ? T(c_[i] - sums[i]) : T(-sums[i])) * factor));
     spread(sums, i, q.c_[i], f.c_, rest);
   }
-  return std::move(q).settled();
+  q.settle();
+  return q;
 }
 
 template <class T, int Variables, int Order>
@@ -96,7 +98,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::square_root() const {
     spread_square(sums, i, s.c_);
   }
   s.c_.put(0, root);
-  return std::move(s).settled();
+  s.settle();
+  return s;
 }
 
 template <class T, int Variables, int Order>
@@ -111,7 +114,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::exponential() const {
     e.c_.put(i, T(sums[i] / static_cast<double>(kTables.degree[i])));
     spread(sums, i, e.c_[i], h, h.mask());
   }
-  return std::move(e).settled();
+  e.settle();
+  return e;
 }
 
 template <class T, int Variables, int Order>
@@ -124,7 +128,8 @@ Jet<T, Variables, Order> Jet<T, Variables, Order>::logarithm() const {
   for_each_bit(l.mask(), [&](std::size_t i) {
     r.c_.put(i, T(l.c_[i] / static_cast<double>(kTables.degree[i])));
   });
-  return std::move(r).settled();
+  r.settle();
+  return r;
 }
 
 template <class T, int Variables, int Order>
@@ -144,7 +149,9 @@ auto Jet<T, Variables, Order>::circular() const -> std::pair<Jet, Jet> {
     spread(s_sums, i, c.c_[i], h, h.mask());
     spread(c_sums, i, s.c_[i], h, h.mask());
   }
-  return {std::move(s).settled(), std::move(c).settled()};
+  s.settle();
+  c.settle();
+  return {std::move(s), std::move(c)};
 }
 
 }  // namespace crest::kernel

@@ -16,17 +16,15 @@ constexpr std::size_t kHeader = 300, kSource = 700, kClass = 150, kFunction = 60
 /// a body within the limit leaves the list.
 const std::map<std::string, std::size_t>& known_bodies() {
   static const std::map<std::string, std::size_t> table = {
-      {"refinement.cpp Refinement", 277},
-      {"face_test.cpp FaceTest::State", 272},
+      {"refinement.cpp Refinement", 274},
+      {"face_test.cpp FaceTest::State", 264},
       {"blow_up.cpp BlowUp", 240},
       {"read_msh.cpp MshReader", 218},
       {"trees.cpp Sweep", 174},
       {"slab_oracle.cpp Slabs", 172},
-      {"surface_net.cpp Net", 171},
       {"cgal_peer.cpp CgalRidges", 166},
-      {"completeness.cpp Coverer", 165},
+      {"completeness.cpp Coverer", 158},
       {"tessellate.cpp Tessellation", 153},
-      {"initial_mesh.cpp Workpiece", 153},
       {"implicit_impl.hpp implicit_function", 64},
   };
   return table;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "cli/interrupt.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "tests/cli/run_crest.hpp"
@@ -140,4 +141,31 @@ TEST_CASE("files held back appear over what was made meanwhile, a folder that we
   crest::io::write_atomically(place / "d.txt", "d");
   fs::remove_all(place);
   CHECK_THROWS_AS(files.commit(), crest::kernel::InputError);
+}
+
+TEST_CASE("the first SIGINT is noted while somebody listens, the second one ends the program") {
+  CHECK(status_of([] {
+          const Interrupt interrupt;
+          if (interrupt.requested()) _exit(1);
+          std::raise(SIGINT);
+          _exit(interrupt.requested() ? 2 : 3);
+        }) == 2 << 8);
+  const int twice = status_of([] {
+    const Interrupt interrupt;
+    std::raise(SIGINT);
+    std::raise(SIGINT);
+  });
+  CHECK((WIFSIGNALED(twice) && WTERMSIG(twice) == SIGINT));
+  const int later = status_of([] {
+    { const Interrupt interrupt; }
+    std::raise(SIGINT);
+  });
+  CHECK((WIFSIGNALED(later) && WTERMSIG(later) == SIGINT));
+  // As under nohup, or in the background of a script.
+  CHECK(status_of([] {
+          std::signal(SIGINT, SIG_IGN);
+          const Interrupt interrupt;
+          std::raise(SIGINT);
+          _exit(interrupt.requested() ? 2 : 3);
+        }) == 3 << 8);
 }

@@ -148,6 +148,41 @@ TEST_CASE("a sphere is refused: exit code 4, cells with reasons, no certificate"
   CHECK(cell["size"].get<double>() > 0);
   CHECK_FALSE(cell["reason"].get<std::string>().empty());
   CHECK(report["depth"] == 1);
+  CHECK(report["stopped"] == false);
+}
+
+TEST_CASE("a limit of time and Ctrl-C stop a long run: exit code 4, files, no certificate") {
+  const TemporaryFolder folder;
+  // The first round takes seconds on any machine.
+  const std::string line =
+      "crest ridges --param '(2+(0.7+0.1*cos(u))*cos(v))*cos(u);(2+(0.7+0.1*cos(u))*cos(v))*sin(u);"
+      "(0.7+0.1*cos(u))*sin(v)+0.15*cos(3*u)' --domain '0,2*pi,0,2*pi' --periodic uv "
+      "--start-faces 200000 -o t.vtp --mesh t.off "
+      "--report t.json --certificate t.crest ";
+  for (const std::string& stopped :
+       {line + "--seconds 0.5", "timeout --preserve-status -s INT 1 " + line}) {
+    const auto run = run_for(stopped, folder.path(), 4);
+    CHECK(run.out.find("NOT CERTIFIED: stopped: ") != std::string::npos);
+    CHECK(run.out.find("t.crest was not written") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "t.crest"));
+    const auto report = read_json(folder / "t.json");
+    CHECK(report["stopped"] == true);
+    CHECK(report["certificate"]["certified"] == false);
+    CHECK(report["certificate"]["undecided"].get<int>() > 0);
+    CHECK_FALSE(report["uncertified_cells"].empty());
+    for (const char* name : {"t.vtp", "t.off", "t.json"}) fs::remove(folder / name);
+  }
+  check_refused("crest ridges --surface x --box 0,1 --seconds 0", folder.path(), 2, "--seconds");
+  check_refused("crest ridges --surface x --box 0,1 --seconds -1", folder.path(), 2, "--seconds");
+}
+
+TEST_CASE("a limit of time that is not reached changes nothing") {
+  const TemporaryFolder folder;
+  run_for(std::string(kPatch) + "--quiet -o a.vtp --certificate a.crest", folder.path(), 0);
+  run_for(std::string(kPatch) + "--quiet --seconds 1000 -o b.vtp --certificate b.crest",
+          folder.path(), 0);
+  CHECK((read_text(folder / "a.crest") == read_text(folder / "b.crest")));
+  CHECK((read_text(folder / "a.vtp") == read_text(folder / "b.vtp")));
 }
 
 TEST_CASE("a budget that is spent is exit code 4") {

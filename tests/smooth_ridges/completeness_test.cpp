@@ -94,7 +94,7 @@ TEST_CASE("closed surfaces are covered, met in each graph box, and have one shee
     // The height has a highest and a lowest point on each component.
     CHECK(cover.boxes.size() >= 2 * sample.components);
     CHECK(cover.boxes.size() % 2 == 0);
-    Triangulation mesh = initial_mesh(sample.surface, 1000, cover.critical_points);
+    Triangulation mesh = initial_mesh(sample.surface, 1000, {known_points(cover), {}});
     REQUIRE_FALSE(place_vertices(cover, mesh));
     for (const auto& record : cover.boxes)
       for (std::size_t k = 0; k < 3; ++k) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/smooth_ridges/initial_mesh.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 #include <set>
 
+#include "algorithms/smooth_ridges/surface_net.hpp"
 #include "tests/smooth_ridges/samples.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -41,8 +46,53 @@ TEST_CASE("start meshes have the surface's topology and face outward") {
 TEST_CASE("a small component is meshed when a point of it is known") {
   const Surface s =
       Surface::implicit("(x^2+y^2+z^2-1) * ((x-2)^2+y^2+z^2-0.01)", {-3.1, 3, -3.1, 3, -3.1, 3});
-  const Triangulation mesh = initial_mesh(s, 400, {{2.1, 0, 0}});
+  const Triangulation mesh = initial_mesh(s, 400, {{{{2.1, 0, 0}, 0}}, {}});
   CHECK(mesh.euler_characteristic() == 4);
+}
+
+TEST_CASE("a component of a thousandth is meshed by smaller cells there, not everywhere") {
+  for (const double r : {1e-2, 1e-3, 1e-4}) {
+    INFO(r);
+    const std::string f = "(x^2+y^2/2.25+z^2/4-1) * ((x-2.4)^2+(y-0.3)^2+(z-0.2)^2-" +
+                          std::to_string(1e8 * r * r) + "e-8)";
+    const Surface s = Surface::implicit(f, {-3, 3, -3, 3, -3, 3});
+    const Triangulation mesh = initial_mesh(s, 600, {{{{2.4 + r, 0.3, 0.2}, 0.3 * r}}, {}});
+    CHECK(mesh.euler_characteristic() == 4);
+    CHECK(mesh.faces().size() < 1500);
+    const Triangulation again = initial_mesh(s, 600, {{{{2.4 + r, 0.3, 0.2}, 0.3 * r}}, {}});
+    CHECK(mesh.faces() == again.faces());
+  }
+}
+
+TEST_CASE("a net on a graded grid is a closed surface, wherever its cells are small") {
+  crest::tests::Random random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (const Sample& sample : closed_samples()) {
+    INFO(sample.name);
+    if (sample.name == "genus 2") continue;  // thinner than these cells
+    Projection f(sample.surface);
+    const Triangulation mesh = initial_mesh(sample.surface, 400);
+    for (int round = 0; round < 10; ++round) {
+      std::vector<FineSpot> spots;
+      for (int i = 0; i < 3; ++i) {
+        const Vertex& v = mesh.vertices()[random() % mesh.vertices().size()];
+        spots.push_back({position(v), std::exp2(between(-9, -3))});
+      }
+      const Grid grid = generic_grid({-4, -4, -4}, {4, 4, 4}, 0.11);
+      const SurfaceNet net = surface_net(f, sample.surface.box(), grid, spots);
+      REQUIRE_FALSE(net.on_boundary);
+      REQUIRE(net.cells.size() == net.points.size());
+      CHECK(*std::min_element(net.cells.begin(), net.cells.end()) < 0.11);
+      std::vector<Vertex> vertices;
+      for (const Vec3& p : net.points) vertices.push_back({p[0], p[1], p[2], 0, 0, 1});
+      const Triangulation closed(vertices, net.faces, {}, edge_rules(sample.surface));
+      for (const auto& around : closed.neighbours())
+        REQUIRE(std::count(around.begin(), around.end(), kNone) == 0);
+      CHECK(closed.euler_characteristic() == sample.euler_characteristic);
+    }
+  }
 }
 
 TEST_CASE("what cannot be meshed is refused with its reason") {
