@@ -101,24 +101,7 @@ class FaceProof {
   bool by_turn(std::size_t colour) const { return (methods_ >> colour & 1) != 0; }
   bool by_cross() const { return (methods_ & 4) != 0; }
 
-  void read_head() {
-    if (implicit()) outcome_.c = in_.u8();
-    if (record_.type[0] != 0 || record_.type[1] != 0) methods_ = in_.u8();
-    const unsigned possible = (record_.type[0] != 0 ? 1U : 0U) | (record_.type[1] != 0 ? 2U : 0U) |
-                              (both_types() ? 4U : 0U);
-    if ((methods_ & ~possible) != 0) in_.fail("methods of what is not there");
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (record_.verdict[j] == kNone) continue;
-      const unsigned bits = in_.u8();
-      divided_[j] = (bits & 64) != 0;
-      if ((bits & 128) != 0 || (divided_[j] && (bits & 7) == 0) || (bits >> 3 & ~bits & 7) != 0)
-        in_.fail("unknown bits of its edges");
-      for (Index k = 0; k < 3; ++k) {
-        outcome_.decided[j][k] = (bits >> k & 1) != 0;
-        by_value_[j][k] = (bits >> (3 + k) & 1) != 0;
-      }
-    }
-  }
+  void read_head();
 
   /// A division with statements (root: gives the order of pieces that are not divided).
   void division(const Piece& piece, unsigned open, int depth) {
@@ -135,36 +118,7 @@ class FaceProof {
     for (const Piece& child : piece.children()) division(child, open & ~node.statements, depth + 1);
   }
 
-  void show(const Piece& piece, const Node& node) {
-    const Scope scope;
-    context.order = node.order;
-    const auto has = [&](unsigned statement) { return (node.statements & statement) != 0; };
-    unsigned wanted = has(kPurple) ? 3 : 0;
-    int jet_order = has(kPurple) && by_cross() ? 1 : 0;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const bool turn = has(kType[j]) && by_turn(j);
-      if (!has(kType[j]) && !(has(kVerdict[j]) && record_.verdict[j] != kNone)) continue;
-      wanted |= 1U << j;
-      jet_order = std::max(jet_order, turn ? 2 : 1);
-    }
-    const Sample s = has(~(kChart | kInPatch))
-                         ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
-                         : sampler_.foot(piece, outcome_.c);
-    if (has(kChart)) sampler_.require_orientation(s);
-    if (has(kInPatch)) require_in_patch(patch(), s.foot.x);
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (has(kVerdict[j])) verdict(s, j, node.steep);
-      if (!has(kType[j])) continue;
-      const int expected = record_.type[j] == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
-      require(by_turn(j) ? s.turn[j].sign() != 0 : s.growth[j].sign() == expected,
-              "the type: G_j, or the determinant");
-    }
-    if (!has(kPurple)) return;
-    const Model purple = by_cross() ? s.e[0][1] * s.e[1][2] - s.e[0][2] * s.e[1][1]
-                                    : Model(node.combination[0]) * s.e[0][0] +
-                                          Model(node.combination[1]) * s.e[1][0];
-    require(purple.sign() != 0, "purple: the combination, or the determinant");
-  }
+  void show(const Piece& piece, const Node& node);
 
   void verdict(const Sample& s, std::size_t j, bool steep) const {
     if (record_.verdict[j] == kNone)
@@ -195,22 +149,7 @@ class FaceProof {
     if (depth == kSegmentDepth) in_.fail("a division is deeper than 12");
     for (const Piece& child : piece.children()) segment_division(child, j, k, depth + 1);
   }
-  void side_piece(const Piece& piece, int order, std::size_t j, Index k) {
-    shown<Piece>(piece, 2 * kFurther, [&](const Piece& p) {
-      const Scope scope;
-      context.order = order;
-      if (by_value_[j][k]) {
-        require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
-                "an edge: E_j has no zero");
-        return;
-      }
-      const Sample s = sampler_.forms(p, outcome_.c, 1, 1U << j);
-      const auto d = sampler_.along(s, k);
-      const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
-      require(sign != 0, "an edge: the derivative of E_j along it has no zero");
-      outcome_.slope[j][k] = sign;
-    });
-  }
+  void side_piece(const Piece& piece, int order, std::size_t j, Index k);
 
   const Problem& problem_;
   const FaceRecord& record_;
@@ -222,6 +161,72 @@ class FaceProof {
   unsigned methods_ = 0;
   FaceOutcome outcome_;
 };
+
+void FaceProof::read_head() {
+  if (implicit()) outcome_.c = in_.u8();
+  if (record_.type[0] != 0 || record_.type[1] != 0) methods_ = in_.u8();
+  const unsigned possible = (record_.type[0] != 0 ? 1U : 0U) | (record_.type[1] != 0 ? 2U : 0U) |
+                            (both_types() ? 4U : 0U);
+  if ((methods_ & ~possible) != 0) in_.fail("methods of what is not there");
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (record_.verdict[j] == kNone) continue;
+    const unsigned bits = in_.u8();
+    divided_[j] = (bits & 64) != 0;
+    if ((bits & 128) != 0 || (divided_[j] && (bits & 7) == 0) || (bits >> 3 & ~bits & 7) != 0)
+      in_.fail("unknown bits of its edges");
+    for (Index k = 0; k < 3; ++k) {
+      outcome_.decided[j][k] = (bits >> k & 1) != 0;
+      by_value_[j][k] = (bits >> (3 + k) & 1) != 0;
+    }
+  }
+}
+
+void FaceProof::show(const Piece& piece, const Node& node) {
+  const Scope scope;
+  context.order = node.order;
+  const auto has = [&](unsigned statement) { return (node.statements & statement) != 0; };
+  unsigned wanted = has(kPurple) ? 3 : 0;
+  int jet_order = has(kPurple) && by_cross() ? 1 : 0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const bool turn = has(kType[j]) && by_turn(j);
+    if (!has(kType[j]) && !(has(kVerdict[j]) && record_.verdict[j] != kNone)) continue;
+    wanted |= 1U << j;
+    jet_order = std::max(jet_order, turn ? 2 : 1);
+  }
+  const Sample s = has(~(kChart | kInPatch)) ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
+                                             : sampler_.foot(piece, outcome_.c);
+  if (has(kChart)) sampler_.require_orientation(s);
+  if (has(kInPatch)) require_in_patch(patch(), s.foot.x);
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (has(kVerdict[j])) verdict(s, j, node.steep);
+    if (!has(kType[j])) continue;
+    const int expected = record_.type[j] == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
+    require(by_turn(j) ? s.turn[j].sign() != 0 : s.growth[j].sign() == expected,
+            "the type: G_j, or the determinant");
+  }
+  if (!has(kPurple)) return;
+  const Model purple =
+      by_cross() ? s.e[0][1] * s.e[1][2] - s.e[0][2] * s.e[1][1]
+                 : Model(node.combination[0]) * s.e[0][0] + Model(node.combination[1]) * s.e[1][0];
+  require(purple.sign() != 0, "purple: the combination, or the determinant");
+}
+
+void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k) {
+  shown<Piece>(piece, 2 * kFurther, [&](const Piece& p) {
+    const Scope scope;
+    context.order = order;
+    if (by_value_[j][k]) {
+      require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
+              "an edge: E_j has no zero");
+      return;
+    }
+    const Sample s = sampler_.forms(p, outcome_.c, 1, 1U << j);
+    const auto d = sampler_.along(s, k);
+    const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
+    require(sign != 0, "an edge: the derivative of E_j along it has no zero");
+    outcome_.slope[j][k] = sign;
+  });
+}
 
 }  // namespace
 

@@ -54,48 +54,10 @@ class PatchProof {
   }
 
   /// Kind 0: S is a graph over Q.
-  void height_over_square() {
-    Box box;
-    for (Index d = 0; d < 2; ++d) box.side[axis(d)] = side_of_square(d);
-    if (patch_.m[0] > patch_.m[1]) in_.fail("m0 is not less than m1");
-    const Index m = axis(2);
-    std::array<int, 2> sign;
-    for (Index k = 0; k < 2; ++k) {
-      box.side[m] = Interval(patch_.m[k]);
-      sign[k] =
-          divided_sign(in_, box, [&](const Box& b) { return value_sign(problem_.surface, b); });
-    }
-    box.side[m] = {patch_.m[0], patch_.m[1]};
-    Plain d{};
-    d[m] = 1;
-    sign_ =
-        divided_sign(in_, box, [&](const Box& b) { return slope_sign(problem_.surface, b, d); });
-    if (sign[0] == sign[1]) in_.fail("F has one sign at m0 and m1");
-  }
+  void height_over_square();
 
   /// Kind 1: Q is in the domain, and X an immersion of it.
-  void immersion_over_square() const {
-    for (std::size_t d = 0; d < 2; ++d) {
-      const Interval q = side_of_square(d);
-      if (problem_.certificate.periodic[d] ? patch_.r >= 0.5
-                                           : q.lower().sign() < 0 || Float(1) < q.upper())
-        in_.fail("its square Q is not in the domain");
-    }
-    Rectangle square;
-    for (std::size_t d = 0; d < 2; ++d) {
-      square.low[d] = Ball(patch_.z[d]) - Ball(patch_.r);
-      square.high[d] = Ball(patch_.z[d]) + Ball(patch_.r);
-    }
-    shown<Rectangle>(square, kFurther, [&](const Rectangle& part) {
-      for (const bool second : {false, true}) {
-        const Scope scope(0);
-        const auto uv = part.triangle(second);
-        const Form i = problem_.surface.forms(uv[0], uv[1]).i;
-        require((scaled(i[0][0] * i[2][0], 4) - i[1][0] * i[1][0]).sign() > 0,
-                "patch: det I has no zero on Q");
-      }
-    });
-  }
+  void immersion_over_square() const;
 
   /// The forms over a set of the plane; kind 0: and the heights.
   Forms forms(const Model& p, const Model& q, Interval* height = nullptr) const {
@@ -118,68 +80,14 @@ class PatchProof {
   }
 
   /// Conditions 2 and 5; D at z* for the rays.
-  Box umbilic() {
-    const Ball rho = Ball::radius(patch_.rho);
-    Interval height;
-    const Scope scope(3);
-    const Forms f = forms(Model(Ball(patch_.z[0]) + rho), Model(Ball(patch_.z[1]) + rho), &height);
-    const Coefficients c = coefficients(f);
-    const Balls &a = c.a[1][0], &b = c.a[1][1];
-    rays_ = Rays(c, r1());
-    {
-      const Scope values(0);
-      const Operator o = operator_of(forms(Model(patch_.z[0]), Model(patch_.z[1])));
-      const std::array<Ball, 2> value = {o.a11[0].range().ball(), o.a12[0].range().ball()};
-      for (Index i = 0; i < 2; ++i) {
-        const Ball y0 = patch_.y[2 * i], y1 = patch_.y[2 * i + 1];
-        Ball k = -(y0 * value[0] + y1 * value[1]);
-        for (Index j = 0; j < 2; ++j)
-          k = k + (Ball(i == j ? 1.0 : 0.0) - (y0 * a[j] + y1 * b[j])) * rho;
-        require(Interval(k).inside(-patch_.rho, patch_.rho), "patch, 2: K(U0) lies inside U0");
-      }
-    }
-    const int index = (a[0] * b[1] - a[1] * b[0]).sign();
-    require(index != 0, "patch, 5: det D(a, b) has one sign");
-    if (index != patch_.twice_index) in_.fail("its index is " + std::to_string(index) + "/2");
-    Box box;
-    for (std::size_t d = 0; d < 2; ++d)
-      box.side[problem_.surface.implicit() ? axis(d) : d] =
-          Interval(patch_.z[d]) + Interval(Float(-patch_.rho), Float(patch_.rho));
-    if (problem_.surface.implicit()) box.side[axis(2)] = height;
-    return box;
-  }
+  Box umbilic();
 
   /// Condition 4: reads all intervals and shows what is said of them.
   void rays() {
     for (int side = 0; side < 4; ++side)
       for (int k = 0; k < 4; ++k) interval({side, -1 + k / 2.0, -0.5 + k / 2.0}, nullptr, {}, 0);
   }
-  void interval(const Arc& arc, const Sector* above, std::array<bool, 2> said, int depth) {
-    const unsigned byte = in_.u8();
-    if (byte > 31) in_.fail("an interval has unknown bits");
-    Sector own;
-    if ((byte & 1) != 0) {
-      own = read_sector(arc);
-      above = &own;
-    }
-    Statement s = {arc, {}, {}, 0};
-    bool open = false, any = false;
-    for (std::size_t j = 0; j < 2; ++j) {
-      s.kind[j] = static_cast<Kind>(byte >> (1 + 2 * j) & 3);
-      if ((s.kind[j] == Kind::said) != said[j]) in_.fail("an interval is said of twice, or never");
-      open = open || s.kind[j] == Kind::open;
-      any = any || s.kind[j] == Kind::free || s.kind[j] == Kind::running;
-      said[j] = s.kind[j] != Kind::open;
-    }
-    if (s.kind[0] == Kind::running || s.kind[1] == Kind::running)
-      s.combination = {in_.f32(), in_.f32()};
-    if (any) state(s, above);
-    if (!open) return;
-    if (depth == kRayDepth) in_.fail("intervals are deeper than 16");
-    const double middle = (arc.t0 + arc.t1) / 2;
-    interval({arc.side, arc.t0, middle}, above, said, depth + 1);
-    interval({arc.side, middle, arc.t1}, above, said, depth + 1);
-  }
+  void interval(const Arc& arc, const Sector* above, std::array<bool, 2> said, int depth);
 
   /// Enclosures over the triangle z, z + R1 e(t0), z + R1 e(t1), its points moved by at most rho.
   Sector read_sector(const Arc& arc) {
@@ -227,6 +135,105 @@ class PatchProof {
   Rays rays_;
   std::array<std::vector<Placed>, 2> around_;
 };
+
+void PatchProof::height_over_square() {
+  Box box;
+  for (Index d = 0; d < 2; ++d) box.side[axis(d)] = side_of_square(d);
+  if (patch_.m[0] > patch_.m[1]) in_.fail("m0 is not less than m1");
+  const Index m = axis(2);
+  std::array<int, 2> sign;
+  for (Index k = 0; k < 2; ++k) {
+    box.side[m] = Interval(patch_.m[k]);
+    sign[k] = divided_sign(in_, box, [&](const Box& b) { return value_sign(problem_.surface, b); });
+  }
+  box.side[m] = {patch_.m[0], patch_.m[1]};
+  Plain d{};
+  d[m] = 1;
+  sign_ = divided_sign(in_, box, [&](const Box& b) { return slope_sign(problem_.surface, b, d); });
+  if (sign[0] == sign[1]) in_.fail("F has one sign at m0 and m1");
+}
+
+void PatchProof::immersion_over_square() const {
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Interval q = side_of_square(d);
+    if (problem_.certificate.periodic[d] ? patch_.r >= 0.5
+                                         : q.lower().sign() < 0 || Float(1) < q.upper())
+      in_.fail("its square Q is not in the domain");
+  }
+  Rectangle square;
+  for (std::size_t d = 0; d < 2; ++d) {
+    square.low[d] = Ball(patch_.z[d]) - Ball(patch_.r);
+    square.high[d] = Ball(patch_.z[d]) + Ball(patch_.r);
+  }
+  shown<Rectangle>(square, kFurther, [&](const Rectangle& part) {
+    for (const bool second : {false, true}) {
+      const Scope scope(0);
+      const auto uv = part.triangle(second);
+      const Form i = problem_.surface.forms(uv[0], uv[1]).i;
+      require((scaled(i[0][0] * i[2][0], 4) - i[1][0] * i[1][0]).sign() > 0,
+              "patch: det I has no zero on Q");
+    }
+  });
+}
+
+Box PatchProof::umbilic() {
+  const Ball rho = Ball::radius(patch_.rho);
+  Interval height;
+  const Scope scope(3);
+  const Forms f = forms(Model(Ball(patch_.z[0]) + rho), Model(Ball(patch_.z[1]) + rho), &height);
+  const Coefficients c = coefficients(f);
+  const Balls &a = c.a[1][0], &b = c.a[1][1];
+  rays_ = Rays(c, r1());
+  {
+    const Scope values(0);
+    const Operator o = operator_of(forms(Model(patch_.z[0]), Model(patch_.z[1])));
+    const std::array<Ball, 2> value = {o.a11[0].range().ball(), o.a12[0].range().ball()};
+    for (Index i = 0; i < 2; ++i) {
+      const Ball y0 = patch_.y[2 * i], y1 = patch_.y[2 * i + 1];
+      Ball k = -(y0 * value[0] + y1 * value[1]);
+      for (Index j = 0; j < 2; ++j)
+        k = k + (Ball(i == j ? 1.0 : 0.0) - (y0 * a[j] + y1 * b[j])) * rho;
+      require(Interval(k).inside(-patch_.rho, patch_.rho), "patch, 2: K(U0) lies inside U0");
+    }
+  }
+  const int index = (a[0] * b[1] - a[1] * b[0]).sign();
+  require(index != 0, "patch, 5: det D(a, b) has one sign");
+  if (index != patch_.twice_index) in_.fail("its index is " + std::to_string(index) + "/2");
+  Box box;
+  for (std::size_t d = 0; d < 2; ++d)
+    box.side[problem_.surface.implicit() ? axis(d) : d] =
+        Interval(patch_.z[d]) + Interval(Float(-patch_.rho), Float(patch_.rho));
+  if (problem_.surface.implicit()) box.side[axis(2)] = height;
+  return box;
+}
+
+void PatchProof::interval(const Arc& arc, const Sector* above, std::array<bool, 2> said,
+                          int depth) {
+  const unsigned byte = in_.u8();
+  if (byte > 31) in_.fail("an interval has unknown bits");
+  Sector own;
+  if ((byte & 1) != 0) {
+    own = read_sector(arc);
+    above = &own;
+  }
+  Statement s = {arc, {}, {}, 0};
+  bool open = false, any = false;
+  for (std::size_t j = 0; j < 2; ++j) {
+    s.kind[j] = static_cast<Kind>(byte >> (1 + 2 * j) & 3);
+    if ((s.kind[j] == Kind::said) != said[j]) in_.fail("an interval is said of twice, or never");
+    open = open || s.kind[j] == Kind::open;
+    any = any || s.kind[j] == Kind::free || s.kind[j] == Kind::running;
+    said[j] = s.kind[j] != Kind::open;
+  }
+  if (s.kind[0] == Kind::running || s.kind[1] == Kind::running)
+    s.combination = {in_.f32(), in_.f32()};
+  if (any) state(s, above);
+  if (!open) return;
+  if (depth == kRayDepth) in_.fail("intervals are deeper than 16");
+  const double middle = (arc.t0 + arc.t1) / 2;
+  interval({arc.side, arc.t0, middle}, above, said, depth + 1);
+  interval({arc.side, middle, arc.t1}, above, said, depth + 1);
+}
 
 /// Condition 3, by a sweep along the first coordinate.
 void check_disjoint(const Problem& problem, std::vector<Box> boxes) {
