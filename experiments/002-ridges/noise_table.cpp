@@ -92,7 +92,6 @@ void run(const Options& o) {
   const sampling::SurfaceSample clean =
       sampling::sample("ellipsoid", {1, 1.5, 2}, o.vertices, true);
   const double edge = sampling::mean_edge_length(clean.points, clean.faces);
-  const double edge = sampling::mean_edge_length(clean.points, clean.faces);
   fmt::print("Ellipsoid 1, 1.5, 2; {} vertices; noise along the normals, % of the mean edge\n\n",
              clean.points.size());
   fmt::print(
