@@ -226,6 +226,32 @@ void check_loose_corner(const Claim& claim, const std::vector<FaceResult>& faces
           "vertex {}: a ridge at a corner of the domain", vertex);
 }
 
+/// Where a loose corner has several faces, the arc may run through others than those in which it is
+/// drawn: these, too, are without turning and purple points.
+void check_undrawn_arc(const Claim& claim, FaceProvers& provers, u32 vertex, std::size_t j) {
+  const auto& topology = claim.mesh.topology;
+  const auto& records = claim.certificate.face_records;
+  const u32 begin = topology.ring_start[vertex], end = topology.ring_start[vertex + 1];
+  unsigned type = 0;
+  for (u32 k = begin; k < end; ++k) {
+    const unsigned here = records[topology.ring[k] / 3].type[j];
+    require(here == 0 || type == 0 || here == type,
+            "vertex {}: two types at a corner of the domain", vertex);
+    if (here != 0) type = here;
+  }
+  const Sign wanted = (type == 1) == (j == 0) ? Sign::negative : Sign::positive;
+  for (u32 k = begin; k < end; ++k) {
+    const u32 f = topology.ring[k] / 3;
+    if (records[f].type[j] != 0) continue;
+    require(records[f].type[1 - j] == 0, "face {}: an arc at a corner of the domain", f);
+    const auto sign = provers.at_order(5, [&](auto& p) {
+      return p.sign({f, j, Quantity::growth, 0}, Piece::face());
+    });
+    if (!sign || *sign != wanted)
+      throw Undecided(fmt::format("face {}: the type at a corner of the domain", f));
+  }
+}
+
 /// Checks them all; by colour the vertices.
 std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
                                                  const std::vector<FaceResult>& faces) {
@@ -248,7 +274,24 @@ std::vector<FaceResult> check_faces(const Claim& claim) {
       [&](FaceChecker& checker, std::size_t f) {
         results[f] = checker.check(static_cast<u32>(f));
       });
+  check_undrawn_arcs(claim);
   return results;
+}
+
+void check_undrawn_arcs(const Claim& claim) {
+  const RidgesSmoothCertificate& c = claim.certificate;
+  if (c.loose_corners == 0) return;
+  FaceProvers provers(claim);
+  const auto& start = claim.mesh.topology.ring_start;
+  for (u32 v = 0; v < c.vertices.size(); ++v) {
+    const auto& at = c.vertices[v];
+    if ((at[0] != 0 && at[0] != 1) || (at[1] != 0 && at[1] != 1)) continue;
+    const bool blue = (c.loose_corners >> loose_bit(at, 0) & 1) != 0;
+    const bool red = (c.loose_corners >> loose_bit(at, 1) & 1) != 0;
+    if ((!blue && !red) || start[v + 1] - start[v] == 1) continue;
+    require(!blue || !red, "vertex {}: ridges of both colours at a corner of the domain", v);
+    check_undrawn_arc(claim, provers, v, blue ? 0 : 1);
+  }
 }
 
 std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,

@@ -20,6 +20,10 @@ struct FaceResult {
 /// points. Throws Reject, of the least face.
 std::vector<FaceResult> check_faces(const Claim& claim);
 
+/// Part of check_faces: loose corners of several faces (SPEC.md, "Loose corners"). Throws Reject or
+/// Undecided.
+void check_undrawn_arcs(const Claim& claim);
+
 /// Every edge that is not interior to a patch: by colour, is it crossed? Throws Reject: an edge
 /// that no face decides, or one between a patch and another patch or the boundary.
 std::array<std::vector<std::uint8_t>, 2> check_edges(const Claim& claim,

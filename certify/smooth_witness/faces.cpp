@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces' witnesses: order 3 on faces without arcs, order 4 on all others and on quarters, order 5
 // below.
+#include "certify/ridges_smooth/faces.hpp"
+
 #include <algorithm>
 
 #include "certify/container/reject.hpp"
@@ -409,6 +411,7 @@ std::vector<std::optional<Ranges>> record_faces(const Claim& claim, RidgesSmooth
         if ((drafts[f].loose[j] >> i & 1U) != 0)
           c.loose_corners = static_cast<std::uint8_t>(
               c.loose_corners | 1U << loose_bit(c.vertices[c.faces[f][i]], j));
+  check_undrawn_arcs(claim);
   EdgeRecorder(claim, c, drafts).record();
   std::vector<std::optional<Ranges>> boxes;
   for (std::size_t f = 0; f < drafts.size(); ++f) {

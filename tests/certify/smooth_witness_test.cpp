@@ -136,6 +136,35 @@ TEST_CASE("smooth ridges: no face has two loose corners") {
   }
 }
 
+TEST_CASE("smooth ridges: at a loose corner the arc may run through faces where it is not drawn") {
+  LooseSquare square;
+  auto& records = square.c.face_records;
+  for (auto& record : records) record.type = {1, 0};
+  const auto check = [&] {
+    const auto surface = smooth::parse_surface(square.c.surface);
+    const auto mesh = smooth::check_mesh(square.c);
+    smooth::check_undrawn_arcs({surface, square.c, mesh, Arithmetic::doubles});
+  };
+  CHECK_NOTHROW(check());
+  SECTION("arcs of two types") {
+    records[1].type[0] = 2;
+    CHECK_THROWS_WITH(check(), "vertex 0: two types at a corner of the domain");
+  }
+  SECTION("a face without the arc has one of the other colour") {
+    records[1].type = {0, 1};
+    CHECK_THROWS_WITH(check(), "face 1: an arc at a corner of the domain");
+  }
+  SECTION("a face without the arc whose G has no certain sign") {
+    records[1].type = {0, 0};
+    square.c.surface = parametric("u", "v", "u + v", {"0", "1", "0", "1"});
+    CHECK_THROWS_WITH(check(), Catch::Contains("face 1: the type at a corner of the domain"));
+  }
+  SECTION("both colours") {
+    square.c.loose_corners = 0b10001;
+    CHECK_THROWS_WITH(check(), "vertex 0: ridges of both colours at a corner of the domain");
+  }
+}
+
 TEST_CASE("boxes that meet are those that a comparison of all finds") {
   Random random(kSeed);
   for (const double size : {0.01, 0.3, 2.0}) {
