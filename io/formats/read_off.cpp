@@ -88,34 +88,47 @@ class OffReader {
     const bool given = scan_.more();
     const std::string line = fmt::format("header (line {})", scan_.line());
     if (!given) fail(line, fmt::format("has no number of {}", what), kStart);
+    const std::string_view word = scan_.peek();
     if (!scan_.take(count) || count < 0)
-      fail(line, fmt::format("has a bad count {}", quoted(scan_.peek())), kStart);
+      fail(line, fmt::format("has a bad count {}", quoted(word)), kStart);
     return static_cast<std::size_t>(count);
   }
 
   void read_counts(Layout layout) {
     vertices_ = read_count("vertices");
     faces_ = read_count("faces");
-    // The shortest vertex is "0 0 0", the shortest face "1 0", each with a line end.
-    const std::size_t room = scan_.room() + 1;
-    if (vertices_ > room / 6 || faces_ > room / 4) {
+    // A file that is not hopelessly short names the first element that is missing.
+    const std::size_t bytes = scan_.position() + scan_.room();
+    if (vertices_ > bytes || faces_ > bytes) {
       fail(fmt::format("header (line {})", scan_.line()),
            fmt::format("announces {} vertices and {} faces, more than the file holds", vertices_,
                        faces_),
            "the file is truncated or its header wrong; export the mesh again");
     }
     if (layout == Layout::words) read_count("edges");
-    if (layout != Layout::lines && layout != Layout::wrapped) return;
+    if (layout == Layout::words_without_edges) return refuse_third_count();
+    if (layout == Layout::words) return;
     if (scan_.in_line()) read_count("edges");
     scan_.next_line();
+  }
+
+  /// A word that ends the line of the two counts is a third one, no coordinate.
+  void refuse_third_count() {
+    if (!scan_.in_line()) return;
+    const std::size_t third = scan_.position();
+    scan_.skip_word();
+    if (!scan_.in_line()) fail("header", "has three counts", kStart);
+    scan_.move_to(third);
   }
 
   Soup read_by(Layout layout) {
     scan_.move_to(start_);
     read_counts(layout);
     Soup soup;
-    soup.points.reserve(vertices_);
-    soup.cells.reserve(faces_, 3 * faces_);
+    // The shortest vertex is "0 0 0", the shortest face "1 0", each with a line end.
+    const std::size_t room = scan_.room() + 1, faces = std::min(faces_, room / 4);
+    soup.points.reserve(std::min(vertices_, room / 6));
+    soup.cells.reserve(faces, 3 * faces);
     of_normals_.clear();
     missing_.assign(normals_ ? vertices_ : 0, false);
     bool any_normal = false;

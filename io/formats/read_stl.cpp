@@ -149,7 +149,7 @@ class TextStl {
         scan_.next_line();  // a name may hold any word
       }
     }
-    if (open_) fail(face(), "the file ends in it", "the file is truncated; export the mesh again");
+    if (open_) fail_truncated();
     facets_.flush();
     if (solid) soup_.warnings.emplace_back("the file ends without 'endsolid'");
     return std::move(soup_);
@@ -157,6 +157,10 @@ class TextStl {
 
  private:
   std::string face() const { return numbered("face", facets_.facets(), scan_.line()); }
+
+  [[noreturn]] void fail_truncated() const {
+    fail(face(), "the file ends in it", "the file is truncated; export the mesh again");
+  }
 
   /// "end facet" is "endfacet".
   std::string_view take_keyword() {
@@ -170,7 +174,8 @@ class TextStl {
     if (!open_) fail(face(), "has a vertex outside of a facet", "correct the file");
     kernel::Vec3 point{};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!scan_.more() || !scan_.take(point[k]))
+      if (!scan_.more()) fail_truncated();
+      if (!scan_.take(point[k]))
         fail(face(), fmt::format("coordinate {} is not a number", quoted(scan_.peek())),
              "give x y z");
     }

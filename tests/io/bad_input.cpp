@@ -132,7 +132,7 @@ const Case kCases[] = {
     {"cut.stl", binary_stl(3, 2, 1), "face 2: is missing or cut, the header announces 3 faces"},
     {"nan.stl", binary_stl(2, 2, std::nanf("")),
      "face 0: a coordinate of its corner 2 is not finite"},
-    {"text_cut.stl", kStl.substr(0, 70), "face 0 (line 7): the file ends in it"},
+    {"text_cut.stl", kStl.substr(0, 70), "face 0 (line 6): the file ends in it"},
     {"text_nan.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n",
      "face 0 (line 4): a coordinate of its corner 0 is not finite"},
     {"text_two.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n",

@@ -97,7 +97,7 @@ const Expected kExpected[] = {
      "1 closed component has negative volume"},
     {"broken/thingi_58011.stl", 13215, 26430, 0, 0, 1, ""},
     {"broken/thingi_72214.stl", 830, 1660, 0, 0, 1,
-     "coordinates look rounded: they are multiples of 1 "},
+     "coordinates look rounded: they are multiples of 1, "},
     {"broken/triangular_hole.off", 6, 6, 0, 2, 1, ""},
     {"broken/truck_multi_component.obj", 0, 0, 0, 0, 0, "edge 358-408: is in faces 1424, 1612"},
     {"broken/two-boxes-bad-self-union.ply", 486, 708, 12, 12, 12,

@@ -53,9 +53,13 @@ TEST_CASE("enclosed volume: laws and every stage") {
   CHECK(enclosed_volume(points, {}) == Sign::zero);
   std::vector<FaceCorners> both = kTetrahedron;
   for (const auto& face : turned(kTetrahedron)) both.push_back(face);
-  const Decision zero = enclosed_volume_decision(points, both);
-  CHECK(zero.sign == Sign::zero);  // law 4
-  CHECK(zero.stage == Stage::exact);
+  const Decision zero = enclosed_volume_decision(points, both);  // without a rounding
+  CHECK(zero.sign == Sign::zero);                                // law 4
+  CHECK(zero.stage == Stage::interval);
+  const std::vector<Vec3> rounded = {{0.1, 0.2, 0.7}, {1.3, 0, 0.1}, {0, 1.1, 0.3}, {0.9, 0.1, 1}};
+  const Decision undecided = enclosed_volume_decision(rounded, both);
+  CHECK(undecided.sign == Sign::zero);
+  CHECK(undecided.stage == Stage::exact);
   // Flat but for the last bit, far from the origin.
   std::vector<Vec3> flat = {{1e6, 1e6, 1e6}, {1e6 + 1, 1e6, 1e6}, {1e6, 1e6 + 1, 1e6}};
   flat.push_back({1e6 + 0.25, 1e6 + 0.25, std::nextafter(1e6, 2e6)});
