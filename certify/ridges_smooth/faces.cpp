@@ -86,10 +86,10 @@ class FaceChecker {
     for (std::size_t i = 0; i < 3; ++i) {
       if (!has(bits, i)) continue;
       const bool by_value = has(bits, 3 + i);
+      const Question q = ask(j, by_value ? Quantity::value : Quantity::along_edge, i);
       auto sign = by_value ? found.value[j][i] : found.slope[j][i];
-      if (has(bits, 6))
-        sign = provers_.on_segment(ask(j, by_value ? Quantity::value : Quantity::along_edge, i),
-                                   on_edge(i, 0), on_edge(i, 1), in);
+      if (has(bits, 6)) sign = provers_.on_segment(q, on_edge(i, 0), on_edge(i, 1), in);
+      if (!nonzero(sign)) sign = provers_.in_parts(q, on_edge(i, 0), on_edge(i, 1));
       if (!nonzero(sign))
         in.fail(fmt::format("{} crossings of edge {}", j == 0 ? "blue" : "red", i));
       if (!by_value) result.slope[j][i] = sign;
@@ -168,9 +168,10 @@ class FaceChecker {
       in.check(low < high && sign_at(j, i, low) == corner_[j][i] &&
                    sign_at(j, i, high) == corner_[j][(i + 1) % 3],
                "names a part of an edge without the crossing");
+      const Question q = ask(j, Quantity::growth);
       const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
-      const auto sign =
-          provers_.at_order(4, [&](auto& p) { return p.sign(ask(j, Quantity::growth), part); });
+      auto sign = provers_.at_order(4, [&](auto& p) { return p.sign(q, part); });
+      if (!nonzero(sign)) sign = provers_.in_parts(q, on_edge(i, low), on_edge(i, high));
       if (!nonzero(sign)) in.fail(fmt::format("G at the crossing of edge {}", i));
       product = product * *sign;
       require(type == 3 || (*sign == Sign::negative) == ((type == 1) == (j == 0)),

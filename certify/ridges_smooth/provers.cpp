@@ -84,6 +84,17 @@ kernel::Sign FaceProvers::on_segment(const Question& q, const Barycentric& a, co
   return *sign;
 }
 
+kernel::MaybeSign FaceProvers::in_parts(const Question& q, const Barycentric& a,
+                                        const Barycentric& b) {
+  if (claim_.arithmetic != Arithmetic::mpfr) return std::nullopt;
+  kernel::MaybeSign sign;
+  const auto is_certain = [&](const Piece& part) {
+    sign = precisely([&](auto& p) { return p.sign(q, part); });
+    return nonzero(sign);
+  };
+  return further(Piece::segment(a, b), is_certain) ? sign : std::nullopt;
+}
+
 kernel::MaybeSign FaceProvers::at_point(const Question& q, const Barycentric& at) {
   const Piece point = Piece::point(at);
   const auto sign = at_order(4, [&](auto& p) { return p.sign(q, point); });

@@ -81,6 +81,8 @@ class FaceProvers {
   /// The one sign on the segment between two points of the face. Throws Undecided.
   kernel::Sign on_segment(const Question& q, const Barycentric& a, const Barycentric& b,
                           WitnessReader& in, int depth = 0);
+  /// MPFR: the one sign on the segment, shown on parts of it; else nothing.
+  kernel::MaybeSign in_parts(const Question& q, const Barycentric& a, const Barycentric& b);
   /// If it is certain.
   kernel::MaybeSign at_point(const Question& q, const Barycentric& at);
 

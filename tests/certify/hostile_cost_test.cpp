@@ -96,10 +96,10 @@ TEST_CASE("cuts along long contours do not cost the square of the mesh") {
   seconds_to_verify(stairs(5, 4), "");
   seconds_to_verify(stairs(20000, 20), "");
   CHECK(seconds_to_verify(stairs(20000, 19999), "cuts: they cross more than 4194304 edges") <
-        2 * seconds_to_verify(stairs(20000, 20), "") + 0.2);
+        10 * seconds_to_verify(stairs(20000, 20), "") + 0.5);  // the square: 100 times
 }
 
 TEST_CASE("a cut for every arc at one vertex costs no more than its edges") {
   CHECK(seconds_to_verify(star(40000, true), "") <
-        5 * seconds_to_verify(star(40000, false), "") + 0.2);
+        10 * seconds_to_verify(star(40000, false), "") + 0.5);  // the square: over 100 times
 }
