@@ -60,6 +60,26 @@ Keyword take_keyword(TextScan& scan) {
   return keyword;
 }
 
+std::size_t take_count(TextScan& scan, const char* what) {
+  std::int64_t count = 0;
+  const bool given = scan.more();
+  const std::string line = fmt::format("header (line {})", scan.line());
+  if (!given) fail(line, fmt::format("has no number of {}", what), kStart);
+  const std::string_view word = scan.peek();
+  if (!scan.take(count) || count < 0)
+    fail(line, fmt::format("has a bad count {}", quoted(word)), kStart);
+  return static_cast<std::size_t>(count);
+}
+
+/// A word that ends the line of the two counts is a third one, no coordinate.
+void refuse_third_count(TextScan& scan) {
+  if (!scan.in_line()) return;
+  const std::size_t third = scan.position();
+  scan.skip_word();
+  if (!scan.in_line()) fail("header", "has three counts", kStart);
+  scan.move_to(third);
+}
+
 class OffReader {
  public:
   OffReader(const std::string& bytes, bool normals)
@@ -83,20 +103,9 @@ class OffReader {
   }
 
  private:
-  std::size_t read_count(const char* what) {
-    std::int64_t count = 0;
-    const bool given = scan_.more();
-    const std::string line = fmt::format("header (line {})", scan_.line());
-    if (!given) fail(line, fmt::format("has no number of {}", what), kStart);
-    const std::string_view word = scan_.peek();
-    if (!scan_.take(count) || count < 0)
-      fail(line, fmt::format("has a bad count {}", quoted(word)), kStart);
-    return static_cast<std::size_t>(count);
-  }
-
   void read_counts(Layout layout) {
-    vertices_ = read_count("vertices");
-    faces_ = read_count("faces");
+    vertices_ = take_count(scan_, "vertices");
+    faces_ = take_count(scan_, "faces");
     // A file that is not hopelessly short names the first element that is missing.
     const std::size_t bytes = scan_.position() + scan_.room();
     if (vertices_ > bytes || faces_ > bytes) {
@@ -105,20 +114,11 @@ class OffReader {
                        faces_),
            "the file is truncated or its header wrong; export the mesh again");
     }
-    if (layout == Layout::words) read_count("edges");
-    if (layout == Layout::words_without_edges) return refuse_third_count();
+    if (layout == Layout::words) take_count(scan_, "edges");
+    if (layout == Layout::words_without_edges) return refuse_third_count(scan_);
     if (layout == Layout::words) return;
-    if (scan_.in_line()) read_count("edges");
+    if (scan_.in_line()) take_count(scan_, "edges");
     scan_.next_line();
-  }
-
-  /// A word that ends the line of the two counts is a third one, no coordinate.
-  void refuse_third_count() {
-    if (!scan_.in_line()) return;
-    const std::size_t third = scan_.position();
-    scan_.skip_word();
-    if (!scan_.in_line()) fail("header", "has three counts", kStart);
-    scan_.move_to(third);
   }
 
   Soup read_by(Layout layout) {
