@@ -60,7 +60,7 @@ Keyword take_keyword(TextScan& scan) {
   return keyword;
 }
 
-std::size_t read_count(TextScan& scan, const char* what) {
+std::size_t take_count(TextScan& scan, const char* what) {
   std::int64_t count = 0;
   const bool given = scan.more();
   const std::string line = fmt::format("header (line {})", scan.line());
@@ -71,7 +71,7 @@ std::size_t read_count(TextScan& scan, const char* what) {
   return static_cast<std::size_t>(count);
 }
 
-/// Where the counts are two, a third word on their line is another layout.
+/// A word that ends the line of the two counts is a third one, no coordinate.
 void refuse_third_count(TextScan& scan) {
   if (!scan.in_line()) return;
   const std::size_t third = scan.position();
@@ -104,8 +104,8 @@ class OffReader {
 
  private:
   void read_counts(Layout layout) {
-    vertices_ = read_count(scan_, "vertices");
-    faces_ = read_count(scan_, "faces");
+    vertices_ = take_count(scan_, "vertices");
+    faces_ = take_count(scan_, "faces");
     // A file that is not hopelessly short names the first element that is missing.
     const std::size_t bytes = scan_.position() + scan_.room();
     if (vertices_ > bytes || faces_ > bytes) {
@@ -114,14 +114,13 @@ class OffReader {
                        faces_),
            "the file is truncated or its header wrong; export the mesh again");
     }
-    if (layout == Layout::words) read_count(scan_, "edges");
+    if (layout == Layout::words) take_count(scan_, "edges");
     if (layout == Layout::words_without_edges) return refuse_third_count(scan_);
     if (layout == Layout::words) return;
-    if (scan_.in_line()) read_count(scan_, "edges");
+    if (scan_.in_line()) take_count(scan_, "edges");
     scan_.next_line();
   }
 
-  /// A word that ends the line of the two counts is a third one, no coordinate.
   Soup read_by(Layout layout) {
     scan_.move_to(start_);
     read_counts(layout);
