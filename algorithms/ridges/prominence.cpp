@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <utility>
 
 #include "algorithms/ridges/umbilic_regions.hpp"
 
@@ -79,14 +81,19 @@ Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, d
     return std::fabs((peak.k - y.k) - (peak.wide - y.wide));
   };
   std::size_t first = 0;  // of the places no farther than R / 2 back
+  // Places from there on with their differences, each larger than all later ones.
+  std::deque<std::pair<std::size_t, double>> largest;
   for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
     const double drop = sense * (peak.k - y->k), length = y->length;
     if (drop < 0) break;  // a higher place: within an edge there is none
     if (length < beyond) continue;
     while (side.at(first)->length < std::max(beyond, length - side.window())) ++first;
+    const double here = difference(*y);
+    while (!largest.empty() && largest.back().second <= here) largest.pop_back();
+    largest.emplace_back(i, here);
+    while (largest.front().first < first) largest.pop_front();
     if (!(drop > 0)) continue;
-    double model = 0;
-    for (std::size_t j = first; j <= i; ++j) model = std::max(model, difference(*side.at(j)) / 2);
+    const double model = largest.front().second / 2;
     const double variance = x.error * x.error + y->error * y->error + model * model;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
     m.drop = std::max(m.drop, drop);
