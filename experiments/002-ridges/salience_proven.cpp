@@ -81,7 +81,6 @@ int main(int argc, char** argv) {
       "Dropped and kept ridges of a torus against its proven graph");
   program.list("--vertices", vertices, "of the meshes");
   program.option("--tolerance", tolerance, "distance within which lines are the same");
-  program.echo("experiments/002-ridges/salience_proven");
   return program.run(argc, argv, [&] {
     crest::kernel::require_sound_floating_point();
     crest::run(vertices, tolerance);

@@ -331,6 +331,5 @@ int main(int argc, char** argv) {
   program.option("--seeds", o.seeds, "noisy meshes a level");
   program.option("--significance", o.z, "Z");
   program.option("--min-weight", o.weight, "W");
-  program.echo("experiments/002-ridges/salience_table");
   return program.run(argc, argv, [&] { return crest::run(o); });
 }

@@ -201,7 +201,6 @@ int main(int argc, char** argv) {
   program.option("--side", side, "quadrangles a side of the torus");
   program.option("--runs", runs, "of which the median is given");
   program.option("--folder", folder, "for the files");
-  program.echo("build/experiments/io/reading_speed");
   return program.run(argc, argv, [&] {
     const Mesh mesh = torus(side);
     fmt::print("\n{} vertices, {} faces\n\n", mesh.points.size(), mesh.faces.size());
