@@ -39,8 +39,8 @@ class Program {
   void list(const char* name, T& values, const char* help);
   void flag(const char* name, bool& value, const char* help);
 
-  /// Prints the command as the first line ("Command: experiments/003-reeb/growth"), then works. Returns
-  /// what work returns; 3 if it throws; the parser's code for bad arguments and --help.
+  /// Prints the command as the first line ("Command: experiments/003-reeb/growth"), then works.
+  /// Returns what work returns; 3 if it throws; the parser's code for bad arguments and --help.
   int run(int argc, char** argv, const std::function<int()>& work);
 
  private:

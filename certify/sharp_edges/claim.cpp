@@ -215,7 +215,8 @@ void verify_sharp_edges(std::span<const std::uint8_t> data, std::span<const std:
         c.positions.size(), c.faces.size(), c.angle);
   if (options.input) {
     const std::string oriented = check_input(*options.input, c.positions, c.faces);
-    prove(verdict, "input: {} holds the same positions and faces, {}", options.input->name, oriented);
+    prove(verdict, "input: {} holds the same positions and faces, {}", options.input->name,
+          oriented);
   }
   require_equal(c.euler_characteristic, t.euler_characteristic, "Euler characteristic");
   require_equal(c.boundary_loops, t.boundary_loops, "boundary loops");

@@ -42,12 +42,11 @@ void check_maps(const Soup& soup, const Surface& s, const crest::io::CleanUp& do
   std::set<Index> foreign;
   for (Index f = 0; f < s.face_count(); ++f) {
     const auto nodes = soup.cells.nodes(s.cell_of[f]);
-    for (const Index v : s.faces[f]) {
+    for (const Index v : s.faces[f])
       if (std::none_of(nodes.begin(), nodes.end(), [&](crest::io::Cells::Node node) {
             return soup.points[static_cast<std::size_t>(node)] == s.points[v];
           }))
         foreign.insert(v);
-    }
   }
   CHECK(foreign.size() <= 2 * done.flipped_edges + done.collapsed_edges);
 }
