@@ -66,7 +66,7 @@ esac
 dashed=$(echo "$name" | tr _ -)
 camel=$(echo "$name" | awk -F_ '{ for (i = 1; i <= NF; ++i)
   printf "%s%s", toupper(substr($i, 1, 1)), substr($i, 2) }')
-number=$(sed -n 's/^inline constexpr std::uint32_t k[A-Za-z0-9]* = \([0-9]*\)[,;].*/\1/p' \
+number=$(sed -n 's/^inline constexpr std::uint32_t k[A-Za-z0-9]* = \([0-9]*\), k[A-Za-z0-9]*Version.*/\1/p' \
   certify/*/records.hpp | sort -n | tail -n 1)
 number=$((number + 1))
 
