@@ -12,12 +12,71 @@ namespace {
 using kernel::Sign;
 using u32 = std::uint32_t;
 
+/// Where the ridges cross the edges of one face, from the signs of E_j at its corners.
+struct Crossings {
+  FaceProvers& provers;
+  u32 face = 0;
+  std::array<std::array<Sign, 3>, 2> corner{};
+
+  bool is_crossed(std::size_t j, std::size_t i) const {
+    return corner[j][i] != corner[j][(i + 1) % 3];
+  }
+
+  static double read_place(WitnessReader& in) {
+    const double t = in.f64();
+    in.check(t >= 0 && t <= 1 && std::floor(t * 0x1p50) == t * 0x1p50,
+             "has no such point of an edge");
+    return t;
+  }
+  /// Of E_j at a point of edge i, certain and not zero.
+  Sign sign_at(std::size_t j, std::size_t i, double t) const {
+    if (t == 0 || t == 1) return corner[j][t == 0 ? i : (i + 1) % 3];
+    const auto sign = provers.at_point({face, j, Quantity::value, 0}, on_edge(i, t));
+    if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign on edge {}", face, i));
+    return *sign;
+  }
+
+  /// The signs of G_j at the two crossings, each on a part of the edge at whose ends E_j has
+  /// opposite signs: opposite at a turning point, else lemma 5's.
+  void check_turn(std::size_t j, unsigned type, WitnessReader& in) const {
+    Sign product = Sign::positive;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_crossed(j, i)) continue;
+      const double low = read_place(in), high = read_place(in);
+      in.check(low < high && sign_at(j, i, low) == corner[j][i] &&
+                   sign_at(j, i, high) == corner[j][(i + 1) % 3],
+               "names a part of an edge without the crossing");
+      const Question q = {face, j, Quantity::growth, 0};
+      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
+      auto sign = provers.at_order(4, [&](auto& p) { return p.sign(q, part); });
+      if (!nonzero(sign)) sign = provers.in_parts(q, on_edge(i, low), on_edge(i, high));
+      if (!nonzero(sign)) in.fail(fmt::format("G at the crossing of edge {}", i));
+      product = product * *sign;
+      require(type == 3 || (*sign == Sign::negative) == ((type == 1) == (j == 0)),
+              "face {}: type {}", face, type);
+    }
+    require(type != 3 || product == Sign::negative, "face {}: no turning point", face);
+  }
+
+  /// The sign of E2 where E1 is zero on edge i, which is crossed in red; in both colours a point
+  /// separates the crossings.
+  Sign red_at_blue(std::size_t i, WitnessReader& in) const {
+    const Sign red = corner[1][i];
+    if (!is_crossed(0, i)) return red;
+    const double t = read_place(in);
+    const bool blue_passed = sign_at(0, i, t) != corner[0][i], red_passed = sign_at(1, i, t) != red;
+    in.check(blue_passed != red_passed, "names a point that separates no crossings");
+    return blue_passed ? red : -red;
+  }
+};
+
 class FaceChecker {
  public:
   explicit FaceChecker(const Claim& claim) : claim_(claim), provers_(claim) {}
+  FaceChecker(const FaceChecker&) = delete;  // crossings_ points to provers_
 
   FaceResult check(u32 face) {
-    face_ = face;
+    face_ = crossings_.face = face;
     const bool implicit = claim_.surface.implicit;
     const SmoothFaceRecord& record = claim_.certificate.face_records[face];
     WitnessReader in(record.witness, "face", face);
@@ -116,11 +175,11 @@ class FaceChecker {
       }
       if (!nonzero(sign)) sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, 0));
       if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign at corner {}", face_, i));
-      corner_[j][i] = *sign;
+      crossings_.corner[j][i] = *sign;
     }
     unsigned bits = 0;
     for (unsigned i = 0; i < 3; ++i)
-      if (corner_[j][i] != corner_[j][(i + 1) % 3]) bits |= 1U << i;
+      if (crossings_.is_crossed(j, i)) bits |= 1U << i;
     return static_cast<std::uint8_t>(bits);
   }
 
@@ -131,71 +190,24 @@ class FaceChecker {
               record.type[j] != 0 ? "without" : "is missing for");
       if (!method.turn[j]) continue;
       require(result.loose[j] == 0, "face {}: its type at a corner of the domain", face_);
-      check_turn(j, record.type[j], result.crossed[j], in);
+      crossings_.check_turn(j, record.type[j], in);
     }
     if (!method.cross) return;
     require(result.loose[0] == 0 && result.loose[1] == 0,
             "face {}: purple at a corner of the domain", face_);
     Sign product = Sign::positive;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Sign red = has(result.crossed[1], i) ? red_at_blue(i, result, in) : corner_[1][i];
+      const Sign red =
+          crossings_.is_crossed(1, i) ? crossings_.red_at_blue(i, in) : crossings_.corner[1][i];
       if (has(result.crossed[0], i)) product = product * red;
     }
     require(record.purple == (product == Sign::negative), "face {}: the purple bit", face_);
   }
 
-  double read_place(WitnessReader& in) const {
-    const double t = in.f64();
-    in.check(t >= 0 && t <= 1 && std::floor(t * 0x1p50) == t * 0x1p50,
-             "has no such point of an edge");
-    return t;
-  }
-  /// Of E_j at a point of edge i, certain and not zero.
-  Sign sign_at(std::size_t j, std::size_t i, double t) {
-    if (t == 0 || t == 1) return corner_[j][t == 0 ? i : (i + 1) % 3];
-    const auto sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, t));
-    if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign on edge {}", face_, i));
-    return *sign;
-  }
-
-  /// The signs of G_j at the two crossings, each on a part of the edge at whose ends E_j has
-  /// opposite signs: opposite at a turning point, else lemma 5's.
-  void check_turn(std::size_t j, unsigned type, unsigned crossed, WitnessReader& in) {
-    Sign product = Sign::positive;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!has(crossed, i)) continue;
-      const double low = read_place(in), high = read_place(in);
-      in.check(low < high && sign_at(j, i, low) == corner_[j][i] &&
-                   sign_at(j, i, high) == corner_[j][(i + 1) % 3],
-               "names a part of an edge without the crossing");
-      const Question q = ask(j, Quantity::growth);
-      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
-      auto sign = provers_.at_order(4, [&](auto& p) { return p.sign(q, part); });
-      if (!nonzero(sign)) sign = provers_.in_parts(q, on_edge(i, low), on_edge(i, high));
-      if (!nonzero(sign)) in.fail(fmt::format("G at the crossing of edge {}", i));
-      product = product * *sign;
-      require(type == 3 || (*sign == Sign::negative) == ((type == 1) == (j == 0)),
-              "face {}: type {}", face_, type);
-    }
-    require(type != 3 || product == Sign::negative, "face {}: no turning point", face_);
-  }
-
-  /// The sign of E2 where E1 is zero on edge i, which is crossed in red; in both colours a point
-  /// separates the crossings.
-  Sign red_at_blue(std::size_t i, const FaceResult& result, WitnessReader& in) {
-    const Sign red = corner_[1][i];
-    if (!has(result.crossed[0], i)) return red;
-    const double t = read_place(in);
-    const bool blue_passed = sign_at(0, i, t) != corner_[0][i],
-               red_passed = sign_at(1, i, t) != red;
-    in.check(blue_passed != red_passed, "names a point that separates no crossings");
-    return blue_passed ? red : -red;
-  }
-
   const Claim& claim_;
   FaceProvers provers_;
   u32 face_ = 0;
-  std::array<std::array<Sign, 3>, 2> corner_{};
+  Crossings crossings_{provers_};
 };
 
 /// The faces at a corner of the domain where a sign is taken (SPEC.md, "Loose corners").

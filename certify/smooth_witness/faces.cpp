@@ -49,73 +49,76 @@ class Chooser : public Advisor {
   }
 };
 
-class FaceRecorder {
- public:
-  FaceRecorder(const Claim& claim, RidgesSmoothCertificate& c)
-      : claim_(claim), c_(c), provers_(claim) {}
+/// Places where the ridges cross the edges of one face.
+struct Crossings {
+  FaceProvers& provers;
+  u32 face = 0;
+  std::array<std::array<Sign, 3>, 2> corner{};  ///< of E_j
 
-  FaceDraft record(u32 face) {
-    face_ = face;
-    const bool implicit = claim_.surface.implicit;
-    const SmoothFaceRecord& record = c_.face_records[face];
-    FaceDraft draft;
-    FaceFindings found;
-    method_ = {};
-    if (record.in_patch) {
-      if (implicit) divide_all(kChart | kInside, draft.division, found);
-      draft.box = found.box;
-      return draft;
-    }
-    unsigned open = kRegular | kVerdict | kVerdict << 1;
-    if (implicit) open |= kChart;
-    for (unsigned j = 0; j < 2; ++j) {
-      found.ask_slope[j] = found.ask_value[j] = 7;
-      method_.turn[j] = record.type[j] == 3;
-      if (record.type[j] != 0) open |= kType << j;
-    }
-    method_.cross = record.purple;
-    if (record.type[0] != 0 && record.type[1] != 0) open |= kPurple;
-    divide_all(open, draft.division, found);
-    draft.box = found.box;
-    for (std::size_t j = 0; j < 2; ++j)
-      if (record.verdict[j] != SmoothFaceRecord::kNoZero) read_signs(j, found, draft);
-    if (record.type[0] != 0 || record.type[1] != 0)
-      draft.methods =
-          (method_.turn[0] ? 1U : 0U) | (method_.turn[1] ? 2U : 0U) | (method_.cross ? 4U : 0U);
-    for (std::size_t j = 0; j < 2; ++j)
-      for (std::size_t i = 0; method_.turn[j] && i < 3; ++i)
-        if (is_crossed(j, i)) put_crossing(j, i, draft.places);
-    for (std::size_t i = 0; method_.cross && i < 3; ++i)
-      if (is_crossed(0, i) && is_crossed(1, i)) put_f64(draft.places, separating_point(i));
-    return draft;
-  }
-
-  /// One sign on an edge, with the pieces that show it.
-  bool record_segment(const Question& q, Bytes& out) {
-    Sign sign{};
-    return record_segment(q, on_edge(q.edge, 0), on_edge(q.edge, 1), 0, sign, out);
-  }
-
- private:
-  Question ask(std::size_t colour, Quantity quantity) const { return {face_, colour, quantity, 0}; }
   bool is_crossed(std::size_t j, std::size_t i) const {
-    return corner_[j][i] != corner_[j][(i + 1) % 3];
+    return corner[j][i] != corner[j][(i + 1) % 3];
   }
 
-  /// Other methods for those of the statements that have them.
-  unsigned flip(unsigned statements) {
-    unsigned flipped = 0;
-    for (unsigned j = 0; j < 2; ++j)
-      if ((statements & kType << j) != 0 && !method_.turn[j]) {
-        method_.turn[j] = true;
-        flipped |= kType << j;
-      }
-    if ((statements & kPurple) != 0 && !method_.cross) {
-      method_.cross = true;
-      flipped |= kPurple;
+  /// A point of the edge between two others where E_j is certain. Barycentric coordinates stay
+  /// exact.
+  std::optional<std::pair<double, Sign>> between(std::size_t j, std::size_t i, double low,
+                                                 double high) const {
+    if (high - low < 0x1p-40) return std::nullopt;
+    for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
+      const double t = low + part * (high - low);
+      const auto sign = provers.at_point({face, j, Quantity::value, 0}, on_edge(i, t));
+      if (nonzero(sign)) return std::pair(t, *sign);
     }
-    return flipped;
+    return std::nullopt;
   }
+
+  /// A part of edge i with the crossing on which G_j has one sign.
+  void put_crossing(std::size_t j, std::size_t i, Bytes& out) const {
+    double low = 0, high = 1;
+    for (;;) {
+      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
+      const auto sign = provers.at_order(4, [&](auto& p) {
+        return p.sign({face, j, Quantity::growth, 0}, part);
+      });
+      if (nonzero(sign)) break;
+      const auto next = between(j, i, low, high);
+      if (!next) throw Undecided(fmt::format("face {}: G at the crossing of edge {}", face, i));
+      (next->second == corner[j][i] ? low : high) = next->first;
+    }
+    put_f64(out, low);
+    put_f64(out, high);
+  }
+
+  /// A point of edge i between its two crossings.
+  double separating_point(std::size_t i) const {
+    double low = 0, high = 1;
+    while (high - low > 0x1p-40) {  // then t and 1 - t are exact
+      bool moved = false;
+      for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
+        const double t = low + part * (high - low);
+        const auto blue = provers.at_point({face, 0, Quantity::value, 0}, on_edge(i, t));
+        const auto red = provers.at_point({face, 1, Quantity::value, 0}, on_edge(i, t));
+        if (!nonzero(blue) || !nonzero(red)) continue;
+        const bool blue_passed = *blue != corner[0][i], red_passed = *red != corner[1][i];
+        if (blue_passed != red_passed) return t;
+        (blue_passed ? high : low) = t;
+        moved = true;
+        break;
+      }
+      if (!moved) break;
+    }
+    throw Undecided(fmt::format("face {}: the order of two crossings on edge {}", face, i));
+  }
+};
+
+/// The pieces of one face, down to which its statements are shown.
+struct Divider {
+  const Claim& claim;
+  RidgesSmoothCertificate& c;
+  FaceProvers& provers;
+  u32 face = 0;
+  Method method{};  ///< of showing the statements that have two
+  Chooser chooser{};
 
   /// Throws Undecided. Longer fibres if the feet are not found; other methods if the first ones
   /// fail.
@@ -126,29 +129,44 @@ class FaceRecorder {
       out.clear();
       const unsigned failed = divide(Piece::face(), 0, open, out, &found);
       if (failed == 0) return;
-      auto& witness = c_.face_records[face_].witness;
-      if (claim_.surface.implicit && !found.box && longer < 2 && witness[0] > 0) {
+      auto& witness = c.face_records[face].witness;
+      if (claim.surface.implicit && !found.box && longer < 2 && witness[0] > 0) {
         --witness[0];
         ++longer;
       } else if (flip(failed) == 0) {
-        throw Undecided(fmt::format("face {}: {}", face_, names_of(failed)));
+        throw Undecided(fmt::format("face {}: {}", face, names_of(failed)));
       }
     }
   }
 
+  /// Other methods for those of the statements that have them.
+  unsigned flip(unsigned statements) {
+    unsigned flipped = 0;
+    for (unsigned j = 0; j < 2; ++j)
+      if ((statements & kType << j) != 0 && !method.turn[j]) {
+        method.turn[j] = true;
+        flipped |= kType << j;
+      }
+    if ((statements & kPurple) != 0 && !method.cross) {
+      method.cross = true;
+      flipped |= kPurple;
+    }
+    return flipped;
+  }
+
   /// Returns statements that the deepest pieces leave open.
   unsigned divide(const Piece& piece, int depth, unsigned open, Bytes& out, FaceFindings* found) {
-    const SmoothFaceRecord& record = c_.face_records[face_];
+    const SmoothFaceRecord& record = c.face_records[face];
     const auto no_zero = SmoothFaceRecord::kNoZero;
     const bool cheap =
         depth == 0 &&
         (record.in_patch || (record.verdict[0] == no_zero && record.verdict[1] == no_zero));
     int order = cheap ? 3 : depth < 2 ? 4 : 5;
-    Method used = method_;
-    unsigned left = provers_.left_open(face_, piece, open, used, order, found, &chooser_);
+    Method used = method;
+    unsigned left = provers.left_open(face, piece, open, used, order, found, &chooser);
     if (left != 0 && cheap) {
-      used = method_;
-      left = provers_.left_open(face_, piece, open, used, order = 4, found, &chooser_);
+      used = method;
+      left = provers.left_open(face, piece, open, used, order = 4, found, &chooser);
     }
     if (left != 0 && depth == 0 && try_other_methods(left, order))
       return divide(piece, depth, open, out, found);
@@ -167,15 +185,67 @@ class FaceRecorder {
 
   /// Is one of the statements shown on the whole face by its other method?
   bool try_other_methods(unsigned left, int order) {
-    const Method before = method_;
+    const Method before = method;
     const unsigned flipped = flip(left);
     if (flipped == 0) return false;
-    Method used = method_;
-    const unsigned won = flipped & ~provers_.left_open(face_, Piece::face(), flipped, used, order,
-                                                       nullptr, &chooser_);
-    method_ = before;
+    Method used = method;
+    const unsigned won =
+        flipped & ~provers.left_open(face, Piece::face(), flipped, used, order, nullptr, &chooser);
+    method = before;
     return flip(won) != 0;
   }
+};
+
+class FaceRecorder {
+ public:
+  FaceRecorder(const Claim& claim, RidgesSmoothCertificate& c)
+      : claim_(claim), c_(c), provers_(claim) {}
+  FaceRecorder(const FaceRecorder&) = delete;  // members point to provers_
+
+  FaceDraft record(u32 face) {
+    face_ = divider_.face = crossings_.face = face;
+    const bool implicit = claim_.surface.implicit;
+    const SmoothFaceRecord& record = c_.face_records[face];
+    FaceDraft draft;
+    FaceFindings found;
+    divider_.method = {};
+    if (record.in_patch) {
+      if (implicit) divider_.divide_all(kChart | kInside, draft.division, found);
+      draft.box = found.box;
+      return draft;
+    }
+    unsigned open = kRegular | kVerdict | kVerdict << 1;
+    if (implicit) open |= kChart;
+    for (unsigned j = 0; j < 2; ++j) {
+      found.ask_slope[j] = found.ask_value[j] = 7;
+      divider_.method.turn[j] = record.type[j] == 3;
+      if (record.type[j] != 0) open |= kType << j;
+    }
+    divider_.method.cross = record.purple;
+    if (record.type[0] != 0 && record.type[1] != 0) open |= kPurple;
+    divider_.divide_all(open, draft.division, found);
+    draft.box = found.box;
+    for (std::size_t j = 0; j < 2; ++j)
+      if (record.verdict[j] != SmoothFaceRecord::kNoZero) read_signs(j, found, draft);
+    if (record.type[0] != 0 || record.type[1] != 0)
+      draft.methods = (divider_.method.turn[0] ? 1U : 0U) | (divider_.method.turn[1] ? 2U : 0U) |
+                      (divider_.method.cross ? 4U : 0U);
+    for (std::size_t j = 0; j < 2; ++j)
+      for (std::size_t i = 0; divider_.method.turn[j] && i < 3; ++i)
+        if (crossings_.is_crossed(j, i)) crossings_.put_crossing(j, i, draft.places);
+    for (std::size_t i = 0; divider_.method.cross && i < 3; ++i)
+      if (crossings_.is_crossed(0, i) && crossings_.is_crossed(1, i))
+        put_f64(draft.places, crossings_.separating_point(i));
+    return draft;
+  }
+
+  /// One sign on an edge, with the pieces that show it.
+  bool record_segment(const Question& q, Bytes& out) {
+    return record_segment(q, on_edge(q.edge, 0), on_edge(q.edge, 1), 0, out);
+  }
+
+ private:
+  Question ask(std::size_t colour, Quantity quantity) const { return {face_, colour, quantity, 0}; }
 
   /// Corners and edges of a colour with a direction.
   void read_signs(std::size_t j, const FaceFindings& found, FaceDraft& draft) {
@@ -189,7 +259,7 @@ class FaceRecorder {
         sign = Sign::positive;
       }
       if (!nonzero(sign)) throw Undecided(fmt::format("face {}: sign at corner {}", face_, i));
-      corner_[j][i] = *sign;
+      crossings_.corner[j][i] = *sign;
     }
   }
   /// A corner of the square, if no direction is periodic.
@@ -200,79 +270,26 @@ class FaceRecorder {
   }
 
   bool record_segment(const Question& q, const Barycentric& a, const Barycentric& b, int depth,
-                      Sign& sign, Bytes& out) {
+                      Bytes& out) {
     const int order = depth < 2 ? 4 : 5;
     const auto found =
         provers_.at_order(order, [&](auto& p) { return p.sign(q, Piece::segment(a, b)); });
     if (nonzero(found)) {
-      sign = *found;
       out.push_back(static_cast<std::uint8_t>(order - 3));
       return true;
     }
     if (depth == kSegmentDepth) return false;
     out.push_back(static_cast<std::uint8_t>(order - 3 + DivisionNode::kDivided));
     const Barycentric half = midpoint(a, b);
-    return record_segment(q, a, half, depth + 1, sign, out) &&
-           record_segment(q, half, b, depth + 1, sign, out);
-  }
-
-  /// A point of the edge between two others where E_j is certain. Barycentric coordinates stay
-  /// exact.
-  std::optional<std::pair<double, Sign>> between(std::size_t j, std::size_t i, double low,
-                                                 double high) {
-    if (high - low < 0x1p-40) return std::nullopt;
-    for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
-      const double t = low + part * (high - low);
-      const auto sign = provers_.at_point(ask(j, Quantity::value), on_edge(i, t));
-      if (nonzero(sign)) return std::pair(t, *sign);
-    }
-    return std::nullopt;
-  }
-
-  /// A part of edge i with the crossing on which G_j has one sign.
-  void put_crossing(std::size_t j, std::size_t i, Bytes& out) {
-    double low = 0, high = 1;
-    for (;;) {
-      const Piece part = Piece::segment(on_edge(i, low), on_edge(i, high));
-      const auto sign =
-          provers_.at_order(4, [&](auto& p) { return p.sign(ask(j, Quantity::growth), part); });
-      if (nonzero(sign)) break;
-      const auto next = between(j, i, low, high);
-      if (!next) throw Undecided(fmt::format("face {}: G at the crossing of edge {}", face_, i));
-      (next->second == corner_[j][i] ? low : high) = next->first;
-    }
-    put_f64(out, low);
-    put_f64(out, high);
-  }
-
-  /// A point of edge i between its two crossings.
-  double separating_point(std::size_t i) {
-    double low = 0, high = 1;
-    while (high - low > 0x1p-40) {  // then t and 1 - t are exact
-      bool moved = false;
-      for (const double part : {0.5, 0.375, 0.625, 0.4375, 0.5625}) {
-        const double t = low + part * (high - low);
-        const auto blue = provers_.at_point(ask(0, Quantity::value), on_edge(i, t));
-        const auto red = provers_.at_point(ask(1, Quantity::value), on_edge(i, t));
-        if (!nonzero(blue) || !nonzero(red)) continue;
-        const bool blue_passed = *blue != corner_[0][i], red_passed = *red != corner_[1][i];
-        if (blue_passed != red_passed) return t;
-        (blue_passed ? high : low) = t;
-        moved = true;
-        break;
-      }
-      if (!moved) break;
-    }
-    throw Undecided(fmt::format("face {}: the order of two crossings on edge {}", face_, i));
+    return record_segment(q, a, half, depth + 1, out) && record_segment(q, half, b, depth + 1, out);
   }
 
   const Claim& claim_;
   RidgesSmoothCertificate& c_;
   FaceProvers provers_;
-  Chooser chooser_;
   u32 face_ = 0;
-  Method method_;
-  std::array<std::array<Sign, 3>, 2> corner_{};
+  Divider divider_{claim_, c_, provers_};
+  Crossings crossings_{provers_};
 };
 
 /// Which face decides which edge.

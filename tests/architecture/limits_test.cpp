@@ -20,9 +20,7 @@ const std::map<std::string, std::size_t>& known_bodies() {
       {"face_test.cpp FaceTest::State", 264},
       {"blow_up.cpp BlowUp", 240},
       {"read_msh.cpp MshReader", 218},
-      {"faces.cpp FaceRecorder", 223},
       {"expression.cpp Parser", 207},  // of certify/second
-      {"faces.cpp FaceChecker", 186},
       {"trees.cpp Sweep", 174},
       {"slab_oracle.cpp Slabs", 172},
       {"cgal_peer.cpp CgalRidges", 166},
