@@ -3,6 +3,7 @@
 # runtime; `cpack` in the build folder makes crest.deb of it) and the libraries with `find_package(Crest)`
 # and pkg-config (component development).
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DOCDIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/crest)
 
 # The programs. Pages and completion are made from their --help, when they are installed.
 get_property(checkers GLOBAL PROPERTY CREST_CHECKERS)
@@ -23,7 +24,11 @@ if(program_files)
   install(FILES ${made}/crest DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
           COMPONENT runtime)
 endif()
-install(FILES LICENSE README.md CHANGELOG.md CITATION.cff references.bib
+install(FILES LICENSES/GPL-3.0-or-later.txt RENAME LICENSE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES .reuse/dep5 RENAME copyright
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES README.md CHANGELOG.md CITATION.cff references.bib
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime
         FILES_MATCHING PATTERN "*.md")
