@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed: the programs with their man pages, completion, licence and documents (component
 # runtime; `cpack` in the build folder makes crest.deb of it) and the libraries with `find_package(Crest)`
-# and pkg-config (component development).
+# and pkg-config (component development), with the public headers under crest/.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DOCDIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/crest)
 
@@ -49,8 +49,13 @@ install(TARGETS ${crest_libraries} crest_systems EXPORT CrestTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT CrestTargets NAMESPACE Crest:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest
         COMPONENT development)
-install(DIRECTORY kernel certify algorithms io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/crest
-        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(CODE "
+  execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D IO=${CREST_WITH_VTK}
+    -D TO=${CMAKE_CURRENT_BINARY_DIR}/headers -P ${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake
+    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/headers/crest DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT development)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 configure_package_config_file(cmake/CrestConfig.cmake.in CrestConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest)
 write_basic_package_version_file(CrestConfigVersion.cmake COMPATIBILITY SameMinorVersion)
