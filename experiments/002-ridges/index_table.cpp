@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The index sum against the Euler characteristic on every closed scan of a folder, and how many
-// ridge ends stay unjoined, Crest beside CGAL.
+// ridge ends stay unjoined, Crest beside CGAL with the same supports. Crest's sum and joins are
+// right by construction, for any data; CGAL claims neither.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string folder = "../shared/data/meshes";
-  unsigned cgal_limit = 20000;
+  unsigned cgal_seconds = 600;
 };
 
 io::MeshFile read(const fs::path& path) {
@@ -44,10 +45,9 @@ struct Tally {
 
 // Indices, their sum and unjoined ends, or why there are none.
 std::string cgal_columns(const kernel::TriangleMesh& mesh, const Options& o, Tally& tally) {
-  if (mesh.vertex_count() > o.cgal_limit) return "| | | ";
-  ++tally.cgal_meshes;
   try {
-    const peers::CgalResult r = peers::run_cgal(mesh, {});
+    const peers::CgalResult r = peers::run_cgal_within(o.cgal_seconds, mesh);
+    ++tally.cgal_meshes;
     tally.cgal_equal += r.index_sum() == mesh.euler_characteristic();
     return fmt::format("| {}, {}, {} | {} | {} ", r.plus, r.minus, r.other, r.index_sum(),
                        r.blue_lines.open_ends + r.red_lines.open_ends);
@@ -96,7 +96,10 @@ int run(const Options& o) {
     }
   }
   fmt::print(
-      "\nCrest: index sum = chi on {} of {} meshes, {} certificates accepted. CGAL: {} of {}.\n",
+      "\nCrest: index sum = chi on {} of {} meshes, as on any, {} certificates accepted. CGAL: {} "
+      "of "
+      "the {} it finishes, with the same supports (rings until 30 points) and its own patch "
+      "size.\n",
       tally.equal, tally.meshes, tally.verified, tally.cgal_equal, tally.cgal_meshes);
   return tally.equal == tally.meshes && tally.verified == tally.meshes ? 0 : 1;
 }
@@ -109,7 +112,7 @@ int main(int argc, char** argv) {
   crest::experiments::Program program(
       "Index sum and Euler characteristic of closed meshes, Crest beside CGAL");
   program.option("--folder", o.folder, "of meshes (default ../shared/data/meshes)");
-  program.option("--cgal-limit", o.cgal_limit,
-                 "largest mesh given to CGAL, vertices (default 20000)");
+  program.option("--cgal-seconds", o.cgal_seconds,
+                 "of processor time that CGAL may take for a mesh (default 600)");
   return program.run(argc, argv, [&] { return crest::run(o); });
 }
