@@ -68,8 +68,8 @@ TEST_CASE("quoted numbers: right Reeb graphs") {
     right += equal;
     all += of;
   }
-  quotes("README.md", "right Reeb graphs: " + std::to_string(kinds.size()) +
-                          " kinds of surface and function");
+  quotes("README.md",
+         "right Reeb graphs: " + std::to_string(kinds.size()) + " kinds of surface and function");
   quotes("README.md", std::to_string(right) + " of " + std::to_string(all) + " |");
 }
 
