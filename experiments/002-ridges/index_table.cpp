@@ -5,17 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
 #include "algorithms/ridges/certificate.hpp"
 #include "certify/verify.hpp"
+#include "experiments/packed_mesh.hpp"
 #include "experiments/peers/ridges/cgal_peer.hpp"
 #include "experiments/peers/ridges/crest_run.hpp"
 #include "experiments/program.hpp"
-#include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest {
@@ -27,17 +25,6 @@ struct Options {
   std::string folder = "../shared/data/meshes";
   unsigned cgal_seconds = 600;
 };
-
-io::MeshFile read(const fs::path& path) {
-  if (path.extension() != ".xz") return io::read_mesh(path.string());
-  const std::string command = "xz -dc '" + path.string() + "'";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string bytes;
-  char block[1 << 16];
-  while (const std::size_t n = pipe ? std::fread(block, 1, sizeof block, pipe.get()) : 0)
-    bytes.append(block, n);
-  return io::read_mesh_bytes(path.stem().string(), std::move(bytes));
-}
 
 struct Tally {
   int meshes = 0, equal = 0, verified = 0, cgal_meshes = 0, cgal_equal = 0;
@@ -89,8 +76,8 @@ int run(const Options& o) {
   Tally tally;
   for (const fs::path& path : files) {
     try {
-      const io::MeshFile file = read(path);
-      if (file.mesh.closed()) row(path, file.mesh, o, tally);
+      const auto file = experiments::read_mesh(path.string());
+      if (file && file->mesh.closed()) row(path, file->mesh, o, tally);
     } catch (const kernel::InputError&) {
       // Not a closed manifold triangle mesh: not a case of this table.
     }
