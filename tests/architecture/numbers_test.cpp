@@ -116,6 +116,15 @@ TEST_CASE("quoted numbers: sharp edges of fandisk") {
   }
 }
 
+TEST_CASE("quoted numbers: topology kept by thinning") {
+  std::size_t accepted = 0;
+  const auto rows = rows_of("001-features/tables/betti.md");
+  for (const Row& row : rows)
+    accepted += row.at(4) == row.at(5) && row.at(6) == row.at(7) && row.at(9) == "accepted";
+  quotes("experiments/README.md",
+         std::to_string(accepted) + " of " + std::to_string(rows.size()) + " meshes");
+}
+
 TEST_CASE("quoted numbers: VTK's time over Crest's, the checker's over the extraction's") {
   std::vector<double> ratios, quotients;
   for (const Row& row : rows_of("peers/reeb/tables/vtk_reeb.md"))
