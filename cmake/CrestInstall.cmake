@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed: the programs with their man pages, completion, licence and documents (component
-# runtime; `cpack` in the build folder makes crest.deb of it) and the libraries with `find_package(Crest)`
+# runtime; scripts/package.sh makes a .deb of it) and the libraries with `find_package(Crest)`
 # and pkg-config (component development), with the public headers under crest/.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DOCDIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/crest)
@@ -31,7 +31,7 @@ install(FILES .reuse/dep5 RENAME copyright
 install(FILES README.md CHANGELOG.md CITATION.cff references.bib
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime
-        FILES_MATCHING PATTERN "*.md")
+        FILES_MATCHING PATTERN "*.md" PATTERN "pictures" EXCLUDE)
 file(GLOB specifications RELATIVE ${PROJECT_SOURCE_DIR} certify/SPEC.md certify/*/SPEC.md)
 foreach(specification ${specifications})
   get_filename_component(folder ${specification} DIRECTORY)
