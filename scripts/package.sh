@@ -26,5 +26,5 @@ chroot "$root" sh -euc '
   crest-verify-ridges-mesh e.crest
   test -s e.vtp && test -s e.png
   apt-get purge -y -qq crest >/dev/null
-  ! command -v crest'
+  test ! -e /usr/bin/crest'
 echo "installed, run and removed in a bare Debian 12"
