@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   fs::path data = "../shared/data/meshes", out = "out/figures";
-  double strength = 2, sharpness = 20;
+  double strength = 2, sharpness = 150, scan_sharpness = 1000;
 };
 
 struct Model {
@@ -91,6 +91,7 @@ void run(const Options& o) {
     figure("26-b", part, strong, o, by + ", --min-strength");
     figure("26-c", part, sharp, o, by + ", --min-sharpness");
   }
+  sharp.min_sharpness = o.scan_sharpness;
   if (auto mesh = scanned(o, "igea.ply.xz"))
     figure("27", extract("igea.ply.xz", std::move(*mesh), true), sharp, o,
            by + ", --min-sharpness");
@@ -107,7 +108,8 @@ int main(int argc, char** argv) {
                  "../shared/data/meshes)");
   program.option("--out", o.out, "folder for the pictures (default out/figures)");
   program.option("--min-strength", o.strength, "of figure 26b");
-  program.option("--min-sharpness", o.sharpness, "of figures 26c and 27");
+  program.option("--min-sharpness", o.sharpness, "of figure 26c");
+  program.option("--scan-sharpness", o.scan_sharpness, "of figure 27");
   return program.run(argc, argv, [&] {
     crest::run(o);
     return 0;
