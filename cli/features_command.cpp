@@ -219,13 +219,13 @@ std::vector<std::string> used_references(const FeaturesOptions& o) {
 
 void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
                  const FeatureGraph& graph, const std::vector<double>& field,
-                 const std::string& digest) {
+                 const Written& written, const std::string& digest) {
   run.write("-o",
             [&](const std::string& path) { io::write_features(path, mesh, graph, field, digest); });
   run.write("--patches",
             [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
   run.write("--picture", [&](const std::string& path) {
-    io::write_feature_picture(path, mesh, graph, o.sharp());
+    io::write_feature_picture(path, mesh, graph, o.sharp(), legend_note(written.kind, written.by));
   });
   report_lines(run.report(), mesh, graph);
 }
@@ -240,17 +240,18 @@ Outcome thin_region(Run& run, FeaturesOptions& o, const io::MeshFile& file) {
     return run.with_input(
         [&] { return feature_lines::extract_feature_lines(mesh, field, o.lines); });
   });
-  const certify::Bytes certificate = run.step("certificate", "composing the certificate", [&] {
-    return certify::encode(feature_lines::make_certificate(mesh, f.thinning));
-  });
+  const auto stated = feature_lines::make_certificate(mesh, f.thinning);
+  const certify::Bytes certificate =
+      run.step("certificate", "composing the certificate", [&] { return certify::encode(stated); });
   const std::string digest = certify::hex(certify::data_digest(certificate));
+  const bool certifies = run.wanted("--certificate");
   run.step("write", "writing", [&] {
-    write_lines(run, o, mesh, f.graph, field, digest);
+    write_lines(run, o, mesh, f.graph, field, written(f, certifies), digest);
     run.write_certificate("features-mesh", certificate);
   });
-  report_region(run.report(), f);
+  report_region(run.report(), f, stated);
   run.report()["data_digest"] = digest;
-  return {region_summary(f), used_references(o)};
+  return {region_summary(f, certifies), used_references(o)};
 }
 
 Outcome find_sharp_edges(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh& mesh) {
@@ -267,17 +268,19 @@ Outcome find_sharp_edges(Run& run, const FeaturesOptions& o, const kernel::Trian
                     "them",
                     o.angle, lines.ties));
   }
-  const certify::Bytes certificate = run.step("certificate", "composing the certificate", [&] {
-    return certify::encode(feature_lines::make_certificate(mesh, angle, lines));
-  });
+  const auto stated = feature_lines::make_certificate(mesh, angle, lines);
+  const certify::Bytes certificate =
+      run.step("certificate", "composing the certificate", [&] { return certify::encode(stated); });
   const std::string digest = certify::hex(certify::data_digest(certificate));
+  const bool certifies = run.wanted("--certificate");
   run.step("write", "writing", [&] {
-    write_lines(run, o, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), digest);
+    write_lines(run, o, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0),
+                written(lines, certifies), digest);
     run.write_certificate("sharp-edges", certificate);
   });
-  report_sharp(run.report(), lines);
+  report_sharp(run.report(), lines, stated);
   run.report()["data_digest"] = digest;
-  return {sharp_summary(lines, o.angle), used_references(o)};
+  return {sharp_summary(lines, o.angle, certifies), used_references(o)};
 }
 
 Outcome work(Run& run, FeaturesOptions& o) {

@@ -55,7 +55,8 @@ void report_lines(Report& report, const kernel::TriangleMesh& mesh, const Featur
   report["length"] = lengths_json(graph);
 }
 
-void report_region(Report& report, const feature_lines::FeatureLines& f) {
+void report_region(Report& report, const feature_lines::FeatureLines& f,
+                   const certify::FeaturesMeshCertificate& certificate) {
   report["threshold"] = f.value;
   report["marked"] = f.marked;
   report["filled_patches"] = f.filled_patches;
@@ -65,9 +66,18 @@ void report_region(Report& report, const feature_lines::FeatureLines& f) {
   report["dropped_lines"] = f.thinning.dropped.size();
   report["betti_before"] = betti_json(f.thinning.topology_before);
   report["betti_after"] = betti_json(f.thinning.topology_after);
+  add_written(report, written(f, false).by,
+              {{"region_vertices", feature_lines::count(certificate.marked_before)},
+               {"thinned_vertices", certificate.marked_after.size()},
+               {"dropped", certificate.dropped.size()},
+               {"components", certificate.components},
+               {"loops", certificate.betti[2].loops},
+               {"complement_components", certificate.betti[3].components},
+               {"complement_loops", certificate.betti[3].loops}});
 }
 
-void report_sharp(Report& report, const feature_lines::SharpLines& lines) {
+void report_sharp(Report& report, const feature_lines::SharpLines& lines,
+                  const certify::SharpEdgesCertificate& certificate) {
   report["sharp_edges"] = feature_lines::count(lines.sharp);
   report["sharp_ties"] = lines.ties;
   report["line_edges"] = feature_lines::count(lines.edges);
@@ -78,9 +88,44 @@ void report_sharp(Report& report, const feature_lines::SharpLines& lines) {
                                             {"interval", counts.interval},
                                             {"exact", counts.exact},
                                             {"symbolic", counts.symbolic}};
+  add_written(report, written(lines, false).by,
+              {{"sharp_edges", certificate.sharp.size()},
+               {"sharp_ties", certificate.ties},
+               {"ends", certificate.ends},
+               {"nodes", certificate.nodes},
+               {"patches", certificate.patches}});
 }
 
-std::string region_summary(const feature_lines::FeatureLines& f) {
+Written written(const feature_lines::FeatureLines& f, bool certifies) {
+  Written w;
+  if (!f.thinning.dropped.empty()) w.by.push_back("--prune");
+  if (f.filled_patches > 0) w.by.push_back("--min-patch");
+  if (f.joined > 0) w.by.push_back("--close-branches");
+  if (f.thinnings > 1) {
+    w.kind = "simplification";
+    w.whole = "marked region";
+    w.share = fmt::format("{} patches filled, {} pairs of ends joined{}", f.filled_patches,
+                          f.joined, certifies ? ", certified as it is then" : "");
+  } else {
+    w.whole = whole("thinned region", certifies);
+    w.share = fmt::format("{} of {} vertices", feature_lines::count(f.marks),
+                          feature_lines::count(f.thinning.after));
+  }
+  return w;
+}
+
+Written written(const feature_lines::SharpLines& lines, bool certifies) {
+  Written w;
+  if (lines.pruned > 0) w.by.push_back("--prune");
+  if (lines.joined > 0) w.by.push_back("--close-branches");
+  w.kind = lines.joined > 0 ? "simplification" : "subset";
+  w.whole = whole("sharp edges", certifies);
+  w.share = fmt::format("{} {} {}", feature_lines::count(lines.edges),
+                        lines.joined > 0 ? "edges for" : "of", feature_lines::count(lines.sharp));
+  return w;
+}
+
+std::string region_summary(const feature_lines::FeatureLines& f, bool certifies) {
   const auto& b = f.thinning.topology_after;
   const std::string which =
       f.thinnings == 1 ? "" : fmt::format("the last of {} rounds of ", f.thinnings);
@@ -88,13 +133,15 @@ std::string region_summary(const feature_lines::FeatureLines& f) {
                      f.value) +
          lines_summary(f.graph) +
          fmt::format("kept by {}thinning: {} components, {} loops; complement {}, {}\n", which,
-                     b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1);
+                     b.marked.b0, b.marked.b1, b.complement.b0, b.complement.b1) +
+         written_line(written(f, certifies));
 }
 
-std::string sharp_summary(const feature_lines::SharpLines& lines, const std::string& degrees) {
+std::string sharp_summary(const feature_lines::SharpLines& lines, const std::string& degrees,
+                          bool certifies) {
   return fmt::format("sharp edges: {} of {} above {} degrees\n", feature_lines::count(lines.sharp),
                      lines.sharp.size(), degrees) +
-         lines_summary(lines.graph);
+         lines_summary(lines.graph) + written_line(written(lines, certifies));
 }
 
 }  // namespace crest::cli

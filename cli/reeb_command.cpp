@@ -147,7 +147,8 @@ std::vector<io::TreeLines> trees_of(const ReebOptions& o, const reeb::TileComple
 struct WrittenGraph {
   reeb::ReebGraph graph;
   std::vector<Index> arc_of_node, arc_of_tile;
-  bool changed = false;
+  bool changed = false;                    ///< asked to be
+  std::vector<std::string> simplified_by;  ///< the options that took something away
 };
 
 void label(const ReebOptions& o, const reeb::TileComplex& tiles, WrittenGraph& w) {
@@ -172,13 +173,22 @@ void simplify(const ReebOptions& o, const reeb::TileComplex& tiles,
     const bool labelled = !w.arc_of_node.empty();
     w = {next.graph,
          labelled ? reeb::relabel_vertices(w.arc_of_node, w.graph, next) : std::vector<Index>(),
-         reeb::relabel_arcs(w.arc_of_tile, next.arc_of_arc), true};
+         reeb::relabel_arcs(w.arc_of_tile, next.arc_of_arc), true, w.simplified_by};
+  };
+  std::size_t arcs = w.graph.arcs.size();
+  const auto note = [&](const char* option) {
+    if (w.graph.arcs.size() < arcs) w.simplified_by.push_back(option);
+    arcs = w.graph.arcs.size();
   };
   if (o.contract) replace(reeb::contract(w.graph, tiles.rank, tiles.tied));
+  note("--contract");
   if (o.persistence_given->count() > 0) {
     std::vector<double> values;
     for (const reeb::NodePlace& place : places) values.push_back(place.value);
+    const auto loops = w.graph.loops();
     replace(reeb::simplify(w.graph, values, o.persistence, o.cancel_loops));
+    note("--persistence");
+    if (w.graph.loops() < loops) w.simplified_by.push_back("--cancel-loops");
   }
 }
 
@@ -249,7 +259,8 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
     const auto lines = shown.levels.empty()
                            ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
                            : shown.levels;
-    io::write_reeb_picture(path, scene(lines));
+    io::write_reeb_picture(path, scene(lines),
+                           legend_note("simplified", shown.written.simplified_by));
   });
 }
 
@@ -290,7 +301,8 @@ Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
                        shown.trees,
                        x.file.function,
                        counts,
-                       run.wanted("--certificate")};
+                       run.wanted("--certificate"),
+                       shown.written.simplified_by};
   fill_report(run.report(), result);
   std::vector<std::string> references = {"dillard2006tessellation", "edelsbrunner1990simulation"};
   if (run.wanted("--certificate"))

@@ -63,6 +63,11 @@ Json graph_json(const ReebGraph& graph) {
           {"components", graph.components}};
 }
 
+std::string graph_words(const ReebGraph& graph) {
+  return fmt::format("{} nodes, {} arcs, {} loops, {} components", graph.nodes.size(),
+                     graph.arcs.size(), graph.loops(), graph.components);
+}
+
 /// Nodes whose value is that of the one before in the order.
 std::int64_t tied_values(const ReebRun& run) {
   return std::count(run.tiles.tied.begin(), run.tiles.tied.end(), std::uint8_t{1});
@@ -120,6 +125,7 @@ void fill_report(Report& report, const ReebRun& run) {
   // "graph", the tie-broken one, whatever is written.
   report["certificate_is_of"] = run.certified ? Json("graph") : Json();
   report["written"] = graph_json(run.written);
+  add_written(report, run.simplified_by, graph_json(run.graph));
   for (const io::TreeLines& tree : run.trees)
     report[tree_name(tree.kind)] = {{"arcs", tree.arcs.size()}, {"leaves", leaves(tree)}};
   report["levels"] = Json::array();
@@ -139,16 +145,13 @@ std::string summary_text(const ReebRun& run) {
                       run.mesh.linear() ? "linear" : "quadratic", run.tiles.tiles.size());
   text += fmt::format("critical points: {} minima, {} saddles, {} maxima\n", counts.minima,
                       counts.saddles, counts.maxima);
-  const auto line = [](const char* name, const ReebGraph& graph) {
-    return fmt::format("{}: {} nodes, {} arcs, {} loops, {} components\n", name, graph.nodes.size(),
-                       graph.arcs.size(), graph.loops(), graph.components);
-  };
-  text += line("Reeb graph", run.graph);
+  text += "Reeb graph: " + graph_words(run.graph) + "\n";
   for (const io::TreeLines& tree : run.trees) {
     text += fmt::format("{}: {} arcs, {} leaves\n", tree_name(tree.kind), tree.arcs.size(),
                         leaves(tree));
   }
-  if (&run.written != &run.graph) text += line("written", run.written);
+  text += written_line({"simplification", whole("Reeb graph", run.certified),
+                        graph_words(run.written), run.simplified_by});
   if (const auto ties = tied_values(run); ties > 0) {
     text += fmt::format(
         "ties: {} values equal the one before; the Reeb graph orders them by number, {} of its "
@@ -156,8 +159,6 @@ std::string summary_text(const ReebRun& run) {
         "join equal values; --contract gives the graph of the function itself\n",
         ties, reeb::count_ties(run.graph, run.tiles.rank, run.tiles.tied).arcs);
   }
-  if (run.certified && &run.written != &run.graph)
-    text += "certified: the Reeb graph, not the written one\n";
   for (const LevelCount& level : run.levels)
     text += fmt::format("level {}: {} paths, {} cycles\n", level.level, level.paths, level.cycles);
   return text;

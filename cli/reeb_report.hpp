@@ -8,6 +8,7 @@
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 #include "cli/report.hpp"
+#include "cli/written.hpp"
 #include "io/reeb/reeb_writer.hpp"
 
 namespace crest::cli {
@@ -27,7 +28,8 @@ struct ReebRun {
   const std::vector<io::TreeLines>& trees;
   const std::string& function;
   const std::vector<LevelCount>& levels;
-  bool certified;  ///< `graph` has a certificate
+  bool certified;                                 ///< `graph` has a certificate
+  const std::vector<std::string>& simplified_by;  ///< options by which `written` is less
 };
 
 void fill_report(Report& report, const ReebRun& run);

@@ -157,14 +157,16 @@ void draw(const std::string& path, const kernel::TriangleMesh& mesh,
           const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
   io::PictureOptions picture;
   picture.order = o.order;
-  picture.subset = result.is_subset();
+  std::vector<std::string> by = result.filtered_by();
+  picture.note = legend_note("subset", by);
   if (!result.shows_salience) return io::write_picture(path, mesh, graph, picture);
   constexpr double kAll = 0.95;  // of the length: then nothing needs to stand back
   const ridges::SalienceReport& s = *result.salience;
   picture.by_salience = true;
   picture.full_level = s.length_significant >= kAll * s.length ? 1 : 2;
   ridges::RidgeGraph significant = graph;
-  picture.subset = picture.subset || ridges::filter(significant, at_level(1)).by_level > 0;
+  if (ridges::filter(significant, at_level(1)).by_level > 0) by.push_back("significance");
+  picture.note = legend_note("subset", by);
   io::write_picture(path, mesh, significant, picture);
 }
 
@@ -203,6 +205,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
                          file.numbers,
                          fit,
                          graph,
+                         o.filter,
                          dropped,
                          predicates,
                          o.order,

@@ -165,10 +165,6 @@ std::string salience_lines(const RidgesRun& run) {
   return text;
 }
 
-Index dropped_ridges(const ridges::FilterReport& d) {
-  return d.by_sharpness + d.by_strength + d.by_length + d.by_crest + d.by_level;
-}
-
 }  // namespace
 
 GraphCounts count(const ridges::RidgeGraph& graph) {
@@ -185,8 +181,16 @@ ridges::FilterOptions at_level(int level) {
   return options;
 }
 
-bool RidgesRun::is_subset() const {
-  return dropped_ridges(dropped) > 0 || ridges::open_ends(graph) > 0;
+std::vector<std::string> RidgesRun::filtered_by() const {
+  const bool cut = ridges::open_ends(graph) > 0;
+  std::vector<std::string> by;
+  if (dropped.by_sharpness > 0) by.push_back("--min-sharpness");
+  if (dropped.by_strength > 0) by.push_back("--min-strength");
+  if (dropped.by_length > 0) by.push_back("--min-length");
+  if (dropped.by_crest > 0 || (cut && filter.crest_only)) by.push_back("--crest-only");
+  if (dropped.by_level > 0 || (cut && filter.min_level > 0))
+    by.push_back(filter.min_level > 1 ? "--salient" : "--significant");
+  return by;
 }
 
 ColourSummary summarise(const ridges::RidgeGraph& graph, Colour colour, int order) {
@@ -237,8 +241,7 @@ void fill_report(Report& report, const RidgesRun& run) {
   report["zero_extremalities"] = {{"b0", run.graph.zero_extremalities[0]},
                                   {"b3", run.graph.zero_extremalities[1]}};
   if (run.salience) report["salience"] = salience_json(run);
-  report["certificate"]["subset"] = run.is_subset();
-  report["certificate"]["counts"] = counts_json(run.whole);
+  add_written(report, run.filtered_by(), counts_json(run.whole));
   report["data_digest"] = run.data_digest;
 }
 
@@ -257,10 +260,10 @@ std::string summary_text(const RidgesRun& run) {
   if (!run.choice.trials.empty())
     text += fmt::format("support of the fits: {} points, chosen\n", run.choice.points);
   text += run.shows_salience ? salience_lines(run) : graph_lines(run);
-  if (!run.is_subset()) return text;
-  return text + fmt::format("written: a subset of the {}graph: {}{} of {} ridges\n",
-                            run.certifies ? "certified " : "", count(run.graph).ridges(),
-                            ridges::open_ends(run.graph) > 0 ? " pieces" : "", run.whole.ridges());
+  const std::string share =
+      fmt::format("{}{} of {} ridges", count(run.graph).ridges(),
+                  ridges::open_ends(run.graph) > 0 ? " pieces" : "", run.whole.ridges());
+  return text + written_line({"subset", whole("graph", run.certifies), share, run.filtered_by()});
 }
 
 }  // namespace crest::cli

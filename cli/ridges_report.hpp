@@ -9,6 +9,7 @@
 #include "algorithms/ridges/salience.hpp"
 #include "cli/colour_summary.hpp"
 #include "cli/report.hpp"
+#include "cli/written.hpp"
 #include "io/clean/surface.hpp"
 
 namespace crest::cli {
@@ -29,6 +30,7 @@ struct RidgesRun {
   const io::FileNumbers& numbers;
   const ridges::FitResult& fit;
   const ridges::RidgeGraph& graph;
+  const ridges::FilterOptions& filter;
   const ridges::FilterReport& dropped;
   const ridges::PredicateReport& predicates;
   int order;                ///< 3 or 4: the rule behind elliptic_length and hyperbolic_length
@@ -40,8 +42,8 @@ struct RidgesRun {
   bool shows_salience;                  ///< the summary counts salient and significant ridges
   bool certifies;                       ///< a certificate is written
 
-  /// The filters dropped or cut ridges.
-  bool is_subset() const;
+  /// The options by which ridges were dropped or cut.
+  std::vector<std::string> filtered_by() const;
 };
 
 /// Types by the fourth-order rule (a segment whose ends differ is halved) or by the third-order

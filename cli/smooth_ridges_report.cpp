@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "algorithms/smooth_ridges/surface.hpp"
+#include "cli/written.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 
 namespace crest::cli {
@@ -74,6 +75,20 @@ Json cells_json(const SmoothRidges& result) {
     cells.push_back({{"center", cell.centre}, {"size", cell.size}, {"reason", cell.reason}});
   }
   return cells;
+}
+
+/// What the claim states; nothing is filtered.
+Json counts_json(const SmoothRidges& result) {
+  if (!result.certified) return {};
+  Json counts;
+  for (const Colour colour : {Colour::blue, Colour::red}) {
+    const ColourSummary s = summarise(result, colour);
+    counts[colour_name(colour)] = {{"loops", s.loops}, {"segments", s.segments}};
+  }
+  counts["umbilics"] = result.umbilics.size();
+  counts["turning_points"] = result.turning_points.size();
+  counts["purple_points"] = result.purple_points.size();
+  return counts;
 }
 
 void fill_certificate(Json& json, const SmoothRidgesRun& run) {
@@ -162,6 +177,7 @@ void fill_report(Report& report, const SmoothRidgesRun& run) {
                                        {"graph", s.graph}})
     report.add_seconds(phase, seconds);
   fill_certificate(report["certificate"], run);
+  add_written(report, {}, counts_json(result));
   report["surface"] = surface_json(run.surface);
   report["vertices"] = result.points.size();
   report["triangles"] = result.faces.size();

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed: the programs with their man pages, completion, licence and documents (component
-# runtime; `cpack` in the build folder makes crest.deb of it) and the libraries with `find_package(Crest)`
-# and pkg-config (component development).
+# runtime; scripts/package.sh makes a .deb of it) and the libraries with `find_package(Crest)`
+# and pkg-config (component development), with the public headers under crest/.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DOCDIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/crest)
 
 # The programs. Pages and completion are made from their --help, when they are installed.
 get_property(checkers GLOBAL PROPERTY CREST_CHECKERS)
@@ -23,10 +24,14 @@ if(program_files)
   install(FILES ${made}/crest DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
           COMPONENT runtime)
 endif()
-install(FILES LICENSE README.md CHANGELOG.md CITATION.cff references.bib
+install(FILES LICENSES/GPL-3.0-or-later.txt RENAME LICENSE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES .reuse/dep5 RENAME copyright
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES README.md CHANGELOG.md CITATION.cff references.bib
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime
-        FILES_MATCHING PATTERN "*.md")
+        FILES_MATCHING PATTERN "*.md" PATTERN "pictures" EXCLUDE)
 file(GLOB specifications RELATIVE ${PROJECT_SOURCE_DIR} certify/SPEC.md certify/*/SPEC.md)
 foreach(specification ${specifications})
   get_filename_component(folder ${specification} DIRECTORY)
@@ -44,8 +49,13 @@ install(TARGETS ${crest_libraries} crest_systems EXPORT CrestTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT CrestTargets NAMESPACE Crest:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest
         COMPONENT development)
-install(DIRECTORY kernel certify algorithms io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/crest
-        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(CODE "
+  execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D IO=${CREST_WITH_VTK}
+    -D TO=${CMAKE_CURRENT_BINARY_DIR}/headers -P ${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake
+    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/headers/crest DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT development)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 configure_package_config_file(cmake/CrestConfig.cmake.in CrestConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Crest)
 write_basic_package_version_file(CrestConfigVersion.cmake COMPATIBILITY SameMinorVersion)

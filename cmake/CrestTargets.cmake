@@ -45,7 +45,7 @@ function(crest_library name)
   add_library(crest_${name} STATIC ${ARG_SOURCES})
   add_library(Crest::${name} ALIAS crest_${name})
   target_include_directories(crest_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/crest>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(crest_${name} PUBLIC cxx_std_20)
   target_link_libraries(crest_${name} PUBLIC ${ARG_LINK} PRIVATE $<BUILD_INTERFACE:crest_flags>)
   if(ARG_ROUNDING)

@@ -179,7 +179,8 @@ void draw(const Options& o, const std::string& file, const kernel::TriangleMesh&
   ridges::filter(m.graph, significant);
   io::PictureOptions options;
   options.width = 800;
-  options.by_salience = options.subset = true;
+  options.by_salience = true;
+  options.note = "subset by significance";
   const std::string name = "salient-" + fs::path(file).stem().string() + ".png";
   io::write_picture((o.pictures / name).string(), mesh, m.graph, options);
 }

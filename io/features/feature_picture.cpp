@@ -132,7 +132,7 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 }  // namespace
 
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
-                           const FeatureGraph& graph, bool patches) {
+                           const FeatureGraph& graph, bool patches, const std::string& note) {
   check_picture_path(path);
   const Camera camera = fit_camera(mesh, tilted_view(mesh), 1200);
   Canvas canvas(camera.width, camera.height);
@@ -153,6 +153,7 @@ void write_feature_picture(const std::string& path, const kernel::TriangleMesh& 
       drawing.legend.push_back({c.label, c.colour, false});
   if (!graph.nodes.empty())
     drawing.legend.push_back({drawing.classes[4].label, drawing.classes[4].colour, true});
+  add_note(note, drawing);
   write_drawing(path, camera, canvas, drawing, true);
 }
 

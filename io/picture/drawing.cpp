@@ -100,6 +100,10 @@ void add_class_legend(Drawing& drawing) {
     if (c->in_graph) drawing.legend.push_back({c->label, c->colour, false});
 }
 
+void add_note(const std::string& note, Drawing& drawing) {
+  if (!note.empty()) drawing.legend.push_back({note, {255, 255, 255}, false});
+}
+
 void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text) {
   for (char c : text) {
     const auto glyph = font().find(c);

@@ -30,7 +30,7 @@ struct Dot {
 };
 
 struct LegendEntry {
-  const char* label;
+  std::string label;
   Rgb colour;
   bool dot;
   Mark mark = Mark::disk;
@@ -74,6 +74,8 @@ class StrokeMaker {
 void set_sizes(const Camera& camera, Drawing& drawing);
 /// The classes that are in the drawing, the last one painted first.
 void add_class_legend(Drawing& drawing);
+/// A line of words without a sign, if there are any.
+void add_note(const std::string& note, Drawing& drawing);
 
 /// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.
 void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text);

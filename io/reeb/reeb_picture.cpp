@@ -246,7 +246,7 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 
 }  // namespace
 
-void write_reeb_picture(const std::string& path, const ReebScene& scene) {
+void write_reeb_picture(const std::string& path, const ReebScene& scene, const std::string& note) {
   check_picture_path(path);
   const std::vector<Triangle> faces = turned_faces(scene.mesh);
   const SurfaceView surface(scene.mesh.points(), faces);
@@ -264,6 +264,7 @@ void write_reeb_picture(const std::string& path, const ReebScene& scene) {
   const auto dots = static_cast<double>(drawing.dots.size() + 1);
   drawing.dot_radius = std::clamp(100 / std::sqrt(dots), 2.0, 7.0);
   add_legend(scene, drawing);
+  add_note(note, drawing);
   Camera page = camera;
   page.width = kSurfaceWidth + kGraphWidth;
   write_drawing(path, page, canvas, drawing, true);

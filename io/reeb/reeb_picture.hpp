@@ -12,9 +12,10 @@ namespace crest::io {
 /// graph that a point lies on, with the scene's level lines and its visible critical points. Right:
 /// the graph, its arcs in the same colours, y the value (graph_layout.hpp has x). Where the values
 /// are nearly a height, that direction points up.
-/// Minima blue, saddles yellow, maxima red.
+/// Minima blue, saddles yellow, maxima red. `note`: a line of the legend.
 /// Guarantees: the same bytes for the same scene; no half-written file.
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
-void write_reeb_picture(const std::string& path, const ReebScene& scene);
+void write_reeb_picture(const std::string& path, const ReebScene& scene,
+                        const std::string& note = {});
 
 }  // namespace crest::io

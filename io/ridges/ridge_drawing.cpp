@@ -175,7 +175,7 @@ void add_legend(const std::vector<ridges::Umbilic>& umbilics, const PictureOptio
   }
   if (std::any_of(umbilics.begin(), umbilics.end(), is_region))
     drawing.legend.push_back({"umbilic region", kGrey, true, Mark::diamond});
-  if (options.subset) drawing.legend.push_back({"subset of the graph", {255, 255, 255}, false});
+  add_note(options.note, drawing);
 }
 
 /// Length of the elliptic ridges that face the eye, weighted by their curvature: features count,

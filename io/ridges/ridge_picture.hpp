@@ -19,7 +19,7 @@ struct PictureOptions {
   /// lines along creases smoothed; segments below full_level a third as wide, and paler.
   bool by_salience = false;
   int full_level = 2;
-  bool subset = false;  ///< the legend says that this is a subset of the graph
+  std::string note;  ///< for the legend: that this is a subset of the graph, and why
 };
 
 /// Throws: kernel::InputError for another extension than .png and .svg, a width outside

@@ -18,7 +18,10 @@ bool needs_licence_line(const std::string& path) {
 }  // namespace
 
 TEST_CASE("every source names its licence in the first two lines") {
-  const std::string tag = "SPDX-License-Identifier: GPL-3.0-or-later";
+  // In two parts, lest `reuse` takes it for this file's own.
+  const std::string tag =
+      "SPDX-License-"
+      "Identifier: GPL-3.0-or-later";
   std::size_t sources = 0;
   for (const std::string& path : project_files()) {
     if (!needs_licence_line(path)) continue;

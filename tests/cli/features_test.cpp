@@ -294,3 +294,39 @@ TEST_CASE(
   CHECK(read_json(folder / "q.json")["sharp_edges"] == 699);
   CHECK(read_json(folder / "q.json")["dropped_lines"] == 2);
 }
+
+TEST_CASE("crest features says which options left out what the certificate holds") {
+  const TemporaryFolder folder;
+  REQUIRE(run_crest("crest sample ellipsoid --noise 0.05 --seed 7 --vertices 1500 -o n.off",
+                    folder.path())
+              .exit_code == 0);
+  const auto check = [&](const std::string& options, const std::string& words,
+                         const std::vector<std::string>& by) {
+    const auto run = run_crest("crest features n.off " + options +
+                                   " --report r.json --picture r.svg --certificate r.crest",
+                               folder.path());
+    INFO(options << "\n" << run.out << run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK((run.out.find(words) != std::string::npos) != by.empty());
+    const auto certificate = read_json(folder / "r.json")["certificate"];
+    CHECK(certificate["subset"] == !by.empty());
+    CHECK(certificate["subset_by"] == nlohmann::json(by));
+    for (const std::string& option : by)
+      CHECK(read_text(folder / "r.svg").find(option) != std::string::npos);
+    return certificate["counts"];
+  };
+  const auto all = check("--angle 20", "written: ", {});
+  CHECK(check("--angle 20 --prune 3",
+              "written: a subset of the certified sharp edges: ", {"--prune"}) == all);
+  CHECK(all["sharp_edges"].get<int>() > 0);
+  const auto joined =
+      check("--angle 20 --close-branches 6",
+            "written: a simplification of the certified sharp edges: ", {"--close-branches"});
+  CHECK(joined == all);
+  check("--threshold 0.8", "written: ", {});
+  const auto thinned = check("--threshold 0.8 --prune 6",
+                             "written: a subset of the certified thinned region: ", {"--prune"});
+  CHECK(thinned["dropped"].get<int>() > 0);
+  check("--threshold 0.8 --min-patch 100",
+        "written: a simplification of the marked region: ", {"--min-patch"});
+}

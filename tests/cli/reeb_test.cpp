@@ -170,6 +170,7 @@ TEST_CASE("crest reeb simplifies, and grows merge and contour trees") {
   const auto all = report("torus.vtu --join-tree --split-tree --segmentation");
   CHECK(all["graph"]["nodes"].get<int>() > 20);
   CHECK(all["graph"] == all["written"]);
+  CHECK(all["certificate"]["subset"] == false);
   // A leaf a minimum (maximum), and the root.
   CHECK(all["join_tree"]["leaves"] == all["critical_points"]["minima"].get<int>() + 1);
   CHECK(all["split_tree"]["leaves"] == all["critical_points"]["maxima"].get<int>() + 1);
@@ -177,9 +178,14 @@ TEST_CASE("crest reeb simplifies, and grows merge and contour trees") {
   CHECK(some["written"]["nodes"] < all["graph"]["nodes"]);
   CHECK(some["written"]["loops"] == 1);
   CHECK(some["graph"] == all["graph"]);
+  CHECK(some["certificate"]["subset"] == true);
+  CHECK(some["certificate"]["counts"] == all["graph"]);
+  CHECK(some["certificate"]["subset_by"] == nlohmann::json::array({"--persistence"}));
   const auto least = report("torus.vtu --persistence 1e9 --cancel-loops");
   CHECK(least["written"]["nodes"] == 2);
   CHECK(least["written"]["arcs"] == 1);
+  CHECK(least["certificate"]["subset_by"] ==
+        nlohmann::json::array({"--persistence", "--cancel-loops"}));
   const auto disk = report("disk.vtu --contour-tree --level 0 --level 0.5");
   CHECK(disk["graph"]["loops"] == 0);
   CHECK(disk["contour_tree"]["arcs"] == disk["graph"]["arcs"]);
@@ -188,6 +194,7 @@ TEST_CASE("crest reeb simplifies, and grows merge and contour trees") {
   const auto flat = report("flat.vtu --contract --segmentation --picture r.svg");
   CHECK(flat["written"]["nodes"] == 1);
   CHECK(flat["written"]["arcs"] == 0);
+  CHECK(read_text(folder / "r.svg").find("simplified by --contract") != std::string::npos);
   const auto refused = run_crest("crest reeb torus.vtu --contour-tree -o no.vtp", folder.path());
   CHECK(refused.exit_code == 3);
   CHECK(is_one_line(refused.err));
@@ -264,13 +271,14 @@ TEST_CASE("crest reeb says how many values are tied and which graph is certified
   CHECK(constant.find("ties: " + std::to_string(report["ties"].get<int>()) + " values equal") !=
         std::string::npos);
   CHECK(constant.find("--contract gives the graph of the function itself") != std::string::npos);
-  CHECK(constant.find("certified: the Reeb graph, not the written one") != std::string::npos);
+  CHECK(constant.find("written: a simplification of the certified Reeb graph: 1 nodes, 0 arcs, 0 "
+                      "loops, 1 components (--contract)\n") != std::string::npos);
   const auto verdict = run_crest("crest-verify c.crest", folder.path());
   CHECK(verdict.exit_code == 0);
   CHECK(verdict.out.find("contracted: 1 nodes, 0 arcs") != std::string::npos);
   const std::string generic = run("--expression 'x + y/8 + z/64' --linear --report g.json");
   CHECK(generic.find("ties: ") == std::string::npos);
-  CHECK(generic.find("certified: ") == std::string::npos);
+  CHECK(generic.find("certified") == std::string::npos);
   CHECK(read_json(folder / "g.json")["certificate_is_of"].is_null());
 }
 

@@ -185,6 +185,7 @@ TEST_CASE("filters drop ridges from the output and say how many, the certificate
   CHECK((read_text(folder / "all.crest") == read_text(folder / "none.crest")));
   CHECK(all["certificate"]["subset"] == false);
   CHECK(none["certificate"]["subset"] == true);
+  CHECK(none["certificate"]["subset_by"] == nlohmann::json::array({"--min-length"}));
   CHECK(none["certificate"]["counts"] == all["certificate"]["counts"]);
   CHECK(none["certificate"]["counts"]["umbilics"] == 4);
 }
@@ -207,7 +208,8 @@ TEST_CASE("salience: what is written is said to be a subset of what is certified
                                       level + " --report " + level + ".json -o " + level + ".vtp",
                                   folder.path());
     CHECK(run.out.find("a subset of the certified graph: ") != std::string::npos);
-    CHECK(run.out.find(" of " + std::to_string(ridges) + " ridges\n") != std::string::npos);
+    CHECK(run.out.find(" of " + std::to_string(ridges) + " ridges (--" + level + ")\n") !=
+          std::string::npos);
     const auto report = read_json(folder / (level + ".json"));
     CHECK(report["certificate"]["subset"] == true);
     CHECK(report["certificate"]["counts"] == all["certificate"]["counts"]);

@@ -86,6 +86,9 @@ TEST_CASE("the ellipsoid given by its equation: certified counts, files, a certi
   CHECK(certificate["written"] == true);
   CHECK(certificate["certified"] == true);
   CHECK(certificate["undecided"] == 0);
+  CHECK(certificate["subset"] == false);
+  CHECK(certificate["counts"]["red"]["segments"] == 2);
+  CHECK(certificate["counts"]["umbilics"] == 4);
   CHECK(certificate["claims"] == nlohmann::json::array({"ridges-smooth"}));
   CHECK(certificate["bytes"] == fs::file_size(folder / "e.crest"));
   CHECK(certificate["bytes_per_triangle"].get<double>() ==

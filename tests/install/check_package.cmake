@@ -11,13 +11,28 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
+set(examples ${CMAKE_CURRENT_LIST_DIR}/../../examples)
+run(${CMAKE_COMMAND} -S ${examples} -B ${WORK}/build -G ${GENERATOR}
   -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
   -D CMAKE_BUILD_TYPE=Debug)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/uses_crest)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --verbose)
 if(NOT output MATCHES "Euler characteristic 2, index sum 2")
   message(FATAL_ERROR "unexpected answer: ${output}")
+endif()
+
+# Nothing but what the public headers need, each under the prefix.
+file(GLOB_RECURSE headers ${WORK}/prefix/include/*.hpp)
+foreach(header ${headers})
+  file(STRINGS ${header} bare REGEX "#include \"")
+  list(FILTER bare EXCLUDE REGEX "#include \"crest/")
+  if(bare OR NOT header MATCHES "/include/crest/")
+    message(FATAL_ERROR "${header} is without the prefix, or includes so: ${bare}")
+  endif()
+endforeach()
+list(FILTER headers INCLUDE REGEX "algorithms/smooth_ridges/umbilics|certify/second|/lanes")
+if(headers)
+  message(FATAL_ERROR "internal headers are installed: ${headers}")
 endif()
 
 # The same program by pkg-config, without CMake.
@@ -26,7 +41,7 @@ get_filename_component(folder "${pc}" DIRECTORY)
 run(sh -c "PKG_CONFIG_PATH=${folder} pkg-config --cflags --libs crest")
 string(REPLACE "\n" "" flags "${output}")
 run(sh -c
-  "${COMPILER} ${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/project/main.cpp -o ${WORK}/by_pkg_config ${flags}")
+  "${COMPILER} ${FLAGS} ${examples}/ridges.cpp -o ${WORK}/by_pkg_config ${flags}")
 run(${WORK}/by_pkg_config)
 if(NOT output MATCHES "Euler characteristic 2, index sum 2")
   message(FATAL_ERROR "unexpected answer: ${output}")

@@ -101,6 +101,7 @@ Result median(std::vector<Result> results) {
 }
 
 void run(const std::vector<double>& sizes, int repetitions) {
+  std::vector<double> ratios;
   fmt::print(
       "| surface | values | triangles | VTK s | Crest s | ratio | VTK MB | Crest MB | "
       "VTK nodes/arcs | Crest nodes/arcs |\n|---|---|---|---|---|---|---|---|---|---|\n");
@@ -116,14 +117,18 @@ void run(const std::vector<double>& sizes, int repetitions) {
           ours.push_back(in_child([&] { return crest_graph(s, values); }));
         }
         const Result v = median(vtk), c = median(ours);
+        ratios.push_back(v.seconds / c.seconds);
         fmt::print(
             "| {} | {} | {} | {:.3f} | {:.4f} | {:.0f} | {:.0f} | {:.0f} | {}/{} | {}/{} |\n",
             torus ? "torus" : "genus 5", smooth ? "smooth" : "noise", s.triangles.size(), v.seconds,
-            c.seconds, v.seconds / c.seconds, v.megabytes, c.megabytes, v.nodes, v.arcs, c.nodes,
-            c.arcs);
+            c.seconds, ratios.back(), v.megabytes, c.megabytes, v.nodes, v.arcs, c.nodes, c.arcs);
       }
     }
   }
+  std::sort(ratios.begin(), ratios.end());
+  const double middle = 0.5 * (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]);
+  fmt::print("\nRatio: median {:.0f}, from {:.0f} to {:.0f} in {} rows.\n", middle, ratios.front(),
+             ratios.back(), ratios.size());
 }
 
 }  // namespace

@@ -7,8 +7,13 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Umbilics.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
+#include <csignal>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <set>
@@ -191,6 +196,39 @@ class CgalRidges {
 
 CgalResult run_cgal(const kernel::TriangleMesh& mesh, const CgalOptions& options) {
   return CgalRidges(mesh, options).result();
+}
+
+CgalResult run_cgal_within(unsigned seconds, const kernel::TriangleMesh& mesh,
+                           const CgalOptions& options) {
+  struct Message {
+    CgalResult result;
+    char error[200] = "";
+  } message;
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit{seconds, seconds};
+    setrlimit(RLIMIT_CPU, &limit);
+    try {
+      message.result = run_cgal(mesh, options);
+    } catch (const std::exception& error) {
+      std::strncpy(message.error, error.what(), sizeof message.error - 1);
+    }
+    _exit(write(ends[1], &message, sizeof message) == sizeof message ? 0 : 1);
+  }
+  close(ends[1]);
+  const bool got = child > 0 && read(ends[0], &message, sizeof message) == sizeof message;
+  close(ends[0]);
+  int status = 0;
+  if (child > 0) waitpid(child, &status, 0);
+  const bool late =
+      WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  if (!got)
+    throw std::runtime_error(late ? "not done after " + std::to_string(seconds) + " s" : "died");
+  if (message.error[0] != 0) throw std::runtime_error(message.error);
+  return message.result;
 }
 
 }  // namespace crest::peers

@@ -42,4 +42,9 @@ struct CgalResult {
 /// Throws: std::runtime_error where CGAL refuses a face.
 CgalResult run_cgal(const kernel::TriangleMesh& mesh, const CgalOptions& options = {});
 
+/// The same in a process of its own, which ends after so many seconds of processor time.
+/// Throws: std::runtime_error, in words for a table, if it did not finish.
+CgalResult run_cgal_within(unsigned seconds, const kernel::TriangleMesh& mesh,
+                           const CgalOptions& options = {});
+
 }  // namespace crest::peers

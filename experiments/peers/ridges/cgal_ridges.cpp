@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string mesh, json, certificate;
-  int repetitions = 5, cgal_repetitions = 1;
+  int repetitions = 5, cgal_repetitions = 5;
   CgalOptions cgal;
 };
 
@@ -276,7 +276,7 @@ int main(int argc, char** argv) {
   program.option("MESH", o.mesh, "triangle mesh (.off)");
   program.option("--json", o.json, "also write every run to this file");
   program.option("--repetitions", o.repetitions, "of each Crest setting (default 5)");
-  program.option("--cgal-repetitions", o.cgal_repetitions, "of CGAL (default 1; 0: leave it out)");
+  program.option("--cgal-repetitions", o.cgal_repetitions, "of CGAL (default 5; 0: leave it out)");
   program.option("--umbilic-size", o.cgal.umbilic_size, "CGAL's umbilic patch size (default 2)");
   return program.run(argc, argv, [&] { return crest::peers::run(o); });
 }
