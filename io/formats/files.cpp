@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/files.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -35,17 +38,30 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-std::string load(const std::string& path) {
+FileBytes::FileBytes(std::size_t size) : size_(size) {
+  constexpr std::size_t large_page = std::size_t{1} << 21;
+  void* memory = nullptr;
+  if (posix_memalign(&memory, size < large_page ? sizeof(void*) : large_page, size) != 0)
+    throw std::bad_alloc();
+  bytes_.reset(static_cast<char*>(memory));
+  if (size >= large_page) madvise(memory, size, MADV_HUGEPAGE);  // where it is not known: no harm
+}
+
+void FileBytes::Free::operator()(char* bytes) const {
+  std::free(bytes);
+}
+
+FileBytes load(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) fail("file", "does not exist", "check the path");
   if (!std::filesystem::is_regular_file(path, error))
     fail("file", "is not a regular file", "give the path of a mesh file");
   const auto size = std::filesystem::file_size(path, error);
   if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
+  if (size == 0) fail("file", "is empty", "export the mesh again");
+  FileBytes bytes(static_cast<std::size_t>(size));
   std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
     fail("file", "cannot be read", "check its permissions");
   return bytes;
 }

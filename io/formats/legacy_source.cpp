@@ -49,7 +49,7 @@ std::string decoded(std::string_view name) {
 
 }  // namespace
 
-LegacySource::LegacySource(const std::string& bytes) : scan_(bytes) {
+LegacySource::LegacySource(std::string_view bytes) : scan_(bytes) {
   constexpr std::string_view start = "# vtk datafile version";
   if (!is_keyword(scan_.peek_bytes(start.size()), start))
     fail("header (line 1)", "does not start with '# vtk DataFile Version'", kRepair);

@@ -53,13 +53,6 @@ bool TextScan::next_line() {
   return at_ != end_;
 }
 
-std::string_view TextScan::peek(std::size_t limit) const {
-  const char* end = at_;
-  const char* const most = at_ + std::min(limit, room());
-  while (end != most && !ends_word(*end)) ++end;
-  return {at_, static_cast<std::size_t>(end - at_)};
-}
-
 std::string_view TextScan::rest_of_line() {
   while (at_ != end_ && is_blank(*at_)) ++at_;
   const char* const begin = at_;
@@ -85,7 +78,7 @@ bool TextScan::take(std::uint64_t& value) {
   return take_any(value);
 }
 
-bool TextScan::take(double& value) {
+bool TextScan::take_long(double& value) {
   // from_chars refuses a leading plus, an istream does not.
   const bool plus = room() > 1 && *at_ == '+' && at_[1] != '-' && at_[1] != '+';
   const auto [end, error] = std::from_chars(at_ + (plus ? 1 : 0), end_, value);
