@@ -225,7 +225,7 @@ void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh&
   run.write("--patches",
             [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
   run.write("--picture", [&](const std::string& path) {
-    io::write_feature_picture(path, mesh, graph, o.sharp());
+    io::write_feature_picture(path, mesh, graph, o.sharp(), o.common.viewpoint);
   });
   report_lines(run.report(), mesh, graph);
 }

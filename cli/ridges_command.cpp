@@ -156,6 +156,8 @@ bool is_smooth(const CLI::App& app) {
 void draw(const std::string& path, const kernel::TriangleMesh& mesh,
           const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
   io::PictureOptions picture;
+  picture.view = o.common.viewpoint.view;
+  picture.up = o.common.viewpoint.up;
   picture.order = o.order;
   picture.subset = result.is_subset();
   if (!result.shows_salience) return io::write_picture(path, mesh, graph, picture);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/picture/lettering.hpp"
 #include "io/picture/picture_file.hpp"
 
 namespace crest::io {
@@ -46,13 +47,15 @@ void draw_bar(Canvas& canvas, const Camera& camera, double largest, const std::s
   }
   const double dot = std::max(1.0, std::round(camera.width / 800.0));
   const std::string low = fmt::format("{:.3g}", -largest), high = fmt::format("{:.3g}", largest);
-  draw_text(canvas, left - dot * (text_width(low) + 6), y + 2, dot, low);
-  draw_text(canvas, left + width + 8 * dot, y + 2, dot, high);
-  draw_text(canvas, left + 0.5 * (width - dot * text_width(label)), y + 18, dot, label);
+  const double letters = 10.5 * dot;
+  draw_text(canvas, left - 6 * dot - text_width(low, letters), y + 10, letters, low);
+  draw_text(canvas, left + width + 6 * dot, y + 10, letters, high);
+  draw_text(canvas, left + 0.5 * (width - text_width(label, letters)), y + 25, letters, label);
 }
 
 Camera camera_of(const kernel::TriangleMesh& mesh, const ColourPicture& options) {
-  return fit_camera(mesh, options.view ? *options.view : tilted_view(mesh), options.width);
+  check_viewpoint({options.view, options.up});
+  return make_camera(mesh, {options.view, options.up}, options.width);
 }
 
 }  // namespace
@@ -94,8 +97,9 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
   }
   canvas.extend(kLabelHeight);
   const double dot = std::max(1.0, std::round(camera.width / 800.0));
-  draw_text(canvas, 0.5 * (camera.width - dot * text_width(options.label)), camera.height + 4, dot,
-            options.label);
+  const double letters = 10.5 * dot;
+  draw_text(canvas, 0.5 * (camera.width - text_width(options.label, letters)), camera.height + 15,
+            letters, options.label);
   write_canvas(path, canvas, camera.width, camera.height + kLabelHeight);
 }
 

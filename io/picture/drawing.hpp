@@ -75,10 +75,4 @@ void set_sizes(const Camera& camera, Drawing& drawing);
 /// The classes that are in the drawing, the last one painted first.
 void add_class_legend(Drawing& drawing);
 
-/// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.
-void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text);
-
-/// The width of a text in dots.
-double text_width(const std::string& text);
-
 }  // namespace crest::io

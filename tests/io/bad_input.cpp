@@ -58,7 +58,7 @@ const std::string kStl =
 const Case kCases[] = {
     {"empty.off", "", "file: is empty"},
     {"no_vertices.off", "3 1 0\n", "vertex 0: is missing, the file ends before it"},
-    {"binary.off", "OFF BINARY\n", "header: binary OFF is not read"},
+    {"binary.off", "OFF BINARY\n", "header: the file ends before or in it"},
     {"counts.off", "OFF\n3 x 0\n", "header (line 2): has a bad count"},
     {"huge.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "more than the file holds"},
     {"cut.off", "OFF\n4 4 0\n" + kTetrahedron + "3 0 2 1\n3 0 1 3\n", "face 2: is missing"},
