@@ -42,7 +42,11 @@ void add_step_option(CLI::App& app, CommonOptions& options) {
 void add_view_options(CLI::App& app, io::Viewpoint& viewpoint) {
   const auto add = [&](const char* name, std::optional<kernel::Vec3>& direction, const char* help) {
     app.add_option_function<std::vector<double>>(
-           name, [&](const std::vector<double>& x) { direction = {x[0], x[1], x[2]}; }, help)
+           name,
+           [&](const std::vector<double>& x) {
+             direction = {x[0], x[1], x[2]};
+           },
+           help)
         ->delimiter(',')
         ->expected(3)
         ->type_name("X,Y,Z");

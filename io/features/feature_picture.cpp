@@ -132,8 +132,7 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 }  // namespace
 
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
-                           const FeatureGraph& graph, bool patches,
-                           const Viewpoint& viewpoint) {
+                           const FeatureGraph& graph, bool patches, const Viewpoint& viewpoint) {
   check_picture_path(path);
   check_viewpoint(viewpoint);
   const Camera camera = make_camera(mesh, viewpoint, 1200);

@@ -176,7 +176,7 @@ class ObjReader {
 }  // namespace
 
 Soup read_obj(std::string_view bytes, const FieldRequest& request) {
-  check_text(bytes);
+  bytes = check_text(bytes);
   const bool normals = request.normals || request.asks_for("Normals");
   if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, normals).read();
   std::string joined(bytes);

@@ -204,7 +204,8 @@ class OffReader {
     face_.clear();
     for (std::int64_t k = 0; k < corners; ++k) {
       if (layout == Layout::lines ? !scan_.in_line() : !scan_.more())
-        fail(name(), "has fewer indices than it announces", "correct it");
+        scan_.room() == 0 ? fail(name(), "the file ends in it", kTruncated)
+                          : fail(name(), "has fewer indices than it announces", "correct it");
       std::int64_t index = 0;
       if (!scan_.take(index))
         fail(name(), "index " + quoted(scan_.peek()) + " is not an integer", "correct it");
@@ -230,13 +231,14 @@ class OffReader {
 
 Soup read_off(std::string_view bytes, const FieldRequest& request) {
   const bool normals = request.normals || request.asks_for("Normals");
-  TextScan scan(bytes, '#');
-  const auto [vertex, binary] = take_keyword(scan);
+  TextScan start(bytes, '#');
+  const auto [vertex, binary] = take_keyword(start);
   if (binary) {
-    scan.next_line();
-    return read_binary_off(scan.peek_bytes(scan.room()), vertex, normals);
+    start.next_line();
+    return read_binary_off(start.peek_bytes(start.room()), vertex, normals);
   }
-  check_text(bytes);
+  TextScan scan(check_text(bytes), '#');
+  scan.move_to(start.position());
   return OffReader(scan, vertex, normals).read();
 }
 

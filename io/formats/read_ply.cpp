@@ -327,8 +327,7 @@ class BinaryPly : public PlyReader {
 Soup read_ply(std::string_view bytes, const FieldRequest& request) {
   const PlyHeader header = read_ply_header(bytes);
   if (header.binary) return BinaryPly(bytes, header, request).read();
-  check_text(bytes);
-  return TextPly(bytes, header, request).read();
+  return TextPly(check_text(bytes), header, request).read();
 }
 
 }  // namespace crest::io

@@ -238,12 +238,14 @@ bool is_text(std::string_view bytes) {
 }  // namespace
 
 Soup read_stl(std::string_view bytes, const FieldRequest&) {
-  if (is_text(bytes)) return TextStl(bytes).read();
+  const std::string_view text = without_zeros_behind(bytes);
+  if (is_text(text)) return TextStl(text).read();
   if (bytes.size() < kHeader) fail("file", "is too short for STL", "export the mesh again");
   const std::size_t facets = load_number<std::uint32_t>(bytes.data() + 80, false);
   const std::size_t whole = (bytes.size() - kHeader) / kFacet;
   if (whole >= facets) return read_binary(bytes, facets);
-  if (is_keyword(bytes.substr(0, 5), "solid")) check_text(bytes);
+  // A text with a zero somewhere: its letters would be a count that no file has.
+  if (is_keyword(bytes.substr(0, 5), "solid") && facets >= std::size_t{1} << 24) check_text(bytes);
   fail(fmt::format("face {}", whole),
        fmt::format("is missing or cut, the header announces {} faces", facets),
        "the file is truncated; export the mesh again");

@@ -41,7 +41,8 @@ using SoupReader = std::function<Soup(std::string_view, const FieldRequest&)>;
 /// format has none; fails for an unknown extension.
 SoupReader soup_reader(const std::string& extension);
 
-/// Of a file, whose extension is looked at before it is loaded.
+/// Of a file, whose extension is looked at before it is loaded. What holds another format than its
+/// name says, or is compressed, is refused with that.
 Soup read_soup(const std::string& path, const FieldRequest& request);
 /// Of its bytes. Throws as for a file.
 Soup read_soup(const std::string& name, std::string_view bytes, const FieldRequest& request);

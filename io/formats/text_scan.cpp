@@ -135,8 +135,12 @@ void take_point(TextScan& scan, const char* what, Soup& soup) {
     const bool given = scan.in_line();
     if (given && scan.take(point[k])) continue;
     const std::string name = numbered(what, soup.points.size(), scan.line());
+    if (!given && scan.room() == 0)
+      fail(name, "the file ends in it", "the file is truncated; export the mesh again");
     if (!given) fail(name, fmt::format("has {} coordinates", k), "give x y z");
-    fail(name, fmt::format("coordinate {} is not a number", quoted(scan.peek())), "correct it");
+    const bool comma = scan.peek().find(',') != std::string_view::npos;
+    fail(name, fmt::format("coordinate {} is not a number", quoted(scan.peek())),
+         comma ? "write numbers with a point, not a comma" : "correct it");
   }
   soup.points.push_back(point);
   note_not_finite(soup, soup.points.size() - 1, scan);
@@ -147,10 +151,17 @@ void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertic
        fmt::format("the file has {} vertices, numbered from 0", vertices));
 }
 
-void check_text(std::string_view bytes) {
+std::string_view without_zeros_behind(std::string_view bytes) {
+  while (bytes.ends_with('\0')) bytes.remove_suffix(1);
+  return bytes;
+}
+
+std::string_view check_text(std::string_view bytes) {
+  bytes = without_zeros_behind(bytes);
   const std::size_t zero = bytes.find('\0');
   if (zero != std::string_view::npos)
     fail(fmt::format("byte {}", zero), "is zero in a text format", "export the mesh again as text");
+  return bytes;
 }
 
 }  // namespace crest::io

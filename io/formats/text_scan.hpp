@@ -161,7 +161,10 @@ inline void note_not_finite(Soup& soup, std::size_t point, const TextScan& scan)
 /// Throws for an index that is no vertex's.
 [[noreturn]] void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertices);
 
-/// Throws when the bytes are not those of a text.
-void check_text(std::string_view bytes);
+/// Without the zeros that some programs write behind a text.
+std::string_view without_zeros_behind(std::string_view bytes);
+
+/// The bytes as a text. Throws when they are none.
+std::string_view check_text(std::string_view bytes);
 
 }  // namespace crest::io

@@ -250,7 +250,8 @@ Camera make_camera(const SurfaceView& mesh, const Viewpoint& wanted, int width,
       score ? score : [&](const Vec3& view) { return facing_area(mesh, view); };
   if (wanted.view) {
     const Vec3 view = normalised(*wanted.view, {0, 0, -1});
-    const Vec3 up = wanted.up ? *wanted.up : standing_direction(mesh).value_or(usual_vertical(view));
+    const Vec3 up =
+        wanted.up ? *wanted.up : standing_direction(mesh).value_or(usual_vertical(view));
     const bool along = std::abs(dot(normalised(up, view), view)) > 0.999;
     return fit_camera(mesh, view, along ? usual_vertical(view) : up, width);
   }

@@ -54,7 +54,8 @@ using ViewScore = std::function<double(const kernel::Vec3& view)>;
 /// The camera that a caller asks for. What is left open is chosen:
 /// - view and up: of views along the thinnest principal axis, tilted, the first with the largest
 ///   score, y up (z where the view is along y), if that shows the shape as it stands
-///   (standing_direction) or it stands nowhere. Else, lest it be tipped over, as with that up alone;
+///   (standing_direction) or it stands nowhere. Else, lest it be tipped over, as with that up
+///   alone;
 /// - view, to an up: of horizontal views along the thinnest horizontal axis, turned and from a
 ///   little above, the first with the largest score;
 /// - up, to a view: the direction in which the shape stands, else y, else (along the view) z.

@@ -185,9 +185,8 @@ void Canvas::stamp(int left, int top, const Mask& mask, Rgb colour) {
   for (int row = std::max(0, -top); row < std::min(mask.height, height_ - top); ++row) {
     for (int column = std::max(0, -left); column < std::min(mask.width, width_ - left); ++column) {
       const int share = mask.shares[row * mask.stride + column];
-      Rgb& sample =
-          colour_[static_cast<std::size_t>(top + row) * static_cast<std::size_t>(width_) +
-                  static_cast<std::size_t>(left + column)];
+      Rgb& sample = colour_[static_cast<std::size_t>(top + row) * static_cast<std::size_t>(width_) +
+                            static_cast<std::size_t>(left + column)];
       sample = {mixed(sample.red, colour.red, share), mixed(sample.green, colour.green, share),
                 mixed(sample.blue, colour.blue, share)};
     }

@@ -49,12 +49,12 @@ class Outline {
   std::array<double, kDirections> reach_{};
 };
 
-/// The area around the feet as a share of that around the shape, `sign` times the axis up.
-double share_of_feet(const std::vector<Vec3>& points, std::size_t axis, double sign) {
+/// The area around the feet as a share of that around the shape.
+double share_of_feet(const std::vector<Vec3>& points, std::size_t axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec3& p : points) {
-    low = std::min(low, sign * p[axis]);
-    high = std::max(high, sign * p[axis]);
+    low = std::min(low, p[axis]);
+    high = std::max(high, p[axis]);
   }
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   const Vec3& origin = points[0];  // differences are exact enough where coordinates are large
@@ -62,7 +62,7 @@ double share_of_feet(const std::vector<Vec3>& points, std::size_t axis, double s
   for (const Vec3& p : points) {
     const double x = p[u] - origin[u], y = p[v] - origin[v];
     all.add(x, y);
-    if (sign * p[axis] <= low + kFeet * (high - low)) feet.add(x, y);
+    if (p[axis] <= low + kFeet * (high - low)) feet.add(x, y);
   }
   return all.area() > 0 ? feet.area() / all.area() : 0;
 }
@@ -70,21 +70,14 @@ double share_of_feet(const std::vector<Vec3>& points, std::size_t axis, double s
 }  // namespace
 
 std::optional<Vec3> standing_direction(const SurfaceView& mesh) {
-  struct Candidate {
-    std::size_t axis;
-    double sign, share = 0;
-  };
-  std::array<Candidate, 6> candidates = {{{1, 1}, {2, 1}, {0, 1}, {2, -1}, {1, -1}, {0, -1}}};
   if (mesh.points().empty()) return std::nullopt;
-  double most = kLeast;
-  for (Candidate& c : candidates) {
-    c.share = share_of_feet(mesh.points(), c.axis, c.sign);
-    most = std::max(most, c.share);
-  }
-  for (const Candidate& c : candidates) {
-    if (c.share < std::max(kLeast, kEqual * most)) continue;
+  std::array<double, 3> share{};
+  for (std::size_t axis = 0; axis < 3; ++axis) share[axis] = share_of_feet(mesh.points(), axis);
+  const double least = std::max(kLeast, kEqual * *std::max_element(share.begin(), share.end()));
+  for (const std::size_t axis : {1, 2, 0}) {
+    if (share[axis] < least) continue;
     Vec3 up{};
-    up[c.axis] = c.sign;
+    up[axis] = 1;
     return up;
   }
   return std::nullopt;

@@ -15,8 +15,8 @@ namespace crest::io {
 /// are nearly a height, that direction points up.
 /// Minima blue, saddles yellow, maxima red.
 /// Guarantees: the same bytes for the same scene; no half-written file.
-/// Throws: kernel::InputError for another extension a place that cannot be written or a direction that
-/// is none.
+/// Throws: kernel::InputError for another extension a place that cannot be written or a direction
+/// that is none.
 void write_reeb_picture(const std::string& path, const ReebScene& scene,
                         const Viewpoint& viewpoint = {});
 

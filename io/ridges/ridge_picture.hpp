@@ -33,7 +33,8 @@ void check_picture(const std::string& path, const PictureOptions& options);
 /// ridge of the graph ends white (1-ridge), black (3-ridge) or grey (degenerate). Hidden
 /// parts are not drawn. In .svg the surface is an embedded PNG, the ridges are paths.
 /// Guarantees: the same bytes for the same input; no half-written file.
-/// Throws: kernel::InputError for another extension, a width outside [16, 16384], a view or up that is no direction, or
+/// Throws: kernel::InputError for another extension, a width outside [16, 16384], a view or up that
+/// is no direction, or
 ///   a place that cannot be written.
 void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                    const ridges::RidgeGraph& graph, const PictureOptions& options = {});

@@ -12,7 +12,6 @@
 namespace {
 
 using namespace crest::io;
-using crest::kernel::operator-;
 using crest::kernel::Triangle;
 using crest::kernel::Vec3;
 
@@ -40,8 +39,17 @@ Shape animal(std::size_t right, std::size_t up) {
     }
   add(-1, 0, 1);
   add(1.4, 0, 2.4);
-  for (const Triangle& f : {Triangle{0, 2, 1}, {1, 2, 3}, {4, 6, 5}, {5, 6, 7}, {1, 3, 5},
-                            {5, 3, 7}, {1, 5, 8}, {8, 5, 9}, {3, 8, 7}, {8, 9, 7}, {5, 7, 9}})
+  for (const Triangle& f : {Triangle{0, 2, 1},
+                            {1, 2, 3},
+                            {4, 6, 5},
+                            {5, 6, 7},
+                            {1, 3, 5},
+                            {5, 3, 7},
+                            {1, 5, 8},
+                            {8, 5, 9},
+                            {3, 8, 7},
+                            {8, 9, 7},
+                            {5, 7, 9}})
     shape.faces.push_back(f);
   return shape;
 }
@@ -65,10 +73,13 @@ TEST_CASE("a shape stands on its feet, along whichever axis of the file", "[io]"
     CHECK(standing_direction(shape.view()) == up);
     const Camera camera = make_camera(shape.view(), {}, 400);
     CHECK(dot(camera.up, up) > 0.8);
-    Shape moved = shape;  // to where doubles are coarse, and turned over
+    Shape moved = shape;  // to where doubles are coarse
     for (Vec3& p : moved.points)
-      for (double& x : p) x = 1e9 - x;
-    CHECK(standing_direction(moved.view()) == Vec3{} - up);
+      for (double& x : p) x += 1e9;
+    CHECK(standing_direction(moved.view()) == up);
+    for (Vec3& p : moved.points)  // on its back
+      for (double& x : p) x = -x;
+    CHECK_FALSE(standing_direction(moved.view()));
   }
   CHECK_FALSE(standing_direction(ball().view()));
   CHECK_FALSE(standing_direction(Shape{}.view()));
