@@ -80,7 +80,7 @@ const Case kCases[] = {
      "OFF\n6 3 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 2 1 4\n3 1 2 5\n",
      "edge 1-2: is in faces 0, 1 and 2"},
     {"no_faces.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "faces: there are none"},
-    {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0',
+    {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0' + "9",
      "byte 36: is zero"},
     {"vertex.obj", "v 0 0\n", "vertex 0 (line 1): has 2 coordinates"},
     {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",

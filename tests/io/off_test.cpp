@@ -198,7 +198,7 @@ TEST_CASE("faults of OFF files are named with their line", "[io]") {
       {"face 1: is missing, the file ends before it; the file is truncated",
        "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"vertex 2: is missing, the file ends before it", "OFF\n3 1 0\n0 0 0\n1 0 0\n"},
-      {"byte 26: is zero in a text format", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 \0", 27)},
+      {"byte 26: is zero in a text format", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 \0 0", 29)},
   };
   for (const auto& [expected, text] : faults) {
     const std::string message = soup_error("a.off", text);
