@@ -39,6 +39,22 @@ void add_step_option(CLI::App& app, CommonOptions& options) {
       ->group(kMeshGroup);
 }
 
+void add_view_options(CLI::App& app, io::Viewpoint& viewpoint) {
+  const auto add = [&](const char* name, std::optional<kernel::Vec3>& direction, const char* help) {
+    app.add_option_function<std::vector<double>>(
+           name,
+           [&](const std::vector<double>& x) {
+             direction = {x[0], x[1], x[2]};
+           },
+           help)
+        ->delimiter(',')
+        ->expected(3)
+        ->type_name("X,Y,Z");
+  };
+  add("--view", viewpoint.view, "of pictures: from the eye into the scene (--view=-1,0,0)");
+  add("--up", viewpoint.up, "of pictures: what points up (default: the way the shape stands)");
+}
+
 void add_run_options(CLI::App& app, CommonOptions& options) {
   app.add_option("--threads", options.threads, "threads to use (default: all)")
       ->check(CLI::Range(1, 1024))
@@ -56,6 +72,7 @@ void add_common_options(CLI::App& app, CommonOptions& options, const std::string
       ->type_name("FILE");
   app.add_option("--picture", options.picture, "drawing, hidden parts removed (.svg, .png)")
       ->type_name("FILE");
+  add_view_options(app, options.viewpoint);
   add_run_options(app, options);
   app.add_flag("--cite", options.cite, "print the references this run used (BibTeX)");
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/clean/clean_up.hpp"
+#include "io/picture/viewpoint.hpp"
 
 namespace CLI {
 class App;
@@ -20,6 +21,7 @@ struct CommonOptions {
   std::string report;                ///< --report; JSON
   std::string certificate;           ///< --certificate; certify/SPEC.md
   std::string picture;               ///< --picture; .svg or .png
+  io::Viewpoint viewpoint;           ///< --view, --up; of pictures
   int threads = 0;                   ///< --threads; 0: as many as the machine has
   bool quiet = false;                ///< --quiet; no summary, no progress
   bool cite = false;                 ///< --cite; BibTeX of what the run used
@@ -41,6 +43,9 @@ void add_clean_options(CLI::App& app, io::CleanOptions& clean, bool oriented);
 
 /// --step, of commands that read fields.
 void add_step_option(CLI::App& app, CommonOptions& options);
+
+/// --view and --up, of commands with pictures.
+void add_view_options(CLI::App& app, io::Viewpoint& viewpoint);
 
 /// --threads and --quiet, which every command has.
 void add_run_options(CLI::App& app, CommonOptions& options);

@@ -61,6 +61,7 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
                "focal surfaces of the vertex means, not of independent triangles (np, ne)");
   app.add_option("--picture", o.common.picture, "the mesh in colours of a curvature (.svg .png)")
       ->type_name("FILE");
+  add_view_options(app, o.common.viewpoint);
   app.add_option("--colour", o.colour, "what the picture shows (default H)")
       ->check(CLI::IsMember({"K", "H", "k1", "k2"}));
   app.add_option("--reference", o.reference,
@@ -202,6 +203,8 @@ void write_picture(const std::string& path, const CurvatureOptions& o, const Tri
   for (const PointCurvature& c : result.vertices) values.push_back(c.*shown.second);
   io::ColourPicture picture;
   picture.label = shown.first;
+  picture.view = o.common.viewpoint.view;
+  picture.up = o.common.viewpoint.up;
   io::write_colour_picture(path, mesh, values, picture);
 }
 
@@ -245,6 +248,8 @@ void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file
       io::ColourPicture picture;
       const bool gaussian = o.colour == "K";
       picture.label = gaussian ? "gaussian curvature" : "mean curvature";
+      picture.view = o.common.viewpoint.view;
+      picture.up = o.common.viewpoint.up;
       io::write_focal_picture(path, mesh, focal[gaussian ? 0 : 1], picture);
     });
   }

@@ -225,9 +225,28 @@ void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh&
   run.write("--patches",
             [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
   run.write("--picture", [&](const std::string& path) {
-    io::write_feature_picture(path, mesh, graph, o.sharp(), legend_note(written.kind, written.by));
+    io::write_feature_picture(path, mesh, graph, o.sharp(), o.common.viewpoint,
+                              legend_note(written.kind, written.by));
   });
   report_lines(run.report(), mesh, graph);
+}
+
+/// Fields whose lines say nothing about the shape.
+void warn_of_flat_field(const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
+                        const std::vector<double>& field, Run& run) {
+  const auto [least, most] = std::minmax_element(field.begin(), field.end());
+  double extent = 0;
+  for (const kernel::Vec3& p : mesh.points())
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = std::max(extent, std::fabs(p[k] - mesh.points()[0][k]));
+  const bool curvature = o.field.empty() && o.angle.empty();
+  if (*least == *most)
+    run.warn("the field has one value, so that no vertices stand out");
+  else if (curvature && *most * extent < 0x1p-30)
+    run.warn(
+        fmt::format("the curvatures are zero but for rounding, at most {:.3g}, so that those which "
+                    "stand out mean nothing; --angle finds sharp edges",
+                    *most));
 }
 
 /// A region of vertices, thinned.
@@ -235,6 +254,7 @@ Outcome thin_region(Run& run, FeaturesOptions& o, const io::MeshFile& file) {
   const kernel::TriangleMesh& mesh = file.mesh;
   const std::vector<double> field =
       run.step("fit", "fitting curvatures", [&] { return field_of(o, file, run); });
+  warn_of_flat_field(o, mesh, field, run);
   if (!o.angle.empty()) o.lines.value = kernel::DecimalAngle(o.angle).degrees();
   const FeatureLines f = run.step("extract", "thinning", [&] {
     return run.with_input(

@@ -259,7 +259,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
     const auto lines = shown.levels.empty()
                            ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
                            : shown.levels;
-    io::write_reeb_picture(path, scene(lines),
+    io::write_reeb_picture(path, scene(lines), run.viewpoint(),
                            legend_note("simplified", shown.written.simplified_by));
   });
 }

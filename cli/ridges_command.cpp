@@ -156,6 +156,8 @@ bool is_smooth(const CLI::App& app) {
 void draw(const std::string& path, const kernel::TriangleMesh& mesh,
           const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
   io::PictureOptions picture;
+  picture.view = o.common.viewpoint.view;
+  picture.up = o.common.viewpoint.up;
   picture.order = o.order;
   std::vector<std::string> by = result.filtered_by();
   picture.note = legend_note("subset", by);

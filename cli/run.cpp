@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "cli/references.hpp"
+#include "io/picture/camera.hpp"
 #include "io/write/atomic_file.hpp"
 
 namespace crest::cli {
@@ -73,6 +74,7 @@ void Run::finish(const Outcome& outcome) {
 }
 
 int run_command(const Task& task, const std::function<Outcome(Run&)>& work, void (*self_test)()) {
+  io::check_viewpoint(task.options.viewpoint);
   const int threads =
       task.options.threads > 0 ? task.options.threads : tbb::info::default_concurrency();
   Run run(task, threads);

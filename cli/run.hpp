@@ -49,6 +49,8 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   Report& report() { return report_; }
+  /// From where pictures are to show the shape.
+  const io::Viewpoint& viewpoint() const { return options_.viewpoint; }
   void warn(const std::string& what) { report_.warn(what); }
 
   /// One line on a terminal that says what is being done (empty: none); nothing where stderr is not

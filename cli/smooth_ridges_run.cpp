@@ -123,7 +123,12 @@ void write_results(Run& run, const SmoothRidges& result, const std::string& dige
   run.write("-o", [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
   run.write("--mesh",
             [&](const std::string& path) { io::write_smooth_mesh(path, result, digest); });
-  run.write("--picture", [&](const std::string& path) { io::write_smooth_picture(path, result); });
+  run.write("--picture", [&](const std::string& path) {
+    io::PictureOptions picture;
+    picture.view = run.viewpoint().view;
+    picture.up = run.viewpoint().up;
+    io::write_smooth_picture(path, result, picture);
+  });
 }
 
 Outcome work(Run& run, const SmoothRidgesOptions& o) {

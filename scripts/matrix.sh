@@ -1,7 +1,7 @@
-#!/bin/sh
+#!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs every command with default options and every format of its outputs on a dozen meshes and prints
-# a table: command, file, exit code, seconds, bytes of what was written.
+# a table: command, file, exit code, processor time, bytes of what was written; the sum of the times last.
 #   scripts/matrix.sh [FILE...]     default: meshes of ../shared/data, or of `crest sample` without it
 #   CREST=PROGRAM scripts/matrix.sh        default: build/cli/crest
 # Fails on another exit code than 0, 1, 3 or 4, on an output that holds appended data or a number that
@@ -29,6 +29,8 @@ elif [ $# -eq 0 ]; then
 fi
 
 failures=0
+total=0
+TIMEFORMAT="%U %S"
 fail() {
   echo "  FAILED: $*"
   failures=$((failures + 1))
@@ -50,10 +52,10 @@ run() {
   shift
   rm -rf "$folder/out"
   mkdir "$folder/out"
-  start=$(date +%s.%N)
   code=0
-  (cd "$folder/out" && "$crest" "$@" --quiet >../stdout 2>../stderr) || code=$?
-  seconds=$(awk -v from="$start" -v to="$(date +%s.%N)" 'BEGIN { printf "%.2f", to - from }')
+  { time (cd "$folder/out" && "$crest" "$@" --quiet >../stdout 2>../stderr); } 2>"$folder/time" || code=$?
+  seconds=$(awk '{ printf "%.2f", $1 + $2 }' "$folder/time")
+  total=$(awk -v sum="$total" -v more="$seconds" 'BEGIN { printf "%.2f", sum + more }')
   sizes=
   for output in "$folder"/out/* "$folder"/out/.[!.]*; do
     [ -e "$output" ] || continue
@@ -98,4 +100,5 @@ for format in vtp obj ply; do
   run "$format" ridges --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box=-3,3 -o ridges.$format \
     --mesh mesh.$format --picture p.svg --certificate c.crest --report r.json
 done
+echo "processor time of all runs: $total s"
 [ $failures -eq 0 ] || { echo "$failures failures"; exit 1; }

@@ -172,9 +172,9 @@ void measure(const char* what, const std::string& path, std::size_t faces, int r
   std::vector<double> whole, reading;
   for (int run = 0; run < runs; ++run) {
     const double start = processor_seconds();
-    std::string bytes = io::load(path);
+    const io::FileBytes bytes = io::load(path);
     const double loaded = processor_seconds();
-    const io::Soup soup = io::soup_reader(io::lower_extension(path))(std::move(bytes), {});
+    const io::Soup soup = io::soup_reader(io::lower_extension(path))(bytes, {});
     const double end = processor_seconds();
     if (soup.cells.size() != faces) throw std::runtime_error("faces are missing");
     whole.push_back(end - start);

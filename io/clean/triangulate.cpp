@@ -23,20 +23,29 @@ struct Nodes {
 };
 
 Nodes nodes_of(const Soup& soup, std::size_t cell) {
+  const std::size_t half = (soup.cells.nodes(cell).size() + 1) / 2;
   switch (soup.cells.type(cell)) {
     case CellType::triangle:
     case CellType::lagrange_triangle:
+    case CellType::bezier_triangle:
       return {3, 3};
     case CellType::quadratic_triangle:
       return {3, 6};
+    case CellType::biquadratic_triangle:
+      return {3, 7};
     case CellType::pixel:
     case CellType::quad:
     case CellType::lagrange_quad:
+    case CellType::bezier_quad:
       return {4, 4};
+    case CellType::quadratic_linear_quad:
+      return {4, 6};
     case CellType::quadratic_quad:
       return {4, 8};
     case CellType::biquadratic_quad:
       return {4, 9};
+    case CellType::quadratic_polygon:
+      return {half, 2 * half};
     case CellType::polygon:
     case CellType::triangle_strip:
       return {0, 0};

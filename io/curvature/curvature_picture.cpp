@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/picture/lettering.hpp"
 #include "io/picture/picture_file.hpp"
 
 namespace crest::io {
@@ -14,9 +15,8 @@ namespace {
 using kernel::Vec3;
 
 constexpr double kQuantile = 0.95;
-constexpr int kBarHeight = 40;    // pixels
-constexpr int kLabelHeight = 24;  // pixels
-constexpr double kRoom = 0.8;     // of the picture for the mesh, the rest for what stands off it
+constexpr int kBarHeight = 12;  // pixels
+constexpr double kRoom = 0.8;   // of the picture for the mesh, the rest for what stands off it
 
 double largest_shown(const std::vector<double>& values) {
   std::vector<double> sizes;
@@ -34,25 +34,45 @@ Vec3 tint(double t) {
   return {1 + s * (end[0] - 1), 1 + s * (end[1] - 1), 1 + s * (end[2] - 1)};
 }
 
+/// Of letters, in pixels.
+double letters_of(const Camera& camera) {
+  return 10.5 * std::max(1.0, std::round(camera.width / 800.0));
+}
+
+/// Below the picture: the bar with its label, or a label alone.
+int bar_rows(const Camera& camera) {
+  return kBarHeight + 8 + static_cast<int>(1.6 * letters_of(camera));
+}
+int label_rows(const Camera& camera) {
+  return static_cast<int>(1.6 * letters_of(camera));
+}
+
+void draw_label(Canvas& canvas, const Camera& camera, double top, const std::string& label) {
+  const double letters = letters_of(camera);
+  draw_text(canvas, 0.5 * (camera.width - text_width(label, letters)), top + 1.1 * letters, letters,
+            label);
+}
+
 void draw_bar(Canvas& canvas, const Camera& camera, double largest, const std::string& label) {
-  canvas.extend(kBarHeight);
+  canvas.extend(bar_rows(camera));
   const double y = camera.height + 8, left = 0.3 * camera.width, width = 0.4 * camera.width;
   constexpr int kBoxes = 101;
   for (int i = 0; i < kBoxes; ++i) {
     const Vec3 c = tint(2.0 * i / (kBoxes - 1) - 1);
     const auto channel = [](double x) { return static_cast<std::uint8_t>(235 * x + 0.5); };
-    canvas.fill_box(left + width * i / kBoxes, y, left + width * (i + 1) / kBoxes, y + 12,
+    canvas.fill_box(left + width * i / kBoxes, y, left + width * (i + 1) / kBoxes, y + kBarHeight,
                     {channel(c[0]), channel(c[1]), channel(c[2])});
   }
-  const double dot = std::max(1.0, std::round(camera.width / 800.0));
+  const double letters = letters_of(camera), base = y + 0.5 * kBarHeight + 0.36 * letters;
   const std::string low = fmt::format("{:.3g}", -largest), high = fmt::format("{:.3g}", largest);
-  draw_text(canvas, left - dot * (text_width(low) + 6), y + 2, dot, low);
-  draw_text(canvas, left + width + 8 * dot, y + 2, dot, high);
-  draw_text(canvas, left + 0.5 * (width - dot * text_width(label)), y + 18, dot, label);
+  draw_text(canvas, left - 0.6 * letters - text_width(low, letters), base, letters, low);
+  draw_text(canvas, left + width + 0.6 * letters, base, letters, high);
+  draw_label(canvas, camera, y + kBarHeight, label);
 }
 
 Camera camera_of(const kernel::TriangleMesh& mesh, const ColourPicture& options) {
-  return fit_camera(mesh, options.view ? *options.view : tilted_view(mesh), options.width);
+  check_viewpoint({options.view, options.up});
+  return make_camera(mesh, {options.view, options.up}, options.width);
 }
 
 }  // namespace
@@ -68,7 +88,7 @@ void write_colour_picture(const std::string& path, const kernel::TriangleMesh& m
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals, &tints);
   draw_bar(canvas, camera, largest, options.label);
-  write_canvas(path, canvas, camera.width, camera.height + kBarHeight);
+  write_canvas(path, canvas, camera.width, camera.height + bar_rows(camera));
 }
 
 void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
@@ -92,11 +112,9 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
       canvas.draw_stroke(a, b, width, colour);
     }
   }
-  canvas.extend(kLabelHeight);
-  const double dot = std::max(1.0, std::round(camera.width / 800.0));
-  draw_text(canvas, 0.5 * (camera.width - dot * text_width(options.label)), camera.height + 4, dot,
-            options.label);
-  write_canvas(path, canvas, camera.width, camera.height + kLabelHeight);
+  canvas.extend(label_rows(camera));
+  draw_label(canvas, camera, camera.height, options.label);
+  write_canvas(path, canvas, camera.width, camera.height + label_rows(camera));
 }
 
 }  // namespace crest::io

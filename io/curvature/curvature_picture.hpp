@@ -12,9 +12,10 @@
 namespace crest::io {
 
 struct ColourPicture {
-  std::string label;                 ///< lower case, under the picture
+  std::string label;                 ///< under the picture
   int width = 1200;                  ///< pixels
-  std::optional<kernel::Vec3> view;  ///< from the eye into the scene; nothing: chosen
+  std::optional<kernel::Vec3> view;  ///< as in Viewpoint
+  std::optional<kernel::Vec3> up = {};
 };
 
 /// Writes .png, or .svg with the PNG embedded. Blue for negative, white for zero, red for positive

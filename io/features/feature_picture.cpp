@@ -132,9 +132,11 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
 }  // namespace
 
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
-                           const FeatureGraph& graph, bool patches, const std::string& note) {
+                           const FeatureGraph& graph, bool patches, const Viewpoint& viewpoint,
+                           const std::string& note) {
   check_picture_path(path);
-  const Camera camera = fit_camera(mesh, tilted_view(mesh), 1200);
+  check_viewpoint(viewpoint);
+  const Camera camera = make_camera(mesh, viewpoint, 1200);
   Canvas canvas(camera.width, camera.height);
   if (patches) {
     const PatchedSurface surface = patched(mesh, graph.face_patch);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/feature_lines/feature_graph.hpp"
+#include "io/picture/viewpoint.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::io {
@@ -38,10 +39,10 @@ void write_patches(const std::string& path, const kernel::TriangleMesh& mesh,
 
 /// Writes .png or .svg: arcs blue, branches red, loops green, isolated lines yellow, nodes black
 /// dots and lines. Hidden parts are not drawn. `patches`: each in a tint of its own, shaded flat up
-/// to its edges. `note`: a line of the legend. Throws: kernel::InputError for another extension or
-/// a place that cannot be written.
+/// to its edges. `note`: a line of the legend. Throws: kernel::InputError for another extension, a
+/// place that cannot be written or a direction that is none.
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                            const feature_lines::FeatureGraph& graph, bool patches,
-                           const std::string& note = {});
+                           const Viewpoint& viewpoint = {}, const std::string& note = {});
 
 }  // namespace crest::io

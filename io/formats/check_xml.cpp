@@ -150,7 +150,7 @@ void check_points(std::string_view text) {
 
 }  // namespace
 
-void check_xml(const std::string& bytes) {
+void check_xml(std::string_view bytes) {
   const Storage storage = storage_of(bytes);
   const std::uint64_t room = bytes.size() * (storage.compressed ? 100 : 1);
   for (const char* name :

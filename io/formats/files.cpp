@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/files.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -14,10 +17,29 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
 
-/// File names and words quoted from files may hold anything; the message stays one line.
+/// How many bytes of UTF-8 the character has that starts at a place; 0: there is none.
+std::size_t length_of_character(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byte(at);
+  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first >= 0xf0 && first < 0xf5   ? 4
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                                                             : 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(at + i) & 0xc0U) != 0x80) return 0;
+  return length;
+}
+
+/// File names and words quoted from files may hold anything; the message stays one line of text.
 std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = length_of_character(text, at);
+    if (length == 0) text[at] = '?';
+    at += std::max<std::size_t>(length, 1);
+  }
   return text;
 }
 
@@ -35,17 +57,30 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-std::string load(const std::string& path) {
+FileBytes::FileBytes(std::size_t size) : size_(size) {
+  constexpr std::size_t large_page = std::size_t{1} << 21;
+  void* memory = nullptr;
+  if (posix_memalign(&memory, size < large_page ? sizeof(void*) : large_page, size) != 0)
+    throw std::bad_alloc();
+  bytes_.reset(static_cast<char*>(memory));
+  if (size >= large_page) madvise(memory, size, MADV_HUGEPAGE);  // where it is not known: no harm
+}
+
+void FileBytes::Free::operator()(char* bytes) const {
+  std::free(bytes);
+}
+
+FileBytes load(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) fail("file", "does not exist", "check the path");
   if (!std::filesystem::is_regular_file(path, error))
     fail("file", "is not a regular file", "give the path of a mesh file");
   const auto size = std::filesystem::file_size(path, error);
   if (error || size > kLargestFile) fail("file", "is too large", "split the mesh");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
+  if (size == 0) fail("file", "is empty", "export the mesh again");
+  FileBytes bytes(static_cast<std::size_t>(size));
   std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
     fail("file", "cannot be read", "check its permissions");
   return bytes;
 }

@@ -3,7 +3,9 @@
 
 // Files' names and bytes, and what is said when something is wrong with them.
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 
 namespace crest::io {
 
@@ -15,8 +17,24 @@ namespace crest::io {
 /// The extension in lower case, with its dot.
 std::string lower_extension(const std::string& path);
 
+/// Bytes in memory of their own, in pages so large that a long file needs few of them: to get pages
+/// costs more than to read into them.
+class FileBytes {
+ public:
+  explicit FileBytes(std::size_t size);
+  char* data() { return bytes_.get(); }
+  operator std::string_view() const { return {bytes_.get(), size_}; }
+
+ private:
+  struct Free {
+    void operator()(char* bytes) const;
+  };
+  std::unique_ptr<char, Free> bytes_;
+  std::size_t size_;
+};
+
 /// The bytes of a regular file.
-std::string load(const std::string& path);
+FileBytes load(const std::string& path);
 
 /// Runs `read`; whatever it throws becomes an InputError of one line with the file's name in front.
 void read_named(const std::string& name, const std::function<void()>& read);

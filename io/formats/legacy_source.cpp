@@ -49,7 +49,7 @@ std::string decoded(std::string_view name) {
 
 }  // namespace
 
-LegacySource::LegacySource(const std::string& bytes) : scan_(bytes) {
+LegacySource::LegacySource(std::string_view bytes) : scan_(bytes) {
   constexpr std::string_view start = "# vtk datafile version";
   if (!is_keyword(scan_.peek_bytes(start.size()), start))
     fail("header (line 1)", "does not start with '# vtk DataFile Version'", kRepair);
@@ -62,7 +62,10 @@ LegacySource::LegacySource(const std::string& bytes) : scan_(bytes) {
   binary_ = is_keyword(kind, "binary");
   if (!binary_ && !is_keyword(kind, "ascii"))
     fail("header (line 3)", "is neither ASCII nor BINARY", kRepair);
-  if (!binary_) check_text(bytes);
+  if (binary_) return;
+  const std::size_t place = scan_.position();
+  scan_ = TextScan(check_text(bytes));
+  scan_.move_to(place);
 }
 
 bool LegacySource::next_section() {

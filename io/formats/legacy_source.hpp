@@ -19,7 +19,7 @@ struct LegacyType {
 class LegacySource {
  public:
   /// Reads the header.
-  explicit LegacySource(const std::string& bytes);
+  explicit LegacySource(std::string_view bytes);
   bool binary() const { return binary_; }
   double version() const { return version_; }
 

@@ -83,16 +83,24 @@ void MshSource::fail_end() const {
        "the file is truncated; export the mesh again");
 }
 
+void MshSource::require_word() {
+  if (scan_.in_line()) return;
+  if (scan_.room() == 0) fail_end();
+  fail(line(), "has too few numbers", kRepair);
+}
+
 std::int64_t MshSource::word_integer() {
   std::int64_t value = 0;
-  if (!scan_.in_line() || !scan_.take(value))
+  require_word();
+  if (!scan_.take(value))
     fail(line(), fmt::format("{} is not an integer", quoted(scan_.peek())), kRepair);
   return value;
 }
 
 double MshSource::word_real() {
   double value = 0;
-  if (!scan_.in_line() || !scan_.take(value))
+  require_word();
+  if (!scan_.take(value))
     fail(line(), fmt::format("{} is not a number", quoted(scan_.peek())), kRepair);
   return value;
 }

@@ -65,6 +65,7 @@ class MshSource {
 
  private:
   [[noreturn]] void fail_end() const;
+  void require_word();
   template <class T>
   T load();
 

@@ -77,7 +77,7 @@ ElementType element_type(std::int64_t number) {
 
 class MshReader {
  public:
-  MshReader(const std::string& bytes, const FieldRequest& request)
+  MshReader(std::string_view bytes, const FieldRequest& request)
       : source_(bytes), fields_(source_, request) {}
 
   Soup read() {
@@ -263,7 +263,7 @@ class MshReader {
 
 }  // namespace
 
-Soup read_msh(std::string bytes, const FieldRequest& request) {
+Soup read_msh(std::string_view bytes, const FieldRequest& request) {
   return MshReader(bytes, request).read();
 }
 

@@ -12,11 +12,19 @@
 namespace crest::io {
 namespace {
 
+/// The first backslash at a line's end from `from` on.
+std::size_t continuation(std::string_view text, std::size_t from) {
+  std::size_t at = text.find('\\', from);
+  while (at != text.npos &&
+         (at + 1 == text.size() || (text[at + 1] != '\n' && text[at + 1] != '\r')))
+    at = text.find('\\', at + 1);
+  return at;
+}
+
 /// A backslash at a line's end continues it: both become blanks that still count as a line's end.
 void join_continued_lines(std::string& text) {
-  for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
+  for (std::size_t at = continuation(text, 0); at != text.npos; at = continuation(text, at)) {
     const std::size_t end = at + 1;
-    if (end == text.size() || (text[end] != '\n' && text[end] != '\r')) continue;
     if (text.compare(end, 2, "\r\n") == 0) text[end + 1] = ' ';
     text[at] = ' ';
     text[end] = '\v';
@@ -66,7 +74,7 @@ class CornerNormals {
 
 class ObjReader {
  public:
-  ObjReader(const std::string& text, bool normals) : scan_(text, '#'), with_normals_(normals) {}
+  ObjReader(std::string_view text, bool normals) : scan_(text, '#'), with_normals_(normals) {}
 
   Soup read() {
     while (scan_.more()) {
@@ -167,10 +175,13 @@ class ObjReader {
 
 }  // namespace
 
-Soup read_obj(std::string bytes, const FieldRequest& request) {
-  check_text(bytes);
-  join_continued_lines(bytes);
-  return ObjReader(bytes, request.normals || request.asks_for("Normals")).read();
+Soup read_obj(std::string_view bytes, const FieldRequest& request) {
+  bytes = check_text(bytes);
+  const bool normals = request.normals || request.asks_for("Normals");
+  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, normals).read();
+  std::string joined(bytes);
+  join_continued_lines(joined);
+  return ObjReader(joined, normals).read();
 }
 
 }  // namespace crest::io

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF: [ST][C][N]OFF, counts, vertices, faces.
+// OFF: [ST][C][N]OFF [BINARY], counts, vertices, faces.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
 #include "io/formats/files.hpp"
+#include "io/formats/off_binary.hpp"
 #include "io/formats/readers.hpp"
 #include "io/formats/text_scan.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -29,10 +30,9 @@ enum class Layout {
   words_without_edges  ///< the same, with two counts
 };
 
-/// What a vertex has besides its place.
 struct Keyword {
-  bool normals = false;
-  std::size_t numbers_behind = 0;  ///< after place and normal: colour, texture
+  OffVertex vertex = {};
+  bool binary = false;
 };
 
 Keyword take_keyword(TextScan& scan) {
@@ -48,15 +48,14 @@ Keyword take_keyword(TextScan& scan) {
   for (const std::string_view prefix : {"ST", "C", "N"}) {
     if (!word.starts_with(prefix)) continue;
     word.remove_prefix(prefix.size());
-    keyword.normals = prefix == "N";
-    keyword.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
+    keyword.vertex.normals = prefix == "N";
+    keyword.vertex.numbers_behind += prefix == "ST" ? 2 : prefix == "C" ? 4 : 0;
   }
   if (word != "OFF" && word != "off")
     fail(fmt::format("header (line {})", scan.line()), quoted(scan.peek()) + " is not read",
          kStart);
   scan.skip_word();
-  if (scan.in_line() && scan.peek() == "BINARY")
-    fail("header", "binary OFF is not read", "convert the mesh to text or to PLY");
+  keyword.binary = scan.in_line() && scan.peek(7) == "BINARY";
   return keyword;
 }
 
@@ -82,11 +81,12 @@ void refuse_third_count(TextScan& scan) {
 
 class OffReader {
  public:
-  OffReader(const std::string& bytes, bool normals)
-      : scan_(bytes, '#'),
-        keyword_(take_keyword(scan_)),
-        normals_(normals && keyword_.normals),
-        start_(scan_.position()) {}
+  /// `scan` is behind the keyword.
+  OffReader(const TextScan& scan, OffVertex vertex, bool normals)
+      : scan_(scan),
+        vertex_(vertex),
+        normals_(normals && vertex.normals),
+        start_(scan.position()) {}
 
   Soup read() {
     try {
@@ -135,7 +135,7 @@ class OffReader {
     for (std::size_t v = 0; v < vertices_; ++v)
       any_normal = (layout == Layout::lines ? read_vertex_line(soup) : read_vertex_words(soup)) ||
                    any_normal;
-    if (keyword_.normals && vertices_ > 0 && !any_normal)
+    if (vertex_.normals && vertices_ > 0 && !any_normal)
       fail("vertices", "have no normals", "start the file with 'OFF' or add them");
     for (std::size_t f = 0; f < faces_; ++f) read_face(f, layout, soup.cells);
     if (layout != Layout::lines && scan_.more()) fail("faces", "are too many", kStart);
@@ -158,7 +158,7 @@ class OffReader {
     require_more("vertex", soup.points.size());
     take_point(scan_, "vertex", soup);
     std::array<double, 3> normal{};
-    bool given = keyword_.normals;
+    bool given = vertex_.normals;
     for (double& x : normal) given = given && scan_.in_line() && scan_.take(x);
     if (!given) normal = {};
     if (normals_) {
@@ -185,12 +185,12 @@ class OffReader {
     for (double& x : point) x = take_wrapped(v);
     soup.points.push_back(point);
     note_not_finite(soup, v, scan_);
-    for (std::size_t k = 0; k < 3 && keyword_.normals; ++k) {
+    for (std::size_t k = 0; k < 3 && vertex_.normals; ++k) {
       const double x = take_wrapped(v);
       if (normals_) of_normals_.push_back(x);
     }
-    for (std::size_t k = 0; k < keyword_.numbers_behind; ++k) take_wrapped(v);
-    return keyword_.normals;
+    for (std::size_t k = 0; k < vertex_.numbers_behind; ++k) take_wrapped(v);
+    return vertex_.normals;
   }
 
   void read_face(std::size_t f, Layout layout, Cells& cells) {
@@ -204,7 +204,8 @@ class OffReader {
     face_.clear();
     for (std::int64_t k = 0; k < corners; ++k) {
       if (layout == Layout::lines ? !scan_.in_line() : !scan_.more())
-        fail(name(), "has fewer indices than it announces", "correct it");
+        scan_.room() == 0 ? fail(name(), "the file ends in it", kTruncated)
+                          : fail(name(), "has fewer indices than it announces", "correct it");
       std::int64_t index = 0;
       if (!scan_.take(index))
         fail(name(), "index " + quoted(scan_.peek()) + " is not an integer", "correct it");
@@ -217,7 +218,7 @@ class OffReader {
   }
 
   TextScan scan_;
-  Keyword keyword_;
+  OffVertex vertex_;
   bool normals_;       ///< they are in the file and asked for
   std::size_t start_;  ///< of the counts
   std::size_t vertices_ = 0, faces_ = 0;
@@ -228,11 +229,17 @@ class OffReader {
 
 }  // namespace
 
-Soup read_off(std::string bytes, const FieldRequest& request) {
+Soup read_off(std::string_view bytes, const FieldRequest& request) {
   const bool normals = request.normals || request.asks_for("Normals");
-  OffReader reader(bytes, normals);
-  check_text(bytes);
-  return reader.read();
+  TextScan start(bytes, '#');
+  const auto [vertex, binary] = take_keyword(start);
+  if (binary) {
+    start.next_line();
+    return read_binary_off(start.peek_bytes(start.room()), vertex, normals);
+  }
+  TextScan scan(check_text(bytes), '#');
+  scan.move_to(start.position());
+  return OffReader(scan, vertex, normals).read();
 }
 
 }  // namespace crest::io

@@ -179,7 +179,7 @@ class PlyReader {
 /// A sequence of words, wherever lines end.
 class TextPly : public PlyReader {
  public:
-  TextPly(const std::string& text, const PlyHeader& header, const FieldRequest& request)
+  TextPly(std::string_view text, const PlyHeader& header, const FieldRequest& request)
       : PlyReader(header, request), scan_(text) {
     scan_.move_to(header.size);
   }
@@ -324,11 +324,10 @@ class BinaryPly : public PlyReader {
 
 }  // namespace
 
-Soup read_ply(std::string bytes, const FieldRequest& request) {
+Soup read_ply(std::string_view bytes, const FieldRequest& request) {
   const PlyHeader header = read_ply_header(bytes);
   if (header.binary) return BinaryPly(bytes, header, request).read();
-  check_text(bytes);
-  return TextPly(bytes, header, request).read();
+  return TextPly(check_text(bytes), header, request).read();
 }
 
 }  // namespace crest::io

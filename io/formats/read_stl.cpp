@@ -135,17 +135,17 @@ class TextStl {
   Soup read() {
     bool solid = false;  // open
     while (scan_.more()) {
-      const std::string_view word = take_keyword();
-      if (is_keyword(word, "vertex")) {
+      const Keyword keyword = take_keyword();
+      if (keyword == Keyword::vertex) {
         read_vertex();
-      } else if (is_keyword(word, "facet")) {
+      } else if (keyword == Keyword::facet) {
         if (open_) fail(face(), "is not closed", "end it with 'endfacet'");
         open_ = true;
         corners_.clear();
-      } else if (is_keyword(word, "endfacet")) {
+      } else if (keyword == Keyword::end_facet) {
         end_facet();
-      } else if (is_keyword(word, "solid") || is_keyword(word, "endsolid")) {
-        solid = is_keyword(word, "solid");
+      } else if (keyword == Keyword::solid || keyword == Keyword::end_solid) {
+        solid = keyword == Keyword::solid;
         scan_.next_line();  // a name may hold any word
       }
     }
@@ -156,18 +156,45 @@ class TextStl {
   }
 
  private:
+  enum class Keyword { none, vertex, facet, solid, end_facet, end_solid };
+
   std::string face() const { return numbered("face", facets_.facets(), scan_.line()); }
 
   [[noreturn]] void fail_truncated() const {
     fail(face(), "the file ends in it", "the file is truncated; export the mesh again");
   }
 
+  static Keyword keyword_of(std::string_view word) {
+    // Of the words of a facet most are numbers, "outer" and "loop".
+    switch (word[0]) {
+      case 'v':
+      case 'V':
+        return is_keyword(word, "vertex") ? Keyword::vertex : Keyword::none;
+      case 'f':
+      case 'F':
+        return is_keyword(word, "facet") ? Keyword::facet : Keyword::none;
+      case 's':
+      case 'S':
+        return is_keyword(word, "solid") ? Keyword::solid : Keyword::none;
+      default:
+        return Keyword::none;
+    }
+  }
+
   /// "end facet" is "endfacet".
-  std::string_view take_keyword() {
-    const std::string_view word = scan_.word();
-    if (!is_keyword(word, "end") || !scan_.in_line()) return word;
-    const std::string_view next = scan_.word();
-    return is_keyword(next, "facet") ? "endfacet" : is_keyword(next, "solid") ? "endsolid" : word;
+  Keyword take_keyword() {
+    std::string_view word = scan_.word();
+    if (word[0] != 'e' && word[0] != 'E') return keyword_of(word);
+    if (!is_keyword(word.substr(0, 3), "end")) return Keyword::none;
+    word.remove_prefix(3);
+    if (word.empty()) {
+      if (!scan_.in_line()) return Keyword::none;
+      word = scan_.word();
+    }
+    const Keyword begun = keyword_of(word);
+    return begun == Keyword::facet   ? Keyword::end_facet
+           : begun == Keyword::solid ? Keyword::end_solid
+                                     : Keyword::none;
   }
 
   void read_vertex() {
@@ -210,13 +237,15 @@ bool is_text(std::string_view bytes) {
 
 }  // namespace
 
-Soup read_stl(std::string bytes, const FieldRequest&) {
-  if (is_text(bytes)) return TextStl(bytes).read();
+Soup read_stl(std::string_view bytes, const FieldRequest&) {
+  const std::string_view text = without_zeros_behind(bytes);
+  if (is_text(text)) return TextStl(text).read();
   if (bytes.size() < kHeader) fail("file", "is too short for STL", "export the mesh again");
   const std::size_t facets = load_number<std::uint32_t>(bytes.data() + 80, false);
   const std::size_t whole = (bytes.size() - kHeader) / kFacet;
   if (whole >= facets) return read_binary(bytes, facets);
-  if (is_keyword(std::string_view(bytes).substr(0, 5), "solid")) check_text(bytes);
+  // A text with a zero somewhere: its letters would be a count that no file has.
+  if (is_keyword(bytes.substr(0, 5), "solid") && facets >= std::size_t{1} << 24) check_text(bytes);
   fail(fmt::format("face {}", whole),
        fmt::format("is missing or cut, the header announces {} faces", facets),
        "the file is truncated; export the mesh again");

@@ -19,7 +19,7 @@ constexpr const char* kRepair = "export the mesh again";
 
 class LegacyReader {
  public:
-  LegacyReader(const std::string& bytes, const FieldRequest& request)
+  LegacyReader(std::string_view bytes, const FieldRequest& request)
       : source_(bytes), fields_(source_, request) {}
 
   Soup read() {
@@ -137,7 +137,7 @@ class LegacyReader {
 
 }  // namespace
 
-Soup read_vtk(std::string bytes, const FieldRequest& request) {
+Soup read_vtk(std::string_view bytes, const FieldRequest& request) {
   return LegacyReader(bytes, request).read();
 }
 

@@ -9,7 +9,7 @@
 
 namespace crest::io {
 
-Soup read_vtp(std::string bytes, const FieldRequest& request) {
+Soup read_vtp(std::string_view bytes, const FieldRequest& request) {
   Soup soup;
   vtkNew<vtkXMLPolyDataReader> reader;
   auto& data = static_cast<vtkPolyData&>(read_xml(*reader, bytes, "VTP", request, soup));

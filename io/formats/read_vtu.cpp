@@ -13,16 +13,16 @@ namespace crest::io {
 namespace {
 
 /// Polyhedra come with arrays that VTK follows without a check.
-void refuse_polyhedra(const std::string& bytes) {
+void refuse_polyhedra(std::string_view bytes) {
   for (const char* name :
        {"Name=\"faces\"", "Name=\"faceoffsets\"", "Name='faces'", "Name='faceoffsets'"})
-    if (bytes.find(name) != std::string::npos)
+    if (bytes.find(name) != bytes.npos)
       fail("cells", "there are polyhedra", "give a surface of triangles");
 }
 
 }  // namespace
 
-Soup read_vtu(std::string bytes, const FieldRequest& request) {
+Soup read_vtu(std::string_view bytes, const FieldRequest& request) {
   refuse_polyhedra(bytes);
   Soup soup;
   vtkNew<vtkXMLUnstructuredGridReader> reader;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/formats/soup.hpp"
 
@@ -25,19 +26,25 @@ struct FieldRequest {
   }
 };
 
-Soup read_off(std::string bytes, const FieldRequest& request);  ///< fields: normals
-Soup read_obj(std::string bytes, const FieldRequest& request);  ///< fields: normals
-Soup read_ply(std::string bytes, const FieldRequest& request);
-Soup read_stl(std::string bytes, const FieldRequest& request);  ///< no fields
-Soup read_vtp(std::string bytes, const FieldRequest& request);
-Soup read_vtu(std::string bytes, const FieldRequest& request);
-Soup read_vtk(std::string bytes, const FieldRequest& request);  ///< legacy
-Soup read_msh(std::string bytes, const FieldRequest& request);  ///< the one with time steps
+Soup read_off(std::string_view bytes, const FieldRequest& request);  ///< fields: normals
+Soup read_obj(std::string_view bytes, const FieldRequest& request);  ///< fields: normals
+Soup read_ply(std::string_view bytes, const FieldRequest& request);
+Soup read_stl(std::string_view bytes, const FieldRequest& request);  ///< no fields
+Soup read_vtp(std::string_view bytes, const FieldRequest& request);
+Soup read_vtu(std::string_view bytes, const FieldRequest& request);
+Soup read_vtk(std::string_view bytes, const FieldRequest& request);  ///< legacy
+Soup read_msh(std::string_view bytes, const FieldRequest& request);  ///< the one with time steps
 
-using SoupReader = std::function<Soup(std::string, const FieldRequest&)>;
+using SoupReader = std::function<Soup(std::string_view, const FieldRequest&)>;
 
 /// The reader of an extension (lower case, with its dot), which refuses a time step where the
 /// format has none; fails for an unknown extension.
 SoupReader soup_reader(const std::string& extension);
+
+/// Of a file, whose extension is looked at before it is loaded. What holds another format than its
+/// name says, or is compressed, is refused with that.
+Soup read_soup(const std::string& path, const FieldRequest& request);
+/// Of its bytes. Throws as for a file.
+Soup read_soup(const std::string& name, std::string_view bytes, const FieldRequest& request);
 
 }  // namespace crest::io

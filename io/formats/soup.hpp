@@ -39,14 +39,19 @@ enum class CellType : std::uint8_t {
   quadratic_pyramid = 27,
   biquadratic_quad = 28,
   triquadratic_hexahedron = 29,
+  quadratic_linear_quad = 30,
   biquadratic_wedge = 32,
+  biquadratic_triangle = 34,
+  quadratic_polygon = 36,
   lagrange_curve = 68,
   lagrange_triangle = 69,
   lagrange_quad = 70,
   lagrange_tetrahedron = 71,
   lagrange_hexahedron = 72,
   lagrange_wedge = 73,
-  lagrange_pyramid = 74
+  lagrange_pyramid = 74,
+  bezier_triangle = 76,
+  bezier_quad = 77
 };
 
 /// What a list of so many corners of a face is: a triangle, a quad or a polygon, which may have

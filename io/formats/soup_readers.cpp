@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
+#include "io/formats/binary.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 
 SoupReader soup_reader(const std::string& extension) {
-  using Reader = Soup (*)(std::string, const FieldRequest&);
+  using Reader = Soup (*)(std::string_view, const FieldRequest&);
   static const std::map<std::string, Reader> readers = {
       {".off", read_off}, {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl},
       {".vtp", read_vtp}, {".vtu", read_vtu}, {".vtk", read_vtk}, {".msh", read_msh}};
@@ -17,11 +19,78 @@ SoupReader soup_reader(const std::string& extension) {
          extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
          "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk or .msh");
   }
-  return [reader = found->second, extension](std::string bytes, const FieldRequest& request) {
+  return [reader = found->second, extension](std::string_view bytes, const FieldRequest& request) {
     if (request.step && extension != ".msh")
       fail("time step", extension.substr(1) + " files have none", "leave --step out");
-    return reader(std::move(bytes), request);
+    return reader(bytes, request);
   };
+}
+
+namespace {
+
+struct Signature {
+  std::string_view start;
+  const char* problem;
+  const char* remedy;
+  const char* extension = "";  ///< of the format
+};
+
+/// What the bytes are, if they say so.
+const Signature* signature_of(std::string_view bytes) {
+  static constexpr Signature signatures[] = {
+      {"ply", "holds PLY", "name it .ply", ".ply"},
+      {"# vtk DataFile", "holds legacy VTK", "name it .vtk", ".vtk"},
+      {"$MeshFormat", "holds a Gmsh mesh", "name it .msh", ".msh"},
+      {"solid ", "holds STL", "name it .stl", ".stl"},
+      {"OFF", "holds OFF", "name it .off", ".off"},
+      {"\x1f\x8b", "is compressed by gzip", "unpack it"},
+      {"\xfd"
+       "7zXZ",
+       "is compressed by xz", "unpack it"},
+      {"BZh", "is compressed by bzip2", "unpack it"},
+      {"PK\x03\x04", "is a ZIP archive", "unpack it"},
+      {"\xff\xfe", "is a text in UTF-16", "save it as UTF-8"},
+      {"\xfe\xff", "is a text in UTF-16", "save it as UTF-8"}};
+  static constexpr Signature polydata = {"", "holds VTK polygonal data", "name it .vtp", ".vtp"},
+                             stl = {"", "holds binary STL", "name it .stl", ".stl"},
+                             grid = {"", "holds a VTK unstructured grid", "name it .vtu", ".vtu"};
+  for (const Signature& signature : signatures)
+    if (bytes.starts_with(signature.start)) return &signature;
+  constexpr std::size_t header = 84, facet = 50;  // of binary STL
+  if (bytes.size() > header && load_number<std::uint32_t>(bytes.data() + header - 4, false) ==
+                                   (bytes.size() - header) / facet)
+    return &stl;
+  const std::string_view head = bytes.substr(0, 1000);
+  if (head.find("<VTKFile") == head.npos) return nullptr;
+  return head.find("\"PolyData\"") != head.npos           ? &polydata
+         : head.find("\"UnstructuredGrid\"") != head.npos ? &grid
+                                                          : nullptr;
+}
+
+/// A format that is not the name's explains why there is no mesh better than its reader does.
+Soup read_as(const std::string& name, std::string_view bytes, const SoupReader& reader,
+             const FieldRequest& request) {
+  const Signature* const signature = signature_of(bytes);
+  if (!signature || signature->extension == lower_extension(name)) return reader(bytes, request);
+  try {
+    Soup soup = reader(bytes, request);
+    if (!soup.cells.empty()) return soup;
+  } catch (const kernel::InputError&) {
+  }
+  fail("file", signature->problem, signature->remedy);
+}
+
+}  // namespace
+
+Soup read_soup(const std::string& path, const FieldRequest& request) {
+  const SoupReader reader = soup_reader(lower_extension(path));
+  return read_as(path, load(path), reader, request);
+}
+
+Soup read_soup(const std::string& name, std::string_view bytes, const FieldRequest& request) {
+  const SoupReader reader = soup_reader(lower_extension(name));
+  if (bytes.empty()) fail("file", "is empty", "export the mesh again");
+  return read_as(name, bytes, reader, request);
 }
 
 }  // namespace crest::io

@@ -53,13 +53,6 @@ bool TextScan::next_line() {
   return at_ != end_;
 }
 
-std::string_view TextScan::peek(std::size_t limit) const {
-  const char* end = at_;
-  const char* const most = at_ + std::min(limit, room());
-  while (end != most && !ends_word(*end)) ++end;
-  return {at_, static_cast<std::size_t>(end - at_)};
-}
-
 std::string_view TextScan::rest_of_line() {
   while (at_ != end_ && is_blank(*at_)) ++at_;
   const char* const begin = at_;
@@ -85,7 +78,7 @@ bool TextScan::take(std::uint64_t& value) {
   return take_any(value);
 }
 
-bool TextScan::take(double& value) {
+bool TextScan::take_long(double& value) {
   // from_chars refuses a leading plus, an istream does not.
   const bool plus = room() > 1 && *at_ == '+' && at_[1] != '-' && at_[1] != '+';
   const auto [end, error] = std::from_chars(at_ + (plus ? 1 : 0), end_, value);
@@ -142,8 +135,12 @@ void take_point(TextScan& scan, const char* what, Soup& soup) {
     const bool given = scan.in_line();
     if (given && scan.take(point[k])) continue;
     const std::string name = numbered(what, soup.points.size(), scan.line());
+    if (!given && scan.room() == 0)
+      fail(name, "the file ends in it", "the file is truncated; export the mesh again");
     if (!given) fail(name, fmt::format("has {} coordinates", k), "give x y z");
-    fail(name, fmt::format("coordinate {} is not a number", quoted(scan.peek())), "correct it");
+    const bool comma = scan.peek().find(',') != std::string_view::npos;
+    fail(name, fmt::format("coordinate {} is not a number", quoted(scan.peek())),
+         comma ? "write numbers with a point, not a comma" : "correct it");
   }
   soup.points.push_back(point);
   note_not_finite(soup, soup.points.size() - 1, scan);
@@ -154,10 +151,17 @@ void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertic
        fmt::format("the file has {} vertices, numbered from 0", vertices));
 }
 
-void check_text(std::string_view bytes) {
+std::string_view without_zeros_behind(std::string_view bytes) {
+  while (bytes.ends_with('\0')) bytes.remove_suffix(1);
+  return bytes;
+}
+
+std::string_view check_text(std::string_view bytes) {
+  bytes = without_zeros_behind(bytes);
   const std::size_t zero = bytes.find('\0');
   if (zero != std::string_view::npos)
     fail(fmt::format("byte {}", zero), "is zero in a text format", "export the mesh again as text");
+  return bytes;
 }
 
 }  // namespace crest::io

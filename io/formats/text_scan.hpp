@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/formats/short_number.hpp"
 #include "io/formats/soup.hpp"
 
 namespace crest::io {
@@ -40,7 +41,12 @@ class TextScan {
   bool next_line();
 
   /// The word here, up to `limit` characters of it; empty at the end of a line.
-  std::string_view peek(std::size_t limit = std::string_view::npos) const;
+  std::string_view peek(std::size_t limit = std::string_view::npos) const {
+    const char* const most = at_ + (limit < room() ? limit : room());
+    const char* end = at_;
+    while (end != most && !ends_word(*end)) ++end;
+    return {at_, static_cast<std::size_t>(end - at_)};
+  }
   /// Takes the word here.
   std::string_view word() {
     const std::string_view w = peek();
@@ -55,7 +61,11 @@ class TextScan {
 
   /// Takes the word here as a number, correctly rounded, NaN and infinities included; stays where
   /// it is none.
-  bool take(double& value);
+  bool take(double& value) {
+    const char* const end = take_short_number(at_, end_, value);
+    if (end) at_ = end;
+    return end || take_long(value);
+  }
   bool take(std::int64_t& value) {
     const char* const before = at_;
     if (take_prefix(value) && (at_ == end_ || ends_word(*at_))) return true;
@@ -117,6 +127,7 @@ class TextScan {
   template <class Integer>
   bool take_any(Integer& value);
   bool take_long(std::int64_t& value);
+  bool take_long(double& value);
   bool take_rare(double& value);
 
   const char *begin_, *at_, *end_;
@@ -150,7 +161,10 @@ inline void note_not_finite(Soup& soup, std::size_t point, const TextScan& scan)
 /// Throws for an index that is no vertex's.
 [[noreturn]] void fail_vertex(const std::string& face, std::int64_t index, std::size_t vertices);
 
-/// Throws when the bytes are not those of a text.
-void check_text(std::string_view bytes);
+/// Without the zeros that some programs write behind a text.
+std::string_view without_zeros_behind(std::string_view bytes);
+
+/// The bytes as a text. Throws when they are none.
+std::string_view check_text(std::string_view bytes);
 
 }  // namespace crest::io

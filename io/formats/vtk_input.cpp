@@ -78,12 +78,12 @@ void select(const FieldRequest& request, bool all, vtkDataArraySelection& names)
 
 }  // namespace
 
-vtkPointSet& read_xml(vtkXMLReader& reader, const std::string& bytes, const char* format,
+vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* format,
                       const FieldRequest& request, Soup& soup) {
   check_xml(bytes);
   const VtkQuiet quiet;
   reader.ReadFromInputStringOn();
-  reader.SetInputString(bytes);
+  reader.SetInputString(std::string(bytes));
   reader.UpdateInformation();
   vtkDataArraySelection& of_points = *reader.GetPointDataArraySelection();
   vtkDataArraySelection& of_cells = *reader.GetCellDataArraySelection();

@@ -15,12 +15,12 @@ namespace crest::io {
 
 /// Before VTK reads VTP or VTU: throws where a header or a block announces more than the bytes may
 /// hold, which VTK would allocate.
-void check_xml(const std::string& bytes);
+void check_xml(std::string_view bytes);
 
 /// Checks the bytes, reads them and takes over points and fields: a named field alone if it is a
 /// scalar of the points, else, for the message, all fields; any: all. The data set belongs to the
 /// reader.
-vtkPointSet& read_xml(vtkXMLReader& reader, const std::string& bytes, const char* format,
+vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* format,
                       const FieldRequest& request, Soup& soup);
 
 /// Takes over cells; as add_cells: VTK does not check offsets.

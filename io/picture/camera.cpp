@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "io/picture/standing.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
@@ -133,15 +137,17 @@ double facing_area(const SurfaceView& mesh, const Vec3& view) {
   return sum;
 }
 
-/// Equal scores keep the first.
-Vec3 best_view(const Matrix& axes, const std::function<double(const Vec3&)>& score_of) {
+/// Of views along the first axis, to either side, tilted by an angle towards `sideways` times the
+/// third and one of `heights` times the second axis. Equal scores keep the first.
+Vec3 best_view(const Matrix& axes, double angle, double sideways, std::span<const double> heights,
+               const ViewScore& score_of) {
   Vec3 best = axes[0];
   double most = -1;
   for (int sign : {-1, 1}) {
     for (int side : {-1, 1}) {
-      for (int above : {-1, 1}) {
-        const Vec3 tilt = combine(0.6 * side, axes[2], 0.8 * above, axes[1]);
-        const Vec3 view = combine(sign * std::cos(kTilt), axes[0], std::sin(kTilt), tilt);
+      for (const double height : heights) {
+        const Vec3 tilt = combine(sideways * side, axes[2], height, axes[1]);
+        const Vec3 view = combine(sign * std::cos(angle), axes[0], std::sin(angle), tilt);
         const double score = score_of(view);
         if (score > most * (1 + 1e-9)) {
           most = score;
@@ -151,6 +157,68 @@ Vec3 best_view(const Matrix& axes, const std::function<double(const Vec3&)>& sco
     }
   }
   return best;
+}
+
+/// Models stand on the plane y = 0 more often than on z = 0.
+Vec3 usual_vertical(const Vec3& view) {
+  const Vec3 y = {0, 1, 0}, z = {0, 0, 1};
+  return std::abs(dot(normalised(view, z), y)) < 0.9 ? y : z;
+}
+
+/// Two unit vectors that make a right angle with `up` and with one another; the shape's covariance
+/// is least along the first of all such.
+std::array<Vec3, 2> horizontal_axes(const Matrix& spread, const Vec3& up) {
+  const Vec3 helper = std::abs(up[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 a = normalised(cross(up, helper), {0, 0, 1}), b = cross(up, a);
+  const auto form = [&](const Vec3& x, const Vec3& y) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) sum += x[i] * spread[i][j] * y[j];
+    return sum;
+  };
+  const double turn = 0.5 * std::atan2(2 * form(a, b), form(a, a) - form(b, b));
+  const Vec3 wide = combine(std::cos(turn), a, std::sin(turn), b);
+  return {cross(up, wide), wide};
+}
+
+Camera fit_camera(const SurfaceView& mesh, const Vec3& view, const Vec3& vertical, int width) {
+  Camera camera{};
+  camera.forward = normalised(view, {0, 0, -1});
+  camera.right = normalised(cross(camera.forward, vertical), {1, 0, 0});
+  camera.up = cross(camera.right, camera.forward);
+  camera.centre = middle(bounds(mesh));
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  double low[2] = {inf, inf}, high[2] = {-inf, -inf};
+  for (const Vec3& p : mesh.points()) {
+    const Vec3 q = combine(1, p, -1, camera.centre);
+    const double at[2] = {dot(camera.right, q), dot(camera.up, q)};
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
+    }
+  }
+  const Vec3 across =
+      combine(0.5 * (low[0] + high[0]), camera.right, 0.5 * (low[1] + high[1]), camera.up);
+  camera.centre = combine(1, camera.centre, 1, across);
+  const double w = std::max(high[0] - low[0], 1e-300), h = std::max(high[1] - low[1], 1e-300);
+  const double inner = (1 - 2 * kMargin) * width;
+  const double tall = std::clamp(h / w, kFlattest, kTallest);
+  camera.width = width;
+  camera.height = static_cast<int>(std::lround(tall * inner + 2 * kMargin * width));
+  camera.scale = std::min(inner / w, (camera.height - 2 * kMargin * width) / h);
+  return camera;
+}
+
+Camera upright_camera(const SurfaceView& mesh, const Vec3& up, int width, const ViewScore& score) {
+  const auto [thin, wide] = horizontal_axes(covariance(mesh), up);
+  constexpr double above[] = {-0.75};
+  const Vec3 view = best_view({thin, up, wide}, kTilt, 0.66, above, score);
+  return fit_camera(mesh, view, up, width);
+}
+
+/// Whether a camera shows the shape upright, or from above or below.
+bool shows_upright(const Camera& camera, const Vec3& up) {
+  return dot(camera.up, up) > 0.5 || std::abs(dot(camera.forward, up)) > 0.8;
 }
 
 }  // namespace
@@ -176,50 +244,43 @@ std::vector<Vec3> vertex_normals(const SurfaceView& mesh) {
   return normals;
 }
 
-Vec3 tilted_view(const SurfaceView& mesh, const std::function<double(const Vec3& view)>& score_of) {
-  return best_view(principal_axes(mesh).axes, score_of);
-}
-
-Vec3 tilted_view(const SurfaceView& mesh) {
-  return tilted_view(mesh, [&](const Vec3& view) { return facing_area(mesh, view); });
-}
-
-Vec3 automatic_view(const SurfaceView& mesh) {
-  const PrincipalAxes principal = principal_axes(mesh);
-  if (principal.flat) return combine(-1, principal.axes[0], 0, principal.axes[0]);
-  return best_view(principal.axes, [&](const Vec3& view) { return facing_area(mesh, view); });
-}
-
-Camera fit_camera(const SurfaceView& mesh, const Vec3& view, int width,
-                  const std::optional<Vec3>& vertical) {
-  Camera camera{};
-  camera.forward = normalised(view, {0, 0, -1});
-  // Models stand on the plane y = 0 more often than on z = 0.
-  const Vec3 y = {0, 1, 0}, z = {0, 0, 1};
-  const Vec3 usual = std::abs(dot(camera.forward, y)) < 0.9 ? y : z;
-  camera.right = normalised(cross(camera.forward, vertical.value_or(usual)), {1, 0, 0});
-  camera.up = cross(camera.right, camera.forward);
-  camera.centre = middle(bounds(mesh));
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  double low[2] = {inf, inf}, high[2] = {-inf, -inf};
-  for (const Vec3& p : mesh.points()) {
-    const Vec3 q = combine(1, p, -1, camera.centre);
-    const double at[2] = {dot(camera.right, q), dot(camera.up, q)};
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], at[k]);
-      high[k] = std::max(high[k], at[k]);
-    }
+Camera make_camera(const SurfaceView& mesh, const Viewpoint& wanted, int width,
+                   const ViewScore& score, bool tilt_flat) {
+  const ViewScore score_of =
+      score ? score : [&](const Vec3& view) { return facing_area(mesh, view); };
+  if (wanted.view) {
+    const Vec3 view = normalised(*wanted.view, {0, 0, -1});
+    const Vec3 up =
+        wanted.up ? *wanted.up : standing_direction(mesh).value_or(usual_vertical(view));
+    const bool along = std::abs(dot(normalised(up, view), view)) > 0.999;
+    return fit_camera(mesh, view, along ? usual_vertical(view) : up, width);
   }
-  const Vec3 across =
-      combine(0.5 * (low[0] + high[0]), camera.right, 0.5 * (low[1] + high[1]), camera.up);
-  camera.centre = combine(1, camera.centre, 1, across);
-  const double w = std::max(high[0] - low[0], 1e-300), h = std::max(high[1] - low[1], 1e-300);
-  const double inner = (1 - 2 * kMargin) * width;
-  const double tall = std::clamp(h / w, kFlattest, kTallest);
-  camera.width = width;
-  camera.height = static_cast<int>(std::lround(tall * inner + 2 * kMargin * width));
-  camera.scale = std::min(inner / w, (camera.height - 2 * kMargin * width) / h);
-  return camera;
+  if (wanted.up) return upright_camera(mesh, normalised(*wanted.up, {0, 1, 0}), width, score_of);
+  const PrincipalAxes principal = principal_axes(mesh);
+  constexpr double heights[] = {-0.8, 0.8};
+  const Vec3 view = principal.flat && !tilt_flat
+                        ? combine(-1, principal.axes[0], 0, principal.axes[0])
+                        : best_view(principal.axes, kTilt, 0.6, heights, score_of);
+  const Camera own = fit_camera(mesh, view, usual_vertical(view), width);
+  const std::optional<Vec3> up = principal.flat ? std::nullopt : standing_direction(mesh);
+  return up && !shows_upright(own, *up) ? upright_camera(mesh, *up, width, score_of) : own;
+}
+
+void check_viewpoint(const Viewpoint& wanted) {
+  const auto require = [](bool sound, const char* what) {
+    if (!sound) throw kernel::InputError(what);
+  };
+  const auto is_direction = [](const std::optional<Vec3>& v) {
+    return !v || (dot(*v, *v) > 0 && std::isfinite(dot(*v, *v)));
+  };
+  require(is_direction(wanted.view),
+          "picture: the view is no direction; give three numbers that are not all zero");
+  require(is_direction(wanted.up),
+          "picture: up is no direction; give three numbers that are not all zero");
+  if (!wanted.view || !wanted.up) return;
+  const Vec3 turned = cross(normalised(*wanted.view, {}), normalised(*wanted.up, {}));
+  require(dot(turned, turned) > 1e-6,
+          "picture: up is along the view; give a direction that shows in the picture");
 }
 
 }  // namespace crest::io

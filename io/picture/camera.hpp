@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "io/picture/viewpoint.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::io {
@@ -48,19 +49,24 @@ class SurfaceView {
   const std::vector<kernel::Triangle>& faces_;
 };
 
-/// Along the thinnest axis of the mesh, tilted: of the candidates the first with the largest score.
-kernel::Vec3 tilted_view(const SurfaceView& mesh,
-                         const std::function<double(const kernel::Vec3& view)>& score_of);
-/// The score is the area that faces the eye.
-kernel::Vec3 tilted_view(const SurfaceView& mesh);
+using ViewScore = std::function<double(const kernel::Vec3& view)>;
 
-/// The same, but straight on a flat surface.
-kernel::Vec3 automatic_view(const SurfaceView& mesh);
+/// The camera that a caller asks for. What is left open is chosen:
+/// - view and up: of views along the thinnest principal axis, tilted, the first with the largest
+///   score, y up (z where the view is along y), if that shows the shape as it stands
+///   (standing_direction) or it stands nowhere. Else, lest it be tipped over, as with that up
+///   alone;
+/// - view, to an up: of horizontal views along the thinnest horizontal axis, turned and from a
+///   little above, the first with the largest score;
+/// - up, to a view: the direction in which the shape stands, else y, else (along the view) z.
+/// `score`: nothing: the area that faces the eye. A flat surface is seen straight on, unless
+/// `tilt_flat`.
+/// The shape fits into `width` with a margin; the height follows, at most 1.4 widths.
+Camera make_camera(const SurfaceView& mesh, const Viewpoint& wanted, int width,
+                   const ViewScore& score = {}, bool tilt_flat = true);
 
-/// Fits the mesh into `width` with a margin; the height follows, at most 1.4 widths. `vertical`:
-/// what points up in the picture; nothing: the y-axis, or z where the view is along y.
-Camera fit_camera(const SurfaceView& mesh, const kernel::Vec3& view, int width,
-                  const std::optional<kernel::Vec3>& vertical = {});
+/// Throws: kernel::InputError of one line for directions that are none, or the same.
+void check_viewpoint(const Viewpoint& wanted);
 
 /// Area-weighted unit normals of the vertices.
 std::vector<kernel::Vec3> vertex_normals(const SurfaceView& mesh);

@@ -77,10 +77,4 @@ void add_class_legend(Drawing& drawing);
 /// A line of words without a sign, if there are any.
 void add_note(const std::string& note, Drawing& drawing);
 
-/// Lower-case words in a 5 x 8 dot font, `size` pixels a dot; x, y is the upper left corner.
-void draw_text(Canvas& canvas, double x, double y, double size, const std::string& text);
-
-/// The width of a text in dots.
-double text_width(const std::string& text);
-
 }  // namespace crest::io

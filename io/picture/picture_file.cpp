@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "io/formats/files.hpp"
+#include "io/picture/lettering.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/finite.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -44,17 +45,18 @@ void paint_mark(Canvas& canvas, const Dot& dot, double unit) {
 
 /// Where the legend goes, in pixels, for both media: columns in a band below the surface.
 struct LegendLayout {
-  double dot = 1, column = 0, row = 0, top = 0;
+  double dot = 1, letters = 0, column = 0, row = 0, top = 0;
   std::size_t columns = 1;
   int height = 0;  ///< of the band
 
   LegendLayout(const Drawing& drawing, const Camera& camera, bool show) {
     if (!show || drawing.legend.empty()) return;
     dot = std::max(1.0, std::round(camera.width / 800.0));
+    letters = 10.5 * dot;
     double longest = 0;
     for (const LegendEntry& entry : drawing.legend)
-      longest = std::max(longest, text_width(entry.label));
-    column = dot * (longest + 44);
+      longest = std::max(longest, text_width(entry.label, letters));
+    column = longest + 44 * dot;
     row = 14 * dot;
     columns = static_cast<std::size_t>(std::clamp((camera.width - 16 * dot) / column, 1.0, 4.0));
     const std::size_t rows = (drawing.legend.size() + columns - 1) / columns;
@@ -77,7 +79,7 @@ void paint_legend(Canvas& canvas, const Drawing& drawing, const LegendLayout& at
       canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.casing_width, casing(entry.colour));
       canvas.draw_stroke({x0, y, 0}, {x1, y, 0}, drawing.stroke_width, entry.colour);
     }
-    draw_text(canvas, x0 + 30 * at.dot, y - 4 * at.dot, at.dot, entry.label);
+    draw_text(canvas, x0 + 30 * at.dot, y + 3.6 * at.dot, at.letters, entry.label);
   }
 }
 
@@ -144,7 +146,7 @@ std::string svg_legend(const Drawing& drawing, const LegendLayout& at) {
   std::string svg = fmt::format(
       "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{:.1f}\" "
       "fill=\"#28282c\">\n",
-      10.5 * at.dot);
+      at.letters);
   for (std::size_t i = 0; i < drawing.legend.size(); ++i) {
     const LegendEntry& entry = drawing.legend[i];
     const double y = at.y(i), x0 = at.x(i), x1 = x0 + 24 * at.dot;

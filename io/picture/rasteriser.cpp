@@ -178,6 +178,21 @@ void Canvas::fill_box(double x0, double y0, double x1, double y1, Rgb colour) {
         [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });
 }
 
+void Canvas::stamp(int left, int top, const Mask& mask, Rgb colour) {
+  const auto mixed = [](std::uint8_t under, std::uint8_t over, int share) {
+    return static_cast<std::uint8_t>((under * (255 - share) + over * share + 127) / 255);
+  };
+  for (int row = std::max(0, -top); row < std::min(mask.height, height_ - top); ++row) {
+    for (int column = std::max(0, -left); column < std::min(mask.width, width_ - left); ++column) {
+      const int share = mask.shares[row * mask.stride + column];
+      Rgb& sample = colour_[static_cast<std::size_t>(top + row) * static_cast<std::size_t>(width_) +
+                            static_cast<std::size_t>(left + column)];
+      sample = {mixed(sample.red, colour.red, share), mixed(sample.green, colour.green, share),
+                mixed(sample.blue, colour.blue, share)};
+    }
+  }
+}
+
 void Canvas::extend(int rows) {
   height_ += rows * kSamples;
   const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);

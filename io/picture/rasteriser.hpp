@@ -14,6 +14,12 @@ struct Rgb {
   std::uint8_t red, green, blue;
 };
 
+/// Shares of 255 that samples are covered, row by row from the upper left.
+struct Mask {
+  const std::uint8_t* shares;
+  int width, height, stride;
+};
+
 /// Samples per pixel and axis.
 inline constexpr int kSamples = 2;
 
@@ -39,6 +45,9 @@ class Canvas {
   void fill_polygon(const std::vector<kernel::Vec3>& corners, Rgb colour);
   /// Axis-parallel, in pixels; clipped.
   void fill_box(double x0, double y0, double x1, double y1, Rgb colour);
+
+  /// Covers samples from (left, top) on with a colour; clipped.
+  void stamp(int left, int top, const Mask& mask, Rgb colour);
 
   /// Adds white rows of pixels below.
   void extend(int rows);

@@ -12,13 +12,8 @@
 namespace crest::io {
 namespace {
 
-MeshFile read(const std::string& extension, const MeshRequest& request,
-              const std::function<std::string()>& bytes) {
-  // Before a large file of another format is loaded.
-  const SoupReader reader = soup_reader(extension);
-  const FieldRequest fields{request.field.has_value(), request.field.value_or(""), request.normals,
-                            request.step};
-  return mesh_of_soup(reader(bytes(), fields), request);
+FieldRequest fields(const MeshRequest& request) {
+  return {request.field.has_value(), request.field.value_or(""), request.normals, request.step};
 }
 
 }  // namespace
@@ -44,19 +39,14 @@ MeshFile mesh_of_soup(const Soup& soup, const MeshRequest& request) {
 
 MeshFile read_mesh(const std::string& path, const MeshRequest& request) {
   MeshFile file;
-  read_named(path,
-             [&] { file = read(lower_extension(path), request, [&] { return load(path); }); });
+  read_named(path, [&] { file = mesh_of_soup(read_soup(path, fields(request)), request); });
   return file;
 }
 
-MeshFile read_mesh_bytes(const std::string& name, std::string bytes, const MeshRequest& request) {
+MeshFile read_mesh_bytes(const std::string& name, std::string_view bytes,
+                         const MeshRequest& request) {
   MeshFile file;
-  read_named(name, [&] {
-    file = read(lower_extension(name), request, [&] {
-      if (bytes.empty()) fail("file", "is empty", "export the mesh again");
-      return std::move(bytes);
-    });
-  });
+  read_named(name, [&] { file = mesh_of_soup(read_soup(name, bytes, fields(request)), request); });
   return file;
 }
 

@@ -5,6 +5,7 @@
 // a command asks for at their vertices.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/clean/clean_up.hpp"
@@ -39,7 +40,7 @@ struct MeshFile {
 MeshFile read_mesh(const std::string& path, const MeshRequest& request = {});
 
 /// The same for a file that is in memory: `name` gives the format and stands in messages.
-MeshFile read_mesh_bytes(const std::string& name, std::string bytes,
+MeshFile read_mesh_bytes(const std::string& name, std::string_view bytes,
                          const MeshRequest& request = {});
 
 /// The same for a soup; messages do without the file's name.

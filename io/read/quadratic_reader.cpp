@@ -180,10 +180,11 @@ class Builder {
   std::vector<double> values_;
 };
 
-QuadraticFile read(const std::string& extension, const FunctionSource& source,
-                   const std::function<std::string()>& bytes) {
-  const SoupReader reader = soup_reader(extension);
-  const Soup soup = reader(bytes(), {!source.expression, source.field, false, source.step});
+FieldRequest fields(const FunctionSource& source) {
+  return {!source.expression, source.field, false, source.step};
+}
+
+QuadraticFile quadratic_file(const Soup& soup, const FunctionSource& source) {
   CleanUp done;
   Surface surface = clean(soup, source.clean, Purpose::function, done);
   std::optional<PointValues> field;
@@ -207,20 +208,15 @@ QuadraticFile read(const std::string& extension, const FunctionSource& source,
 
 QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource& source) {
   std::optional<QuadraticFile> file;
-  read_named(
-      path, [&] { file.emplace(read(lower_extension(path), source, [&] { return load(path); })); });
+  read_named(path, [&] { file.emplace(quadratic_file(read_soup(path, fields(source)), source)); });
   return std::move(*file);
 }
 
-QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string bytes,
+QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string_view bytes,
                                         const FunctionSource& source) {
   std::optional<QuadraticFile> file;
-  read_named(name, [&] {
-    file.emplace(read(lower_extension(name), source, [&] {
-      if (bytes.empty()) fail("file", "is empty", "export the mesh again");
-      return std::move(bytes);
-    }));
-  });
+  read_named(name,
+             [&] { file.emplace(quadratic_file(read_soup(name, bytes, fields(source)), source)); });
   return std::move(*file);
 }
 

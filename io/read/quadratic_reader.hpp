@@ -4,6 +4,7 @@
 // Surfaces with a function linear or quadratic on each face, from files.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/clean/clean_up.hpp"
@@ -41,7 +42,7 @@ struct QuadraticFile {
 QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource& source);
 
 /// The same for a file that is in memory: `name` gives the format and stands in messages.
-QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string bytes,
+QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string_view bytes,
                                         const FunctionSource& source);
 
 }  // namespace crest::io

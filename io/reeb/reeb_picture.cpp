@@ -89,14 +89,14 @@ std::optional<Vec3> height_direction(const kernel::QuadraticMesh& mesh) {
   return Vec3{unit[0], unit[1], unit[2]};
 }
 
-/// Sees the surface from the side if the values are a height.
-Camera camera_for(const SurfaceView& surface, const std::optional<Vec3>& up) {
-  Vec3 view = automatic_view(surface);
-  if (!up) return fit_camera(surface, view, kSurfaceWidth);
-  const Vec3 level = combine(1, view, -dot(view, *up), *up);
-  const bool along = dot(level, level) < 0.1 * dot(view, view);
-  return fit_camera(surface, along ? view : level, kSurfaceWidth,
-                    along ? std::optional<Vec3>() : up);
+/// What the caller leaves open: sees the surface from the side if the values are a height.
+Camera camera_for(const SurfaceView& surface, Viewpoint wanted, const std::optional<Vec3>& height) {
+  const Camera chosen = make_camera(surface, wanted, kSurfaceWidth, {}, false);
+  if (wanted.view || wanted.up || !height) return chosen;
+  const Vec3& view = chosen.forward;
+  const Vec3 level = combine(1, view, -dot(view, *height), *height);
+  if (dot(level, level) < 0.1) return chosen;
+  return make_camera(surface, {level, height}, kSurfaceWidth);
 }
 
 /// Factors that turn the surface's grey into a pale tone of the arcs' colours.
@@ -246,11 +246,13 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 
 }  // namespace
 
-void write_reeb_picture(const std::string& path, const ReebScene& scene, const std::string& note) {
+void write_reeb_picture(const std::string& path, const ReebScene& scene, const Viewpoint& viewpoint,
+                        const std::string& note) {
   check_picture_path(path);
+  check_viewpoint(viewpoint);
   const std::vector<Triangle> faces = turned_faces(scene.mesh);
   const SurfaceView surface(scene.mesh.points(), faces);
-  const Camera camera = camera_for(surface, height_direction(scene.mesh));
+  const Camera camera = camera_for(surface, viewpoint, height_direction(scene.mesh));
   Canvas canvas(kSurfaceWidth + kGraphWidth, camera.height);
   const std::vector<Vec3> colours = tints(scene);
   canvas.draw_surface(camera, surface, vertex_normals(surface), &colours);

@@ -4,6 +4,7 @@
 // A surface with level lines and critical points, its Reeb graph beside it.
 #include <string>
 
+#include "io/picture/viewpoint.hpp"
 #include "io/reeb/reeb_writer.hpp"
 
 namespace crest::io {
@@ -14,8 +15,9 @@ namespace crest::io {
 /// are nearly a height, that direction points up.
 /// Minima blue, saddles yellow, maxima red. `note`: a line of the legend.
 /// Guarantees: the same bytes for the same scene; no half-written file.
-/// Throws: kernel::InputError for another extension or a place that cannot be written.
+/// Throws: kernel::InputError for another extension, a place that cannot be written or a direction
+/// that is none.
 void write_reeb_picture(const std::string& path, const ReebScene& scene,
-                        const std::string& note = {});
+                        const Viewpoint& viewpoint = {}, const std::string& note = {});
 
 }  // namespace crest::io

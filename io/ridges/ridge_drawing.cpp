@@ -215,11 +215,10 @@ std::size_t ridge_class(kernel::Colour colour, RidgeType type) {
   return place[static_cast<std::size_t>(type)] + (colour == kernel::Colour::blue ? 4 : 0);
 }
 
-Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                const ridges::RidgeGraph& graph) {
-  if (graph.ridges.empty()) return tilted_view(mesh);
-  return tilted_view(mesh,
-                     [&](const Vec3& view) { return facing_strength(mesh, normals, graph, view); });
+ViewScore view_score(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                     const ridges::RidgeGraph& graph) {
+  if (graph.ridges.empty()) return {};
+  return [&](const Vec3& view) { return facing_strength(mesh, normals, graph, view); };
 }
 
 Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::TriangleMesh& mesh,

@@ -15,10 +15,10 @@ namespace crest::io {
 std::vector<StrokeClass> ridge_classes();
 std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
 
-/// Along the thinnest axis of the mesh, tilted; of the candidates the one that faces the most
-/// of the elliptic ridges, weighted by curvature (the most area without ridges).
-kernel::Vec3 ridge_view(const kernel::TriangleMesh& mesh, const std::vector<kernel::Vec3>& normals,
-                        const ridges::RidgeGraph& graph);
+/// How much of the elliptic ridges faces the eye, weighted by curvature; nothing without ridges.
+/// Refers to what it is given.
+ViewScore view_score(const kernel::TriangleMesh& mesh, const std::vector<kernel::Vec3>& normals,
+                     const ridges::RidgeGraph& graph);
 
 /// Cuts the ridges where the canvas's surface hides them. Strokes and dots become thinner where
 /// there are too many for the picture.

@@ -12,7 +12,8 @@ namespace crest::io {
 
 struct PictureOptions {
   int width = 1200;                  ///< pixels; the height follows from the view
-  std::optional<kernel::Vec3> view;  ///< from the eye into the scene; nothing: chosen
+  std::optional<kernel::Vec3> view;  ///< as in Viewpoint
+  std::optional<kernel::Vec3> up = {};
   bool show_legend = true;
   int order = 4;  ///< types by the fourth-order or the third-order rule (3)
   /// By salience: dots at significant umbilics and regions, not where ridges end; the zigzag of
@@ -23,7 +24,7 @@ struct PictureOptions {
 };
 
 /// Throws: kernel::InputError for another extension than .png and .svg, a width outside
-///   [16, 16384], or a zero view.
+///   [16, 16384], or a view or up that is no direction.
 void check_picture(const std::string& path, const PictureOptions& options);
 
 /// Writes .png or .svg, by the extension in any case, in the colours of paper 002: blue elliptic
@@ -32,7 +33,8 @@ void check_picture(const std::string& path, const PictureOptions& options);
 /// ridge of the graph ends white (1-ridge), black (3-ridge) or grey (degenerate). Hidden
 /// parts are not drawn. In .svg the surface is an embedded PNG, the ridges are paths.
 /// Guarantees: the same bytes for the same input; no half-written file.
-/// Throws: kernel::InputError for another extension, a width outside [16, 16384], a zero view, or
+/// Throws: kernel::InputError for another extension, a width outside [16, 16384], a view or up that
+/// is no direction, or
 ///   a place that cannot be written.
 void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                    const ridges::RidgeGraph& graph, const PictureOptions& options = {});

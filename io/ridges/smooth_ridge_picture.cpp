@@ -115,8 +115,7 @@ void write_smooth_picture(const std::string& path, const SmoothRidges& result,
                           const PictureOptions& options) {
   check_picture(path, options);
   const SurfaceView mesh(result.points, result.faces);
-  const Camera camera =
-      fit_camera(mesh, options.view ? *options.view : automatic_view(mesh), options.width);
+  const Camera camera = make_camera(mesh, {options.view, options.up}, options.width, {}, false);
   Canvas canvas(camera.width, camera.height);
   const std::vector<Vec3> tint = tints(result);
   canvas.draw_surface(camera, mesh, vertex_normals(mesh), &tint);

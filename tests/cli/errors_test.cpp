@@ -49,6 +49,8 @@ TEST_CASE("wrong command lines: exit code 2 and one line") {
            "crest ridges t.off -o t.xyz",
            "crest ridges t.off -o out",
            "crest ridges t.off --picture t.pdf",
+           "crest ridges t.off --picture t.png --view 1,2",
+           "crest features t.off --picture t.png --up x,y,z",
            "crest ridges t.off --certificate same --report same",
            "crest sample ellipsoid",
            "crest sample nothing -o n.off",

@@ -218,6 +218,28 @@ std::string turned(const std::string& off, double turn, double scale) {
 
 }  // namespace
 
+TEST_CASE("crest features: fields in which nothing stands out are named") {
+  const TemporaryFolder folder;
+  write_text(folder / "cube.off",
+             "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+             "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  write_text(folder / "flat.ply",
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+             "property double z\nproperty int q\nelement face 4\nproperty list uchar int "
+             "vertex_indices\nend_header\n0 0 0 7\n1 0 0 7\n0 1 0 7\n0 0 1 7\n"
+             "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto said = [&](const char* line, const char* words) {
+    const auto result = run_crest(line, folder.path());
+    INFO(line << ": " << result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.find(words) != std::string::npos);
+  };
+  said("crest features cube.off", "the curvatures are zero but for rounding");
+  said("crest features flat.ply --field q", "the field has one value");
+  CHECK(run_crest("crest features cube.off --angle 60", folder.path()).err.find("zero") ==
+        std::string::npos);
+}
+
 TEST_CASE("crest features: a cube's lines are its edges, by default, by ne and by angle") {
   const auto file = shared_data("reported/geo_cube_8.off");
   if (!file) return;

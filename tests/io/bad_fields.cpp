@@ -156,7 +156,7 @@ TEST_CASE("what is not a surface is named in the file's numbers", "[io]") {
 
 TEST_CASE("other cells and formats are refused, lines and points left out", "[io]") {
   const std::string vtu = vtu_text(kSquare);
-  check_error("a.vtu", replaced(vtu, "22\n22\n", "22\n36\n"), "cell 1: has VTK's type 36; give");
+  check_error("a.vtu", replaced(vtu, "22\n22\n", "22\n53\n"), "cell 1: has VTK's type 53; give");
   const std::string lines = replaced(vtu, "22\n22\n", "21\n22\n");
   const auto file = crest::io::read_quadratic_mesh_bytes("a.vtu", lines, {});
   CHECK(file.mesh.face_count() == 1);

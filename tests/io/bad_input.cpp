@@ -58,7 +58,7 @@ const std::string kStl =
 const Case kCases[] = {
     {"empty.off", "", "file: is empty"},
     {"no_vertices.off", "3 1 0\n", "vertex 0: is missing, the file ends before it"},
-    {"binary.off", "OFF BINARY\n", "header: binary OFF is not read"},
+    {"binary.off", "OFF BINARY\n", "header: the file ends before or in it"},
     {"counts.off", "OFF\n3 x 0\n", "header (line 2): has a bad count"},
     {"huge.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "more than the file holds"},
     {"cut.off", "OFF\n4 4 0\n" + kTetrahedron + "3 0 2 1\n3 0 1 3\n", "face 2: is missing"},
@@ -80,7 +80,7 @@ const Case kCases[] = {
      "OFF\n6 3 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 1\n3 1 2 3\n3 2 1 4\n3 1 2 5\n",
      "edge 1-2: is in faces 0, 1 and 2"},
     {"no_faces.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "faces: there are none"},
-    {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0',
+    {"zero.off", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + '\0' + "9",
      "byte 36: is zero"},
     {"vertex.obj", "v 0 0\n", "vertex 0 (line 1): has 2 coordinates"},
     {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",
@@ -142,6 +142,34 @@ const Case kCases[] = {
      "header: NumberOfPoints is 99999999999, more than the file holds"},
     {"thing.xyz", "1 2 3", "file: has the unknown extension '.xyz'"},
     {"thing", "1 2 3", "file: has no extension"},
+    // Another format than the name says, or none.
+    {"ply.obj", ply("element vertex 1\n" + kXyz, "0 0 0\n"), "file: holds PLY; name it .ply"},
+    {"off.stl", "OFF\n4 4 0\n" + kTetrahedron + kTetrahedronFaces, "holds OFF; name it .off"},
+    {"off.obj", "OFF\n4 4 0\n" + kTetrahedron + kTetrahedronFaces, "holds OFF; name it .off"},
+    {"stl.off", kStl + "endsolid\n", "file: holds STL; name it .stl"},
+    {"binary_stl.off", binary_stl(2, 2, 0), "file: holds binary STL; name it .stl"},
+    {"vtk.vtp", "# vtk DataFile Version 3.0\n", "file: holds legacy VTK; name it .vtk"},
+    {"vtp.vtk", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "name it .vtp"},
+    {"vtu.vtp", "<VTKFile type=\"UnstructuredGrid\">", "name it .vtu"},
+    {"msh.vtk", "$MeshFormat\n2.2 0 8\n", "file: holds a Gmsh mesh; name it .msh"},
+    {"gzip.ply", "\x1f\x8b\x08 and so on", "file: is compressed by gzip; unpack it"},
+    {"archive.stl", std::string("PK\x03\x04") + std::string(200, '\0'), "is a ZIP archive; unpack"},
+    {"wide.off", std::string("\xff\xfeO\0F\0F\0\n\0", 10), "is a text in UTF-16; save it as UTF-8"},
+    {"bytes.off", "\x80\xc3\xa4\xc3(\xf5\n", "header (line 1): '?\xc3\xa4?(?' is not read"},
+    // What ends early is truncated, whatever the place.
+    {"cut.obj", "v 0 0 0\nv 1 0", "vertex 1 (line 2): the file ends in it; the file is truncated"},
+    {"cut_vertex.off", "OFF\n3 1 0\n0 0 0\n1", "vertex 1 (line 4): the file ends in it"},
+    {"cut_face.off", "OFF\n4 4 0\n" + kTetrahedron + "3 0 2",
+     "face 0 (line 7): the file ends in it"},
+    {"cut.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0",
+     "$Nodes: ends early (line 6); the file is truncated"},
+    {"short.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0\n2 1 1 1\n$EndNodes\n",
+     "line 6: has too few numbers"},
+    {"solid.stl", "solid" + binary_stl(3, 2, 0).substr(5),
+     "face 2: is missing or cut, the header announces 3 faces; the file is truncated"},
+    {"zero.stl", std::string("solid a\nfacet\0normal", 20) + std::string(99, ' '),
+     "byte 13: is zero in a text format"},
+    {"comma.obj", "v 0 0,5 0\n", "'0,5' is not a number; write numbers with a point, not a comma"},
 };
 
 }  // namespace
@@ -166,6 +194,26 @@ TEST_CASE("a file's name with a line break still gives one line", "[io]") {
   const TemporaryFolder folder;
   const std::string line = error_of(folder / "a\nb.off");
   CHECK(line.find('\n') == std::string::npos);
+}
+
+TEST_CASE("zeros behind a text are passed over", "[io]") {
+  const TemporaryFolder folder;
+  const std::string zeros(3, '\0'), off = "OFF\n4 4 0\n" + kTetrahedron + kTetrahedronFaces;
+  const std::string faces = "element vertex 3\n" + kXyz + "element face 1\n" + kList;
+  const std::pair<const char*, std::string> files[] = {
+      {"a.off", off + zeros},
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + zeros},
+      {"a.ply", ply(faces, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + zeros},
+      {"a.stl", kStl + "endsolid" + zeros},
+      {"a.vtk",
+       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+       "POLYGONS 1 4\n3 0 1 2\n" +
+           zeros}};
+  for (const auto& [name, bytes] : files) {
+    store(folder / name, bytes);
+    INFO(name << ": " << error_of(folder / name));
+    CHECK(error_of(folder / name) == "no error");
+  }
 }
 
 TEST_CASE("what only looks bad is read", "[io]") {

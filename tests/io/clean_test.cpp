@@ -65,8 +65,8 @@ TEST_CASE("cells of other dimensions are left out by kind", "[io]") {
   CHECK(c.surface.cell_of == std::vector<Index>{2});
   CHECK(words(c.done) ==
         Lines{"left out 1 point, 2 lines, 1 tetrahedron", "left out 1 vertex that no face uses"});
-  // Not what is a face, or what may be: a quadratic polygon, a number that VTK does not know.
-  for (const int type : {36, 99}) {
+  // Not what is a face, or what may be: a number that VTK has not filled, or does not know.
+  for (const int type : {52, 99}) {
     Soup other = soup;
     other.cells.add(CellType(type), Face{0, 1});
     CHECK(cleaned(other).error.starts_with(
@@ -105,6 +105,31 @@ TEST_CASE("quadrilaterals, pixels, polygons and strips become triangles of their
   const Cleaned curved = cleaned(quadratic, {}, Purpose::function);
   CHECK(curved.surface.midside == std::vector<std::array<Index, 3>>{{3, 4, 5}});
   CHECK(words(curved.done).empty());
+}
+
+TEST_CASE("faces of higher order are taken by their corners", "[io]") {
+  Soup soup;
+  for (int i = 0; i < 9; ++i) soup.points.push_back({double(i % 3), double(i / 3), 0});
+  const std::tuple<CellType, Face, std::size_t> kinds[] = {
+      {CellType::quadratic_linear_quad, {0, 2, 8, 6, 1, 7}, 2},
+      {CellType::biquadratic_triangle, {0, 2, 6, 1, 4, 3, 4}, 1},
+      {CellType::quadratic_polygon, {0, 2, 8, 6, 1, 5, 7, 3}, 2},
+      {CellType::quadratic_polygon, {0, 2, 6, 1, 4, 3}, 1},
+      {CellType::bezier_triangle, {0, 2, 6, 1, 4, 3}, 1},
+      {CellType::bezier_quad, {0, 2, 8, 6, 1, 5, 7, 3, 4}, 2}};
+  for (const auto& [type, nodes, faces] : kinds) {
+    Soup one = soup;
+    one.cells.add(type, nodes);
+    const Cleaned c = cleaned(one);
+    INFO(static_cast<int>(type) << " " << c.error);
+    CHECK(c.surface.faces.size() == faces);
+    CHECK(c.surface.points.size() == faces + 2);
+    CHECK(c.done.curved_faces == 1);
+    CHECK(c.done.polygons == faces - 1);
+    CHECK(c.done.turned_faces == 0);
+    one.cells.add(type, Face(nodes.begin(), nodes.begin() + (faces == 1 ? 1 : 3)));
+    CHECK(cleaned(one).error.starts_with("cell 1: has"));
+  }
 }
 
 TEST_CASE("repeated corners, duplicates and unused vertices are left out", "[io]") {

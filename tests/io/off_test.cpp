@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OFF in all its variants.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/io/bytes.hpp"
 #include "tests/io/soups.hpp"
 
 namespace {
 
 using namespace crest::io;
 using namespace crest::tests;
+using crest::kernel::Vec3;
 using Nodes = std::vector<Cells::Node>;
 
 const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -117,12 +120,63 @@ TEST_CASE("NOFF gives normals where they are asked for", "[io]") {
   CHECK(numbers_of<double>(partial.point_fields, "Normals")[3] == 0);
 }
 
+namespace {
+
+/// The tetrahedron, each vertex with `behind` numbers, each face with `colours`.
+std::string binary_off(const std::string& keyword, int behind, int colours) {
+  std::string bytes = keyword + " BINARY\n";
+  for (const int count : {4, 4, 6}) put(bytes, count, true);
+  for (const Vec3& p : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    for (const double x : p) put(bytes, static_cast<float>(x), true);
+    for (int k = 0; k < behind; ++k) put(bytes, static_cast<float>(k), true);
+  }
+  for (const auto& f : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    put(bytes, 3, true);
+    for (const int v : f) put(bytes, v, true);
+    put(bytes, colours, true);
+    for (int k = 0; k < colours; ++k) put(bytes, 0.5F, true);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("binary OFF", "[io]") {
+  check_tetrahedron(binary_off("OFF", 0, 0));
+  check_tetrahedron(binary_off("OFF", 0, 4));
+  check_tetrahedron(binary_off("COFF", 4, 0));
+  check_tetrahedron(binary_off("STCNOFF", 9, 1));
+  std::string crlf = binary_off("OFF", 0, 3);
+  check_tetrahedron(crlf.insert(10, "\r"));
+  const Soup soup = soup_of("a.off", binary_off("NOFF", 3, 0), {.normals = true});
+  CHECK(field_names(soup) == "Normals 3*");
+  CHECK(numbers_of<double>(soup.point_fields, "Normals")[5] == 2);
+
+  const std::string whole = binary_off("OFF", 0, 1);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const std::string message = soup_error("a.off", whole.substr(0, size));
+    INFO(size << ": " << message);
+    CHECK(message.find("; ") != std::string::npos);
+  }
+  const auto with = [&](std::size_t number, int value) {
+    std::string bytes = whole;
+    std::string replacement;
+    put(replacement, value, true);
+    return soup_error("a.off", bytes.replace(11 + 4 * number, 4, replacement));
+  };
+  CHECK(with(0, 1 << 30).starts_with("header: announces 1073741824 vertices and 4 faces, more"));
+  CHECK(with(1, -1).starts_with("header: has a bad count -1"));
+  CHECK(with(15, 0).starts_with("face 0: has 0 corners"));
+  CHECK(with(15, 1 << 30).starts_with("face 0: the file ends before or in it"));
+  CHECK(with(22, 4).starts_with("face 1: vertex 4 does not exist"));
+  CHECK(with(19, -2).starts_with("face 0: has a bad count -2"));
+}
+
 TEST_CASE("faults of OFF files are named with their line", "[io]") {
   const std::pair<const char*, std::string> faults[] = {
       {"header: is missing; start the file with 'OFF'", "# nothing\n"},
       {"header (line 1): 'PLY' is not read", "PLY\n"},
       {"header (line 1): '4OFF' is not read", "4OFF\n3 1 0\n"},
-      {"header: binary OFF is not read; convert", "OFF BINARY\n"},
       {"header (line 2): has a bad count 'x'", "OFF\n3 x 0\n"},
       {"header (line 2): has a bad count '-3'", "OFF\n-3 1 0\n"},
       {"header (line 2): announces 4000000000 vertices and 1 faces, more than the file holds",
@@ -144,7 +198,7 @@ TEST_CASE("faults of OFF files are named with their line", "[io]") {
       {"face 1: is missing, the file ends before it; the file is truncated",
        "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"vertex 2: is missing, the file ends before it", "OFF\n3 1 0\n0 0 0\n1 0 0\n"},
-      {"byte 26: is zero in a text format", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 \0", 27)},
+      {"byte 26: is zero in a text format", std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 \0 0", 29)},
   };
   for (const auto& [expected, text] : faults) {
     const std::string message = soup_error("a.off", text);

@@ -80,7 +80,7 @@ double distance(Shape shape, const crest::kernel::Vec3& p) {
 }
 
 Soup reported(const std::string& file, const std::string& path, const FieldRequest& request) {
-  return soup_reader(lower_extension(file))(load(path), request);
+  return crest::io::soup_reader(lower_extension(file))(load(path), request);
 }
 
 }  // namespace

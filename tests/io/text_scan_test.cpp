@@ -18,27 +18,37 @@ bool same(double a, double b) {
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }
 
+/// Alone and with so much behind it that it may be read as a short number.
 std::optional<double> number(const std::string& word) {
-  TextScan scan(word);
-  double value = 0;
-  if (!scan.take(value)) {
-    CHECK(scan.position() == 0);
-    return std::nullopt;
+  std::optional<double> first;
+  for (const std::string& text : {word, word + "\n" + std::string(16, '7')}) {
+    TextScan scan(text);
+    double value = 0;
+    if (!scan.take(value)) {
+      CHECK(scan.position() == 0);
+      CHECK_FALSE(first);
+      continue;
+    }
+    CHECK(scan.position() == word.size());
+    if (first) CHECK(same(*first, value));
+    first = value;
   }
-  CHECK(scan.room() == 0);
-  return value;
+  return first;
 }
 
 }  // namespace
 
 TEST_CASE("numbers in texts are rounded correctly", "[io]") {
+  const char* const formats[] = {"%.17g", "%+.9e", "%.25g", "%.9g", "%.6f", "%+.7e"};
+  int exponent = 0;
   crest::tests::Random random(crest::tests::kSeed);
   for (std::uint64_t i = crest::tests::scaled(20000); i > 0; --i) {
     const std::uint64_t bits = random();
     double x;
     std::memcpy(&x, &bits, sizeof x);
     char text[64];
-    std::snprintf(text, sizeof text, i % 3 == 0 ? "%.17g" : i % 3 == 1 ? "%+.9e" : "%.25g", x);
+    const double moderate = std::ldexp(std::frexp(x, &exponent), static_cast<int>(bits % 90) - 45);
+    std::snprintf(text, sizeof text, formats[i % 6], i % 6 < 3 ? x : moderate);
     INFO(text);
     const auto value = number(text);
     REQUIRE(value);
@@ -71,7 +81,15 @@ TEST_CASE("numbers in every spelling", "[io]") {
                                                  {"-1.#INF00", -inf},
                                                  {"1.#QNAN", nan},
                                                  {"-1.#IND", nan},
-                                                 {"00012", 12}};
+                                                 {"00012", 12},
+                                                 {"000000000000000", 0},
+                                                 {"999999999999999", 999999999999999},
+                                                 {"9999999999999999", 1e16},
+                                                 {".00000000000001", 1e-14},
+                                                 {"1e22", 1e22},
+                                                 {"3e23", 3e23},
+                                                 {"12345e-22", 12345e-22},
+                                                 {"1e-23", 1e-23}};
   for (const auto& [word, value] : good) {
     INFO(word);
     const auto read = number(word);
@@ -79,7 +97,7 @@ TEST_CASE("numbers in every spelling", "[io]") {
     CHECK(same(*read, value));
   }
   for (const char* word : {"", "x", "1x", "0x10", "1,5", "+-1", "--1", "++1", "1e", "e5", "1.2.3",
-                           "infx", ".", "d1"}) {
+                           "infx", ".", "d1", "1e+", "-.", "1e+-5", "1-", "1e5.5"}) {
     INFO(word);
     CHECK_FALSE(number(word));
   }
