@@ -48,13 +48,15 @@ struct Problem {
   const Complex& complex;
 
   Ball h(int c) const;
-  /// Kind 0: the fibres over a piece.
-  Fibre fibre(Index face, const Piece& piece, int c) const;
+  /// Kind 0: the fibres over a piece (of Ball: a point).
+  template <class T>
+  Fibre<T> fibre(Index face, const Piece& piece, int c) const;
   /// Kind 0: x_j - x_i + s (N_j - N_i).
-  Vector chord(Index face, Index i, Index j, const Model& s) const;
+  Vector<Model> chord(Index face, Index i, Index j, const Model& s) const;
   /// Kind 1: a corner's lifted coordinate (exact), and both over a piece.
-  Float lifted(Index face, Index corner, std::size_t direction) const;
-  std::array<Model, 2> unit(Index face, const Piece& piece) const;
+  Ball lifted(Index face, Index corner, std::size_t direction) const;
+  template <class T>
+  std::array<T, 2> unit(Index face, const Piece& piece) const;
 };
 
 /// Kind 1: the chart conditions, all exact.

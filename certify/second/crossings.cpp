@@ -100,7 +100,7 @@ void show_undrawn(const Problem& problem, Index face, const FaceOutcome& outcome
   shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
     const Scope scope;
     context.order = outcome.order;
-    const Sample s = sampler.forms(p, outcome.c, 1, 3);
+    const Sample<> s = sampler.forms(p, outcome.c, 1, 3);
     if (s.e[j][0].sign() != 0) return;
     require(s.growth[j].sign() == expected, "a loose corner: the type in the faces around it");
     bool apart = s.e[1 - j][0].sign() != 0;

@@ -25,7 +25,7 @@ bool inside(const PatchRecord& p, const Interval& x, std::size_t d) {
   const Interval z(p.z[d]), r = Interval(p.r) - Interval(2 * p.rho);
   return x.inside((z - r).upper(), (z + r).lower());
 }
-void require_in_patch(const PatchRecord& p, const Vector& x) {
+void require_in_patch(const PatchRecord& p, const Vector<Model>& x) {
   const auto axis = static_cast<Index>(p.axis);
   require(inside(p, x[(axis + 1) % 3].range(), 0) && inside(p, x[(axis + 2) % 3].range(), 1) &&
               x[axis].range().inside(p.m[0], p.m[1]),
@@ -39,8 +39,7 @@ void require_in_patch(const Problem& problem, const PatchRecord& p, Index face) 
       if (shift != 0 && !problem.certificate.periodic[d]) continue;
       bool all = true;
       for (Index k = 0; k < 3; ++k) {
-        const Float x = problem.lifted(face, k, d);
-        all = all && inside(p, Interval(x, x) + Interval(shift), d);
+        all = all && inside(p, Interval(problem.lifted(face, k, d)) + Interval(shift), d);
       }
       found = found || all;
     }
@@ -120,7 +119,7 @@ class FaceProof {
 
   void show(const Piece& piece, const Node& node);
 
-  void verdict(const Sample& s, std::size_t j, bool steep) const {
+  void verdict(const Sample<>& s, std::size_t j, bool steep) const {
     if (record_.verdict[j] == kNone)
       return require(extremality_without_root(s, j, steep).sign() != 0,
                      "the verdict: E_j has no zero");
@@ -193,8 +192,9 @@ void FaceProof::show(const Piece& piece, const Node& node) {
     wanted |= 1U << j;
     jet_order = std::max(jet_order, turn ? 2 : 1);
   }
-  const Sample s = has(~(kChart | kInPatch)) ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
-                                             : sampler_.foot(piece, outcome_.c);
+  const Sample<> s = has(~(kChart | kInPatch))
+                         ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
+                         : sampler_.foot(piece, outcome_.c);
   if (has(kChart)) sampler_.require_orientation(s);
   if (has(kInPatch)) require_in_patch(patch(), s.foot.x);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -220,7 +220,7 @@ void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k
               "an edge: E_j has no zero");
       return;
     }
-    const Sample s = sampler_.forms(p, outcome_.c, 1, 1U << j);
+    const Sample<> s = sampler_.forms(p, outcome_.c, 1, 1U << j);
     const auto d = sampler_.along(s, k);
     const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
     require(sign != 0, "an edge: the derivative of E_j along it has no zero");

@@ -66,8 +66,8 @@ class Jet {
   using Table = Monomials<D>;
   Jet() : c_(1) {}
   Jet(double x) : c_{T(x)} {}
-  explicit Jet(const Ball& x) : c_{T(x)} {}
-  explicit Jet(T x) : c_{std::move(x)} {}
+  template <class Value>
+  explicit Jet(Value x) : c_{T(std::move(x))} {}
   /// x plus a multiple of each variable.
   Jet(T x, const std::array<T, D>& slopes) : c_{std::move(x)} {
     if (context.jet_order == 0) return;
@@ -144,7 +144,10 @@ class Jet {
     Jet delta = g;
     delta.c_[0] = T();
     Jet r(t.back());
-    for (std::size_t k = t.size() - 1; k-- > 0;) r = r * delta + Jet(t[k]);
+    for (std::size_t k = t.size() - 1; k-- > 0;) {  // delta begins with degree 1
+      const Scope scope(context.jet_order - static_cast<int>(k));
+      r = r * delta + Jet(t[k]);
+    }
     return r;
   }
 

@@ -40,16 +40,18 @@ class SheetProof {
 
  private:
   std::string name() const { return "face " + std::to_string(record_.face); }
-  Foot foot(Index face, const Piece& piece) const {
-    return problem_.surface.foot(problem_.fibre(face, piece, outcomes_[face].c),
+  template <class T = Model>
+  Foot<T> foot(Index face, const Piece& piece) const {
+    return problem_.surface.foot(problem_.fibre<T>(face, piece, outcomes_[face].c),
                                  piece.is_point() ? 6 : 0);
   }
 
   void find_point() {
     const double unit = 1 / 1048576.0;
-    const Foot y = foot(record_.face, Piece::point({349525 * unit, 349525 * unit, 349526 * unit}));
+    const auto y =
+        foot<Ball>(record_.face, Piece::point({349525 * unit, 349525 * unit, 349526 * unit}));
     for (Index k = 0; k < 3; ++k) {
-      y_[k] = y.x[k].range();
+      y_[k] = range_of(y.x[k]);
       const auto& box = problem_.certificate.box;
       require(y_[k].inside(box[2 * k], box[2 * k + 1]), "one sheet: the point lies in the box");
     }
@@ -80,16 +82,16 @@ class SheetProof {
   }
   void injective_on(const Piece& piece) const {
     const Index face = record_.face;
-    const Fibre fibre = problem_.fibre(face, piece, outcomes_[face].c);
-    const Foot foot = problem_.surface.foot(fibre, 0);
+    const auto fibre = problem_.fibre<Model>(face, piece, outcomes_[face].c);
+    const auto foot = problem_.surface.foot(fibre, 0);
     const Frame axes = frame_of(problem_.certificate.records[face].frame);
-    const Jet3 f = problem_.surface.expand(foot.x, axes, 1);
-    const Vector gradient = {f[1], f[2], f[3]}, along = in_frame(axes, fibre.along);
+    const Jet3<Model> f = problem_.surface.expand(foot.x, axes, 1);
+    const Vector<Model> gradient = {f[1], f[2], f[3]}, along = in_frame(axes, fibre.along);
     const Model q = inverse(dot(gradient, along));
-    std::array<Vector, 2> image;
+    std::array<Vector<Model>, 2> image;
     for (Index j = 0; j < 2; ++j) {
-      const Vector d = in_frame(axes, problem_.chord(face, 0, j + 1, foot.s));
-      image[j] = d + -(dot(gradient, d) * q) * along;
+      const Vector<Model> d = in_frame(axes, problem_.chord(face, 0, j + 1, foot.s));
+      image[j] = moved(d, -(dot(gradient, d) * q), along);
     }
     const auto m = [&](Index i, Index j) {
       return Model(record_.matrix[2 * i]) * image[j][0] +
@@ -100,7 +102,7 @@ class SheetProof {
             "one sheet: the projection is injective");
   }
 
-  bool has_zero(const Foot& foot, Index functional) const {
+  bool has_zero(const Foot<Model>& foot, Index functional) const {
     Model value;
     for (Index k = 0; k < 3; ++k)
       value += Model(functional_[functional][k]) * (foot.x[k] - Model(y_[k].ball()));
@@ -129,7 +131,7 @@ class SheetProof {
     shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
       const Scope scope;
       context.order = outcomes_[face].order;
-      const Foot at = foot(face, p);
+      const auto at = foot(face, p);
       require(!has_zero(at, 0) || !has_zero(at, 1) || !has_zero(at, 2),
               "one sheet: a face that is not listed is apart from the point");
     });
@@ -149,7 +151,7 @@ Box image_of(const Problem& problem, const FaceOutcome& outcome, Index face) {
   shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
     const Scope scope;
     context.order = outcome.order;
-    const Foot foot = problem.surface.foot(problem.fibre(face, p, outcome.c), 0);
+    const auto foot = problem.surface.foot(problem.fibre<Model>(face, p, outcome.c), 0);
     for (Index k = 0; k < 3; ++k) {
       const Interval x = foot.x[k].range();
       image.side[k] = first ? x : hull(image.side[k], x);
