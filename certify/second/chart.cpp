@@ -47,6 +47,12 @@ Barycentric unit_corner(Index k) {
   return l;
 }
 
+int order_of(Reader& in, unsigned byte, unsigned allowed) {
+  const int order = 3 + static_cast<int>(byte & 3);
+  if (order > 5 || (byte & ~(3 | allowed)) != 0) in.fail("a division has unknown bits");
+  return order;
+}
+
 Ball Problem::h(int c) const {
   Ball one(1);
   arb_mul_2exp_si(one.get(), one.get(), certificate.k0 - c);

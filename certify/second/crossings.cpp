@@ -24,7 +24,7 @@ double Crossings::parameter() {
   return t;
 }
 int Crossings::sign_at(Index side, double t, std::size_t colour) const {
-  return sampler_.sign_at(on_side(side, t), outcome_.c, colour);
+  return sampler_.signs_at(on_side(side, t), outcome_.c, 1U << colour)[colour];
 }
 
 void Crossings::type(std::size_t j, bool by_turn) {

@@ -56,12 +56,13 @@ void Sampler::require_orientation(const Sample<>& s) const {
   require(determinant(first, second, s.fibre.along).sign() > 0, "(J)");
 }
 
-int Sampler::sign_at(const Barycentric& l, int c, std::size_t j) const {
+std::array<int, 2> Sampler::signs_at(const Barycentric& l, int c, unsigned wanted) const {
   const Scope scope;
   for (const slong precision : {128, 256}) {
     context.precision = precision;
-    const int sign = forms<Ball>(Piece::point(l), c, 0, 1U << j).e[j][0].sign();
-    if (sign != 0) return sign;
+    const auto e = forms<Ball>(Piece::point(l), c, 0, wanted).e;
+    const std::array<int, 2> sign = {e[0][0].sign(), e[1][0].sign()};
+    if ((sign[0] != 0 || (wanted & 1) == 0) && (sign[1] != 0 || (wanted & 2) == 0)) return sign;
   }
   throw Open{"E_j has a certain sign at a point"};
 }

@@ -34,8 +34,8 @@ class Sampler {
   Sample<T> forms(const Piece& piece, int c, int jet_order, unsigned wanted) const;
   /// Kind 0: (J).
   void require_orientation(const Sample<>& s) const;
-  /// The certain sign of E_j at a point.
-  int sign_at(const Barycentric& l, int c, std::size_t j) const;
+  /// The certain signs of the E_j of `wanted` at a point.
+  std::array<int, 2> signs_at(const Barycentric& l, int c, unsigned wanted) const;
   /// The vector of side k in coordinates.
   std::array<Model, 2> along(const Sample<>& s, Index k) const;
 

@@ -129,26 +129,28 @@ class FaceProof {
   }
 
   void corners() {
+    for (Index k = 0; k < 3; ++k) {
+      unsigned wanted = 0;
+      for (std::size_t j = 0; j < 2; ++j)
+        if (record_.verdict[j] != kNone && !is_loose_[j][k]) wanted |= 1U << j;
+      if (wanted == 0) continue;
+      const auto signs = sampler_.signs_at(unit_corner(k), outcome_.c, wanted);
+      for (std::size_t j = 0; j < 2; ++j) outcome_.sign[j][k] = signs[j];
+    }
     for (std::size_t j = 0; j < 2; ++j)
-      for (Index k = 0; k < 3 && record_.verdict[j] != kNone; ++k)
-        outcome_.sign[j][k] = is_loose_[j][k] ? 1 : sampler_.sign_at(unit_corner(k), outcome_.c, j);
+      for (Index k = 0; k < 3; ++k)
+        if (is_loose_[j][k] && record_.verdict[j] != kNone) outcome_.sign[j][k] = 1;
   }
 
   void side(std::size_t j, Index k) {
     const Piece whole = Piece::segment(unit_corner(k), unit_corner(k + 1));
-    if (divided_[j])
-      segment_division(whole, j, k, 0);
-    else
-      side_piece(whole, outcome_.order, j, k);
+    const Scope scope;
+    context.order = outcome_.order;
+    if (!divided_[j]) return side_piece(whole, j, k);
+    read_division(in_, whole, kSegmentDepth, 0,
+                  [&](const Piece& p, unsigned) { side_piece(p, j, k); });
   }
-  void segment_division(const Piece& piece, std::size_t j, Index k, int depth) {
-    const unsigned byte = in_.u8();
-    const int order = order_of(in_, byte, 4);
-    if ((byte & 4) == 0) return side_piece(piece, order, j, k);
-    if (depth == kSegmentDepth) in_.fail("a division is deeper than 12");
-    for (const Piece& child : piece.children()) segment_division(child, j, k, depth + 1);
-  }
-  void side_piece(const Piece& piece, int order, std::size_t j, Index k);
+  void side_piece(const Piece& piece, std::size_t j, Index k);
 
   const Problem& problem_;
   const FaceRecord& record_;
@@ -211,10 +213,8 @@ void FaceProof::show(const Piece& piece, const Node& node) {
   require(purple.sign() != 0, "purple: the combination, or the determinant");
 }
 
-void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k) {
+void FaceProof::side_piece(const Piece& piece, std::size_t j, Index k) {
   shown<Piece>(piece, 2 * kFurther, [&](const Piece& p) {
-    const Scope scope;
-    context.order = order;
     if (by_value_[j][k]) {
       require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
               "an edge: E_j has no zero");
@@ -229,12 +229,6 @@ void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k
 }
 
 }  // namespace
-
-int order_of(Reader& in, unsigned byte, unsigned allowed) {
-  const int order = 3 + static_cast<int>(byte & 3);
-  if (order > 5 || (byte & ~(3 | allowed)) != 0) in.fail("a division has unknown bits");
-  return order;
-}
 
 LooseCorners::LooseCorners(const Problem& problem) {
   const Certificate& c = problem.certificate;

@@ -38,9 +38,6 @@ class LooseCorners {
 /// Throws: Rejected, Open, Undefined.
 FaceOutcome check_face(const Problem& problem, const LooseCorners& loose, Index face);
 
-/// Degrees of the models at a root byte of a division; rejects unknown bits.
-int order_of(Reader& in, unsigned byte, unsigned allowed);
-
 constexpr int kTriangleDepth = 8, kSegmentDepth = 12;
 /// How much further than its witness this checker divides where its enclosures are weaker.
 constexpr int kFurther = 3;

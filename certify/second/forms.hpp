@@ -176,9 +176,14 @@ std::array<Form<T>, 3> derivatives(const Jet2<T>& x) {
 /// Of a height over coordinates in which I is `flat` + h_i h_j.
 template <class T>
 Forms<T> forms_of_height(const Jet2<T>& h, const Form<T>& flat, int sign) {
-  const auto d = derivatives(h);
-  const Jet2<T> s(sign);
-  return {flat + product(d[0], d[0]), multiple(s, d[1]), multiple(s, d[2]), product(d[0], d[1])};
+  auto d = derivatives(h);
+  Forms<T> f = {flat + product(d[0], d[0]), {}, {}, product(d[0], d[1])};
+  if (sign < 0)
+    for (const Index order : {1, 2})
+      for (Jet2<T>& x : d[order]) x = -x;
+  f.l = std::move(d[1]);
+  f.t = std::move(d[2]);
+  return f;
 }
 
 template <class T>

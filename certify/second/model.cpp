@@ -31,6 +31,12 @@ constexpr std::array<int, kTermsOfProduct> kHalvings = [] {
   return all;
 }();
 
+constexpr std::array<double, kTermsOfProduct> kHalved = [] {
+  std::array<double, kTermsOfProduct> all{};
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = 1.0 / (1 << kHalvings[k]);
+  return all;
+}();
+
 /// Bernstein coefficients of u^i v^j, times 60 * 2^degree: integers.
 struct Bernstein {
   using Polynomial = std::array<std::array<int, kDegree + 1>, kDegree + 1>;  // by l1^a l2^b
@@ -63,6 +69,19 @@ struct Bernstein {
   std::array<std::array<int, 21>, 21> entry{};  // [Bernstein coefficient][term]
 };
 
+/// Divides by 2^by and rounds; the radius takes the errors.
+template <class Number, std::size_t N>
+void shift_right(std::array<Number, N>& c, std::size_t n, Number& radius, slong by) {
+  by = std::min(by, static_cast<slong>(8 * sizeof(Number)) - 2);  // all bits but the sign
+  const Number rest = (Number{1} << by) - 1, half = Number{1} << (by - 1);
+  Number rounded = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    rounded += (c[k] & rest) != 0 ? 1 : 0;
+    c[k] = (c[k] + half) >> by;
+  }
+  radius = ((radius + rest) >> by) + (rounded + 1) / 2;
+}
+
 /// A bound n / d * 2^e as a double.
 double below(Integer n, int d, slong e) {
   const auto quotient = static_cast<std::int64_t>(n / d - (n % d < 0 ? 1 : 0));
@@ -77,45 +96,32 @@ struct Model::Wide {
   int degree = 0;
   slong exponent = 0;
   Integer radius = 0;
-  std::array<Integer, kTerms> c{};
+  std::array<Integer, kTerms> c;  ///< set as far as the degree says
 
-  Wide() = default;
-  explicit Wide(const Model& m) : degree(m.degree_), exponent(m.exponent_), radius(m.radius_) {
-    std::copy(m.c_.begin(), m.c_.end(), c.begin());
-  }
-  bool is_zero() const {
-    return radius == 0 && std::all_of(c.begin(), c.end(), [](Integer x) { return x == 0; });
-  }
-  void shift_right(slong by) {
+  explicit Wide(int n) : degree(n) { std::fill_n(c.begin(), terms(n), 0); }
+  void shift(slong by) {
     if (by <= 0) return;
     exponent += by;
-    by = std::min(by, slong{126});
-    const Integer rest = (Integer{1} << by) - 1, half = Integer{1} << (by - 1);
-    Integer rounded = 0;
-    for (std::size_t k = 0; k < terms(degree); ++k) {
-      if ((c[k] & rest) != 0) ++rounded;
-      c[k] = (c[k] + half) >> by;
-    }
-    radius = ((radius + rest) >> by) + (rounded + 1) / 2;
+    shift_right(c, terms(degree), radius, by);
   }
-  /// Requires: what is there is a product of models at most, and a few sums.
-  void add(const Model& m) {
-    if (m.degree_ == 0 && m.is_zero()) return;
-    if (is_zero()) exponent = m.exponent_;
-    shift_right(m.exponent_ - exponent - kShift);
-    Wide w(m);
-    w.shift_right(exponent - m.exponent_);
-    const slong left = w.exponent - exponent;
-    for (std::size_t k = 0; k < terms(m.degree_); ++k) c[k] += w.c[k] << left;
-    radius += w.radius << left;
-    degree = std::max(degree, m.degree_);
+  /// Requires: what is there is a product of models, not zero.
+  void add(Model m) {
+    if (m.is_zero()) return;
+    shift(m.exponent_ - exponent - kShift);
+    slong left = m.exponent_ - exponent;
+    if (left < 0) shift_right(m.c_, terms(m.degree_), m.radius_, -left);
+    left = std::max(left, slong{0});
+    for (; degree < m.degree_; ++degree)
+      std::fill(c.begin() + terms(degree), c.begin() + terms(degree + 1), 0);
+    for (std::size_t k = 0; k < terms(m.degree_); ++k) c[k] += Integer{m.c_[k]} << left;
+    radius += Integer{m.radius_} << left;
   }
   Model rounded() {
     auto all = static_cast<Unsigned>(radius);
     for (std::size_t k = 0; k < terms(degree); ++k)
       all |= static_cast<Unsigned>(c[k] < 0 ? -c[k] : c[k]);
     const auto high = static_cast<std::uint64_t>(all >> 64), low = static_cast<std::uint64_t>(all);
-    shift_right((high != 0 ? 64 + std::bit_width(high) : std::bit_width(low)) - kBits);
+    shift((high != 0 ? 64 + std::bit_width(high) : std::bit_width(low)) - kBits);
     if (std::abs(exponent) > kGreatest) throw Undefined{};
     Model m;
     m.degree_ = degree;
@@ -131,23 +137,38 @@ struct Model::Wide {
       sum += (std::abs(m.c_[k]) >> kHalvings[k]) + 1;
     return sum;
   }
-  /// A bound of the terms of a b beyond degree n; in doubles, whose error is below 2^-40.
-  static Integer beyond(const Model& a, const Model& b, int n) {
-    std::array<double, kTerms> x, y;
-    for (std::size_t k = 0; k < terms(a.degree_); ++k)
-      x[k] = static_cast<double>(std::abs(a.c_[k]));
+  /// The greatest power of v that occurs is at most this: 0 on segments.
+  static int powers_of_v(const Model& m) {
+    for (int d = m.degree_; d > 0; --d)
+      for (int j = 1; j <= d; ++j)
+        if (m.c_[at(d - j, j)] != 0) return m.degree_;
+    return 0;
+  }
+  /// Adds a b: up to this degree the terms, of the others a bound to the radius; in doubles, whose
+  /// error is below 2^-40.
+  void add_terms(const Model& a, const Model& b) {
+    const int wa = powers_of_v(a), wb = powers_of_v(b);
+    std::array<double, kTerms> sizes;
     for (std::size_t k = 0; k < terms(b.degree_); ++k)
-      y[k] = static_cast<double>(std::abs(b.c_[k]));
-    std::array<double, kTermsOfProduct> term{};
+      sizes[k] = static_cast<double>(std::abs(b.c_[k]));
+    std::array<double, kTermsOfProduct> beyond{};
     for (int d = 0; d <= a.degree_; ++d)
-      for (int j = 0; j <= d; ++j)
-        for (int e = std::max(n + 1 - d, 0); e <= b.degree_; ++e)
-          for (std::size_t l = 0; l <= static_cast<std::size_t>(e); ++l)
-            term[at(d - j + e, j) + l] += x[at(d - j, j)] * y[at(e, 0) + l];
+      for (int j = 0; j <= std::min(d, wa); ++j) {
+        const std::int64_t x = a.c_[at(d - j, j)];
+        if (x == 0) continue;
+        const auto size = static_cast<double>(std::abs(x));
+        for (int e = 0; e <= b.degree_; ++e) {
+          const std::size_t from = at(e, 0), to = at(d - j + e, j), n = std::min(e, wb) + 1U;
+          if (d + e <= degree)
+            for (std::size_t l = 0; l < n; ++l) c[to + l] += Integer{x} * b.c_[from + l];
+          else
+            for (std::size_t l = 0; l < n; ++l) beyond[to + l] += size * sizes[from + l];
+        }
+      }
     double sum = 0;
-    for (std::size_t k = terms(n); k < terms(a.degree_ + b.degree_); ++k)
-      sum += std::ldexp(term[k], -kHalvings[k]);
-    return static_cast<Integer>(sum * (1 + 0x1p-40)) + 1;
+    for (std::size_t k = terms(degree); k < terms(a.degree_ + b.degree_); ++k)
+      sum += beyond[k] * kHalved[k];
+    if (sum != 0) radius += static_cast<Integer>(sum * (1 + 0x1p-40)) + 1;
   }
 };
 
@@ -186,7 +207,7 @@ Interval Model::range() const {
   Integer least = 0, greatest = 0;
   for (std::size_t row = 0; row < n; ++row) {
     Integer sum = 0;
-    for (std::size_t k = 0; k < n; ++k) sum += Integer{basis.entry[row][k]} * c_[k];
+    for (std::size_t k = 0; k < n; ++k) sum += Integer{c_[k]} * basis.entry[row][k];
     least = row == 0 ? sum : std::min(least, sum);
     greatest = row == 0 ? sum : std::max(greatest, sum);
   }
@@ -204,29 +225,36 @@ Model Model::middle() const {
 
 void Model::add_product(const Model& a, const Model& b) {
   if (a.is_zero() || b.is_zero()) return;
-  const int n = context.order, sum = a.degree_ + b.degree_;
-  Wide w;
-  w.degree = std::min(n, sum);
+  Wide w(std::min(context.order, a.degree_ + b.degree_));
   w.exponent = a.exponent_ + b.exponent_;
-  for (int d = 0; d <= a.degree_; ++d)
-    for (int j = 0; j <= d; ++j) {
-      const Integer x = a.c_[at(d - j, j)];
-      if (x == 0) continue;
-      for (int e = 0; e <= b.degree_ && d + e <= n; ++e)
-        for (std::size_t l = 0; l <= static_cast<std::size_t>(e); ++l)
-          w.c[at(d - j + e, j) + l] += x * b.c_[at(e, 0) + l];
-    }
+  w.add_terms(a, b);
   if (a.radius_ != 0) w.radius += (Wide::norm(b) + b.radius_) * a.radius_;
   if (b.radius_ != 0) w.radius += Wide::norm(a) * b.radius_;
-  if (sum > n) w.radius += Wide::beyond(a, b, n);
   w.add(*this);
   *this = w.rounded();
 }
 
 Model& Model::operator+=(const Model& b) {
-  Wide w(*this);
-  w.add(b);
-  return *this = w.rounded();
+  if (b.degree_ == 0 && b.is_zero()) return *this;
+  if (is_zero() || exponent_ < b.exponent_) {
+    const Model low = *this;
+    *this = b;
+    return low.is_zero() ? *this : *this += low;
+  }
+  Model low = b;
+  const slong shift = exponent_ - b.exponent_;
+  if (shift > 0) shift_right(low.c_, terms(low.degree_), low.radius_, shift);
+  degree_ = std::max(degree_, b.degree_);
+  radius_ += low.radius_;
+  std::int64_t all = radius_;
+  for (std::size_t k = 0; k < terms(degree_); ++k) {
+    c_[k] += low.c_[k];
+    all |= std::abs(c_[k]);
+  }
+  if (all >> kBits == 0) return *this;
+  shift_right(c_, terms(degree_), radius_, 1);
+  ++exponent_;
+  return *this;
 }
 Model Model::operator-() const {
   Model m = *this;
@@ -235,13 +263,14 @@ Model Model::operator-() const {
 }
 /// Requires: |n| <= 2^20 if d is not a power of two, |n| <= 2^60 else.
 Model scaled(const Model& x, slong n, slong d) {
-  Model::Wide w(x);
+  Model::Wide w(x.degree_);
+  w.exponent = x.exponent_;
   for (; d % 2 == 0; d /= 2) --w.exponent;
-  for (Integer& c : w.c) c *= n;
-  w.radius *= std::abs(n);
+  for (std::size_t k = 0; k < terms(w.degree); ++k) w.c[k] = Integer{x.c_[k]} * n;
+  w.radius = Integer{x.radius_} * std::abs(n);
   if (d == 1) return w.rounded();
   constexpr slong kLeft = 40;
-  for (Integer& c : w.c) c = (c << kLeft) / d;
+  for (std::size_t k = 0; k < terms(w.degree); ++k) w.c[k] = (w.c[k] << kLeft) / d;
   w.radius = (w.radius << kLeft) / d + 1 + static_cast<Integer>(terms(w.degree));
   w.exponent -= kLeft;
   return w.rounded();

@@ -21,14 +21,18 @@ class SheetProof {
     if (c.records[record_.face].in_patch) throw Rejected("one sheet: its face is in a patch");
     find_point();
     Reader in(record_.division.data(), record_.division.size(), "one sheet, " + name());
-    injective(in, Piece::face(), 0);
+    read_division(in, Piece::face(), kTriangleDepth, 0, [&](const Piece& piece, unsigned) {
+      shown<Piece>(piece, kFurther, [&](const Piece& p) { injective_on(p); });
+    });
     in.finish();
     auto other = record_.others.begin();
     for (Index f = 0; f < c.faces.size(); ++f) {
       if (other != record_.others.end() && other->face == f) {
         if (f == record_.face) in.fail("lists its own face");
         Reader division(other->division.data(), other->division.size(), "one sheet, " + name());
-        apart(division, f, Piece::face(), 0);
+        read_division(
+            division, Piece::face(), kTriangleDepth, 56,
+            [&](const Piece& piece, unsigned byte) { apart(division, f, piece, byte >> 3 & 7); });
         division.finish();
         ++other;
       } else if (f != record_.face) {
@@ -66,21 +70,8 @@ class SheetProof {
     }
   }
 
-  void injective(Reader& in, const Piece& piece, int depth) {
-    const unsigned byte = in.u8();
-    const int order = order_of(in, byte, 4);
-    if ((byte & 4) != 0) {
-      if (depth == kTriangleDepth) in.fail("a division is deeper than 8");
-      for (const Piece& child : piece.children()) injective(in, child, depth + 1);
-      return;
-    }
-    shown<Piece>(piece, kFurther, [&](const Piece& p) {
-      const Scope scope(1);
-      context.order = order;
-      injective_on(p);
-    });
-  }
   void injective_on(const Piece& piece) const {
+    const Scope scope(1);
     const Index face = record_.face;
     const auto fibre = problem_.fibre<Model>(face, piece, outcomes_[face].c);
     const auto foot = problem_.surface.foot(fibre, 0);
@@ -108,20 +99,9 @@ class SheetProof {
       value += Model(functional_[functional][k]) * (foot.x[k] - Model(y_[k].ball()));
     return value.sign() == 0;
   }
-  void apart(Reader& in, Index face, const Piece& piece, int depth) {
-    const unsigned byte = in.u8();
-    const bool divided = (byte & 4) != 0;
-    const int order = order_of(in, byte, divided ? 4 : 4 | 56);
-    if (divided) {
-      if (depth == kTriangleDepth) in.fail("a division is deeper than 8");
-      for (const Piece& child : piece.children()) apart(in, face, child, depth + 1);
-      return;
-    }
-    const Index functional = byte >> 3 & 7;
+  void apart(const Reader& in, Index face, const Piece& piece, Index functional) const {
     if (functional >= kFunctionals) in.fail("an unknown functional");
     shown<Piece>(piece, kFurther, [&](const Piece& p) {
-      const Scope scope;
-      context.order = order;
       require(!has_zero(foot(face, p), functional), "one sheet: a face is apart from the point");
     });
   }
