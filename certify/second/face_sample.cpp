@@ -81,16 +81,14 @@ std::array<Model, 2> Sampler::along(const Sample<>& s, Index k) const {
   return {chord[0] + b * fibre[0], chord[1] + b * fibre[1]};
 }
 
-Model extremality_without_root(const Sample<>& s, std::size_t j, bool steep) {
+std::array<Direction<Model>, 2> rootless_directions(const Operator<Model>& a, bool steep) {
   const Scope scope(0);
   using Jet = Jet2<Model>;
-  const Jet a11 = s.a.a11.cut(), a12 = s.a.a12.cut(), a21 = s.a.a21.cut(), one(1.0);
+  const Jet a11 = a.a11.cut(), a12 = a.a12.cut(), a21 = a.a21.cut(), one(1.0);
   const Jet sigma = root(Operator<Model>{a11, a12, a21});
   const Jet q = inverse(steep ? sigma - a11 : sigma + a11);
-  const Direction<Model> v =
-      j == 0 ? (steep ? Direction<Model>{a12 * q, one} : Direction<Model>{one, a21 * q})
-             : (steep ? Direction<Model>{one, -(a21 * q)} : Direction<Model>{-(a12 * q), one});
-  return extremality(s.forms, v)[0];
+  if (steep) return {Direction<Model>{a12 * q, one}, {one, -(a21 * q)}};
+  return {Direction<Model>{one, a21 * q}, {-(a12 * q), one}};
 }
 
 }  // namespace crest::recheck

@@ -45,7 +45,7 @@ class Sampler {
   Index face_;
 };
 
-/// E_j up to a factor without zeros, of degree 0 (SPEC.md, "E_j for verdict 255").
-Model extremality_without_root(const Sample<>& s, std::size_t j, bool steep);
+/// Vectors along v1 and v2, of degree 0 (SPEC.md, "E_j for verdict 255").
+std::array<Direction<Model>, 2> rootless_directions(const Operator<Model>& a, bool steep);
 
 }  // namespace crest::recheck

@@ -118,11 +118,18 @@ class FaceProof {
   }
 
   void show(const Piece& piece, const Node& node);
+  void enlarge_image(const Vector<Model>& x) {
+    std::array<Interval, 3> box;
+    for (Index k = 0; k < 3; ++k) box[k] = x[k].range();
+    if (!outcome_.image) outcome_.image = box;
+    for (Index k = 0; k < 3; ++k) (*outcome_.image)[k] = hull((*outcome_.image)[k], box[k]);
+  }
 
-  void verdict(const Sample<>& s, std::size_t j, bool steep) const {
-    if (record_.verdict[j] == kNone)
-      return require(extremality_without_root(s, j, steep).sign() != 0,
-                     "the verdict: E_j has no zero");
+  void no_zero(const Sample<>& s, const Direction<Model>& v) const {
+    const Scope scope(0);
+    require(extremality(s.forms, v)[0].sign() != 0, "the verdict: E_j has no zero");
+  }
+  void monotone(const Sample<>& s, std::size_t j) const {
     const auto c = direction(record_.verdict[j]);
     require((scaled(s.e[j][1], c[0]) + scaled(s.e[j][2], c[1])).sign() != 0,
             "the verdict: c . grad E_j has no zero");
@@ -197,10 +204,21 @@ void FaceProof::show(const Piece& piece, const Node& node) {
   const Sample<> s = has(~(kChart | kInPatch))
                          ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
                          : sampler_.foot(piece, outcome_.c);
-  if (has(kChart)) sampler_.require_orientation(s);
+  if (has(kChart)) {
+    sampler_.require_orientation(s);
+    enlarge_image(s.foot.x);
+  }
   if (has(kInPatch)) require_in_patch(patch(), s.foot.x);
+  std::optional<std::array<Direction<Model>, 2>> rootless;
   for (std::size_t j = 0; j < 2; ++j) {
-    if (has(kVerdict[j])) verdict(s, j, node.steep);
+    if (has(kVerdict[j])) {
+      if (record_.verdict[j] != kNone) {
+        monotone(s, j);
+      } else {
+        if (!rootless) rootless = rootless_directions(s.a, node.steep);
+        no_zero(s, (*rootless)[j]);
+      }
+    }
     if (!has(kType[j])) continue;
     const int expected = record_.type[j] == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
     require(by_turn(j) ? s.turn[j].sign() != 0 : s.growth[j].sign() == expected,

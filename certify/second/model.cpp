@@ -191,12 +191,11 @@ Model::Model(const Ball& b) {
 }
 
 Model Model::linear(const Ball& value, const Ball& to1, const Ball& to2) {
-  Model u(1.0), v(1.0);
-  u.degree_ = v.degree_ = 1;
+  Model m(value + scaled(to1 + to2, 1, 3)), u(scaled(to1, 2, 3)), v(scaled(to2, 2, 3));
+  m.degree_ = u.degree_ = v.degree_ = 1;
   std::swap(u.c_[0], u.c_[1]);
   std::swap(v.c_[0], v.c_[2]);
-  return Model(value + scaled(to1 + to2, 1, 3)) + Model(scaled(to1, 2, 3)) * u +
-         Model(scaled(to2, 2, 3)) * v;
+  return m + u + v;
 }
 
 Interval Model::range() const {
@@ -235,7 +234,7 @@ void Model::add_product(const Model& a, const Model& b) {
 }
 
 Model& Model::operator+=(const Model& b) {
-  if (b.degree_ == 0 && b.is_zero()) return *this;
+  if (b.is_zero()) return *this;
   if (is_zero() || exponent_ < b.exponent_) {
     const Model low = *this;
     *this = b;

@@ -25,7 +25,10 @@ class Model {
   static Model linear(const Ball& value, const Ball& to1, const Ball& to2);
 
   int degree() const { return degree_; }
-  bool is_zero() const { return degree_ == 0 && c_[0] == 0 && radius_ == 0; }
+  bool is_zero() const {
+    return radius_ == 0 && c_[0] == 0 &&
+           std::all_of(c_.begin(), c_.end(), [](auto c) { return c == 0; });
+  }
   /// An enclosure of the values on the triangle: the hull of the Bernstein coefficients.
   Interval range() const;
   int sign() const { return range().sign(); }

@@ -16,7 +16,7 @@ class SheetProof {
              const SheetRecord& record)
       : problem_(problem), outcomes_(outcomes), record_(record) {}
 
-  void check(const std::vector<Box>& images) {
+  void check() {
     const Certificate& c = problem_.certificate;
     if (c.records[record_.face].in_patch) throw Rejected("one sheet: its face is in a patch");
     find_point();
@@ -36,7 +36,7 @@ class SheetProof {
         division.finish();
         ++other;
       } else if (f != record_.face) {
-        apart_at_once(images[f], f);
+        apart_at_once(f);
       }
     }
     if (other != record_.others.end()) in.fail("faces are unknown or out of order");
@@ -105,9 +105,9 @@ class SheetProof {
       require(!has_zero(foot(face, p), functional), "one sheet: a face is apart from the point");
     });
   }
-  void apart_at_once(const Box& image, Index face) const {
+  void apart_at_once(Index face) const {
     for (Index k = 0; k < 3; ++k)
-      if (disjoint(image.side[k], y_[k])) return;
+      if (disjoint((*outcomes_[face].image)[k], y_[k])) return;
     shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
       const Scope scope;
       context.order = outcomes_[face].order;
@@ -124,23 +124,6 @@ class SheetProof {
   std::array<std::array<double, 3>, kFunctionals> functional_{};
 };
 
-/// A box around the image of a face.
-Box image_of(const Problem& problem, const FaceOutcome& outcome, Index face) {
-  Box image;
-  bool first = true;
-  shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
-    const Scope scope;
-    context.order = outcome.order;
-    const auto foot = problem.surface.foot(problem.fibre<Model>(face, p, outcome.c), 0);
-    for (Index k = 0; k < 3; ++k) {
-      const Interval x = foot.x[k].range();
-      image.side[k] = first ? x : hull(image.side[k], x);
-    }
-    first = false;
-  });
-  return image;
-}
-
 }  // namespace
 
 void check_sheets(const Problem& problem, const std::vector<FaceOutcome>& outcomes) {
@@ -152,10 +135,8 @@ void check_sheets(const Problem& problem, const std::vector<FaceOutcome>& outcom
         !components.insert(problem.complex.component_of[face]).second)
       throw Rejected("one sheet: the components' faces are unknown or out of order");
   }
-  std::vector<Box> images(c.faces.size());
-  in_parallel(c.faces.size(), [&](Index f) { images[f] = image_of(problem, outcomes[f], f); });
   in_parallel(c.sheets.size(),
-              [&](Index i) { SheetProof(problem, outcomes, c.sheets[i]).check(images); });
+              [&](Index i) { SheetProof(problem, outcomes, c.sheets[i]).check(); });
 }
 
 }  // namespace crest::recheck
