@@ -213,7 +213,8 @@ void check_loose_corner(const Claim& claim, const std::vector<FaceResult>& faces
     require(!r.in_patch && r.w == o.w && r.verdict[j] == o.verdict[j] &&
                 r.verdict[j] != SmoothFaceRecord::kNoZero,
             "vertex {}: its faces differ at a corner of the domain", vertex);
-    require(faces[f].loose[j] == 1U << i, "face {}: at two loose corners of the domain", f);
+    require((faces[f].loose[0] | faces[f].loose[1]) == 1U << i,
+            "face {}: at two loose corners of the domain", f);
     opposite += faces[f].crossed[j] >> (i + 1) % 3 & 1U;
     for (const u32 side : {i, (i + 2) % 3}) {
       if (topology.twin[3 * f + side] != kNone) continue;

@@ -122,12 +122,6 @@ class Ball {
     arb_set_arf(b.v_, arb_midref(v_));
     return b;
   }
-  /// An upper bound of the absolute value.
-  Ball magnitude() const {
-    Ball b;
-    arb_get_abs_ubound_arf(arb_midref(b.v_), v_, context.precision);
-    return b;
-  }
   const Ball& finite() const {
     if (!arb_is_finite(v_)) throw Undefined{};
     return *this;

@@ -38,9 +38,8 @@ void require_in_patch(const Problem& problem, const PatchRecord& p, Index face) 
     for (const int shift : {-2, -1, 0, 1, 2}) {
       if (shift != 0 && !problem.certificate.periodic[d]) continue;
       bool all = true;
-      for (Index k = 0; k < 3; ++k) {
+      for (Index k = 0; k < 3; ++k)
         all = all && inside(p, Interval(problem.lifted(face, k, d)) + Interval(shift), d);
-      }
       found = found || all;
     }
     require(found, "patch, 1: the image lies in it");
