@@ -90,3 +90,42 @@ TEST_CASE("recheck: even powers of intervals are not negative") {
   CHECK_THROWS_AS(inverse(around), Undefined);
   CHECK_THROWS_AS(log(Interval(0, 1)), Undefined);
 }
+
+TEST_CASE("recheck: sums and products of models of far exponents hold zero where they must") {
+  crest::tests::Random random(43);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto model = [&] {
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 400) - 200);
+    const auto value = [&] { return Ball(random() % 5 == 0 ? 0 : size * coordinate(random)); };
+    return random() % 4 == 0 ? Model(value()) : Model::linear(value(), value(), value());
+  };
+  const auto size = [](const Model& m) {
+    const Interval r = m.range();
+    return std::max(-r.lower(), r.upper());
+  };
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    const Model a = model(), b = model(), c = model();
+    const Model square = (a + b) * (a + b) - a * a - scaled(a * b, 2) - b * b;
+    const Model distributed = (a + b) * c - c * a - c * b;
+    const Model thirds = scaled(a, 1, 3) + scaled(a, 2, 3) - a;
+    const double most = std::max({size(a), size(b), size(c)});
+    for (const auto& [zero, scale] : {std::pair{(a + b) - a - b, most},
+                                      {a + a - scaled(a, 2), size(a)},
+                                      {square, most * most},
+                                      {distributed, most * most},
+                                      {thirds, size(a)}}) {
+      const Interval r = zero.range();
+      CHECK(r.lower() <= 0);
+      CHECK(r.upper() >= 0);
+      CHECK(r.upper() - r.lower() <= 0x1p-45 * scale);
+    }
+  }
+  Model a = Model::linear(Ball(1.0), Ball(0.5), Ball(0.25));
+  a += a;
+  CHECK((a - Model::linear(Ball(2.0), Ball(1.0), Ball(0.5))).range().upper() <= 0x1p-50);
+  a.add_product(a, a);
+  CHECK((a - Model::linear(Ball(2.0), Ball(1.0), Ball(0.5)) *
+                 Model::linear(Ball(3.0), Ball(1.0), Ball(0.5)))
+            .range()
+            .upper() <= 0x1p-48);
+}
