@@ -262,6 +262,7 @@ Model Model::operator-() const {
 }
 /// Requires: |n| <= 2^20 if d is not a power of two, |n| <= 2^60 else.
 Model scaled(const Model& x, slong n, slong d) {
+  if (x.is_zero()) return x;
   Model::Wide w(x.degree_);
   w.exponent = x.exponent_;
   for (; d % 2 == 0; d /= 2) --w.exponent;
