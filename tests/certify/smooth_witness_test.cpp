@@ -127,6 +127,13 @@ TEST_CASE("smooth ridges: no face has two loose corners") {
     square.faces[0].loose[1] = 0b010;
     CHECK_THROWS_WITH(square.check(), "face 0: at two loose corners of the domain");
   }
+  SECTION("a corner that is marked, and no face has a ridge there") {
+    for (std::size_t f = 0; f < 2; ++f) {
+      square.c.face_records[f].verdict[0] = SmoothFaceRecord::kNoZero;
+      square.faces[f] = {};
+    }
+    CHECK_THROWS_WITH(square.check(), "vertex 0: its faces differ at a corner of the domain");
+  }
   SECTION("an opposite edge that no face decides") {
     square.faces[0].decided[0] = 0;
     CHECK_THROWS_WITH(square.check(), Catch::Contains("no face decides its blue crossings"));
