@@ -21,6 +21,7 @@ void mark_loose_corners(const Triangulation& mesh, const std::vector<FaceResult>
   struct Corner {
     std::vector<Index> faces;
     int loose = 0, slope = 0, opposite = 0, along = 0;
+    bool shared = false;  ///< a face has another loose corner
   };
   std::map<std::pair<Index, std::size_t>, Corner> corners;
   for (Index f = 0; f < faces.size(); ++f)
@@ -36,6 +37,8 @@ void mark_loose_corners(const Triangulation& mesh, const std::vector<FaceResult>
         if (at == corners.end()) continue;
         const ColourResult& c = faces[f].colour[j];
         at->second.faces.push_back(f);
+        const int other = faces[f].colour[1 - j].loose_corner;
+        at->second.shared = at->second.shared || (other >= 0 && other != static_cast<int>(k));
         at->second.opposite += c.crossed[(k + 1) % 3] ? 1 : 0;
         for (const std::size_t edge : {k, (k + 2) % 3}) {
           if (mesh.neighbours()[f][edge] != kNone) continue;
@@ -45,7 +48,7 @@ void mark_loose_corners(const Triangulation& mesh, const std::vector<FaceResult>
       }
   for (const auto& [key, c] : corners)
     if (c.loose != static_cast<int>(c.faces.size()) || std::abs(c.slope) != 2 || c.opposite != 1 ||
-        c.along != 1)
+        c.along != 1 || c.shared)
       marks.insert(marks.end(), c.faces.begin(), c.faces.end());
 }
 

@@ -160,9 +160,7 @@ class FaceChecker {
     const RidgesSmoothCertificate& c = claim_.certificate;
     if (c.loose_corners == 0) return false;
     const auto& v = c.vertices[c.faces[face_][i]];
-    for (const double x : {v[0], v[1]})
-      if (x != 0 && x != 1) return false;
-    return has(c.loose_corners, loose_bit(v, j));
+    return is_corner(v) && has(c.loose_corners, loose_bit(v, j));
   }
 
   /// Signs at the corners, of the whole face's model or at the points alone.
@@ -225,7 +223,8 @@ void check_loose_corner(const Claim& claim, const std::vector<FaceResult>& faces
     require(!r.in_patch && r.w == o.w && r.verdict[j] == o.verdict[j] &&
                 r.verdict[j] != SmoothFaceRecord::kNoZero,
             "vertex {}: its faces differ at a corner of the domain", vertex);
-    require(faces[f].loose[j] == 1U << i, "face {}: at two loose corners of the domain", f);
+    require((faces[f].loose[0] | faces[f].loose[1]) == 1U << i,
+            "face {}: at two loose corners of the domain", f);
     opposite += faces[f].crossed[j] >> (i + 1) % 3 & 1U;
     for (const u32 side : {i, (i + 2) % 3}) {
       if (topology.twin[3 * f + side] != kNone) continue;
@@ -265,14 +264,15 @@ void check_undrawn_arc(const Claim& claim, FaceProvers& provers, u32 vertex, std
   }
 }
 
-/// Checks them all; by colour the vertices.
+/// Checks all that are marked, needed or not; by colour the vertices.
 std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
                                                  const std::vector<FaceResult>& faces) {
+  const RidgesSmoothCertificate& c = claim.certificate;
   std::array<std::set<u32>, 2> vertices;
-  for (u32 f = 0; f < faces.size(); ++f)
+  for (u32 v = 0; v < c.vertices.size() && c.loose_corners != 0; ++v)
     for (std::size_t j = 0; j < 2; ++j)
-      for (std::size_t i = 0; i < 3; ++i)
-        if ((faces[f].loose[j] >> i & 1U) != 0) vertices[j].insert(claim.certificate.faces[f][i]);
+      if (is_corner(c.vertices[v]) && (c.loose_corners >> loose_bit(c.vertices[v], j) & 1) != 0)
+        vertices[j].insert(v);
   for (std::size_t j = 0; j < 2; ++j)
     for (const u32 v : vertices[j]) check_loose_corner(claim, faces, v, j);
   return vertices;
@@ -298,7 +298,7 @@ void check_undrawn_arcs(const Claim& claim) {
   const auto& start = claim.mesh.topology.ring_start;
   for (u32 v = 0; v < c.vertices.size(); ++v) {
     const auto& at = c.vertices[v];
-    if ((at[0] != 0 && at[0] != 1) || (at[1] != 0 && at[1] != 1)) continue;
+    if (!is_corner(at)) continue;
     const bool blue = (c.loose_corners >> loose_bit(at, 0) & 1) != 0;
     const bool red = (c.loose_corners >> loose_bit(at, 1) & 1) != 0;
     if ((!blue && !red) || start[v + 1] - start[v] == 1) continue;

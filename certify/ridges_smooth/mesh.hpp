@@ -28,6 +28,10 @@ inline double fibre_length(const RidgesSmoothCertificate& c, std::uint32_t face)
   return witness.empty() ? 0 : std::ldexp(1.0, c.reach - int{witness[0]});
 }
 
+/// Of the square.
+inline bool is_corner(const std::array<double, 6>& vertex) {
+  return (vertex[0] == 0 || vertex[0] == 1) && (vertex[1] == 0 || vertex[1] == 1);
+}
 /// Of a corner of the square in loose_corners, for colour j.
 inline std::size_t loose_bit(const std::array<double, 6>& corner, std::size_t j) {
   return 4 * j + (corner[0] == 1 ? 1 : 0) + (corner[1] == 1 ? 2 : 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The numbers of the second checker: balls, floating-point bounds and rationals of Arb and FLINT,
-// as values. SPEC.md, "How enclosures show it": what is not certainly defined and finite has no
-// value here; the operation that would make it throws, so nothing can absorb it.
+// The numbers of the second checker: balls and rationals of Arb and FLINT, as values. SPEC.md, "How
+// enclosures show it": what is not certainly defined and finite has no value here; the operation
+// that would make it throws, so nothing can absorb it.
 #include <arb.h>
 #include <flint/fmpq.h>
 
@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace crest::recheck {
+
+using Index = std::size_t;
 
 /// A part is not certainly defined.
 struct Undefined {};
@@ -87,53 +89,10 @@ class Rational {
   fmpq_t v_;
 };
 
-/// A bound: a floating-point number of any exponent.
-class Float {
- public:
-  Float(double x = 0) {
-    arf_init(v_);
-    arf_set_d(v_, x);
-  }
-  Float(const Float& b) {
-    arf_init(v_);
-    arf_set(v_, b.v_);
-  }
-  Float& operator=(const Float& b) {
-    arf_set(v_, b.v_);
-    return *this;
-  }
-  ~Float() { arf_clear(v_); }
-  arf_ptr get() { return v_; }
-  arf_srcptr get() const { return v_; }
-  int sign() const { return arf_sgn(v_); }
-  friend bool operator<(const Float& a, const Float& b) { return arf_cmp(a.v_, b.v_) < 0; }
-  friend bool operator<=(const Float& a, const Float& b) { return arf_cmp(a.v_, b.v_) <= 0; }
-
- private:
-  arf_t v_;
-};
-
-inline Float sum(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
-  Float r;
-  arf_add(r.get(), a.get(), b.get(), precision, direction);
-  return r;
-}
-inline Float difference(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
-  Float r;
-  arf_sub(r.get(), a.get(), b.get(), precision, direction);
-  return r;
-}
-inline Float product(const Float& a, const Float& b, slong precision, arf_rnd_t direction) {
-  Float r;
-  arf_mul(r.get(), a.get(), b.get(), precision, direction);
-  return r;
-}
-
 class Ball {
  public:
   Ball() { arb_init(v_); }
   Ball(double x) : Ball() { arb_set_d(v_, x); }
-  explicit Ball(const Float& x) : Ball() { arb_set_arf(v_, x.get()); }
   explicit Ball(const Rational& x) : Ball() { arb_set_fmpq(v_, x.get(), context.precision); }
   Ball(const Ball& b) : Ball() { arb_set(v_, b.v_); }
   Ball(Ball&& b) noexcept : Ball() { arb_swap(v_, b.v_); }
@@ -161,12 +120,6 @@ class Ball {
   Ball middle() const {
     Ball b;
     arb_set_arf(b.v_, arb_midref(v_));
-    return b;
-  }
-  /// An upper bound of the absolute value.
-  Ball magnitude() const {
-    Ball b;
-    arb_get_abs_ubound_arf(arb_midref(b.v_), v_, context.precision);
     return b;
   }
   const Ball& finite() const {
@@ -197,7 +150,6 @@ class Ball {
   }
   arb_t v_;
 };
-static_assert(sizeof(Ball) == sizeof(arb_struct));  // vectors of balls go to Arb as they are
 
 template <class Operation>
 Ball through(Operation f, const Ball& x) {

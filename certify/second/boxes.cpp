@@ -10,13 +10,9 @@ constexpr Index kChunk = 64;
 
 using Bounds = std::array<double, 6>;
 
-Interval point(const Float& x) {
-  return {x, x};
-}
-
 Box middle_of(const Box& box) {
   Box c;
-  for (Index i = 0; i < 3; ++i) c.side[i] = point(box.side[i].middle());
+  for (Index i = 0; i < 3; ++i) c.side[i] = box.side[i].middle();
   return c;
 }
 
@@ -114,10 +110,10 @@ void check_graph_box(const Problem& problem, const GraphBox& k,
   if (below == above) throw Rejected("graph box: F has one sign on both sides");
   Index corner = 0;
   while (problem.certificate.faces[face][corner] != k.vertex) ++corner;
-  const Fibre fibre = problem.fibre(face, Piece::point(unit_corner(corner)), outcomes[face].c);
-  const Foot foot = surface.foot(fibre, 4);
+  const auto foot = surface.foot(
+      problem.fibre<Ball>(face, Piece::point(unit_corner(corner)), outcomes[face].c), 4);
   for (Index i = 0; i < 3; ++i)
-    require(foot.x[i].range().inside(k.bounds[2 * i], k.bounds[2 * i + 1]),
+    require(range_of(foot.x[i]).inside(k.bounds[2 * i], k.bounds[2 * i + 1]),
             "graph box: its vertex lies in it");
 }
 
@@ -125,16 +121,14 @@ void check_graph_box(const Problem& problem, const GraphBox& k,
 
 std::array<Box, 2> Box::halves(Index axis) const {
   std::array<Box, 2> h = {*this, *this};
-  const Float m = side[axis].middle();
+  const double m = side[axis].middle();
   h[0].side[axis] = {side[axis].lower(), m};
   h[1].side[axis] = {m, side[axis].upper()};
   return h;
 }
 std::vector<Box> Box::children() const {
   Index widest = 0;
-  const auto width = [&](Index i) {
-    return (point(side[i].upper()) - point(side[i].lower())).upper();
-  };
+  const auto width = [&](Index i) { return side[i].upper() - side[i].lower(); };
   for (Index i = 1; i < 3; ++i)
     if (width(widest) < width(i)) widest = i;
   const auto h = halves(widest);

@@ -55,7 +55,6 @@ class Reader {
 };
 
 using Corners = std::array<std::uint32_t, 3>;
-using Index = std::size_t;
 
 struct FaceRecord {
   bool in_patch = false;

@@ -13,19 +13,21 @@ Barycentric middle(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-Float difference(const Float& a, const Float& b) {
-  return difference(a, b, ARF_PREC_EXACT, ARF_RND_DOWN);
-}
-Float product(const Float& a, const Float& b) {
-  return product(a, b, ARF_PREC_EXACT, ARF_RND_DOWN);
+/// The affine function with these values at the piece's corners.
+template <class T>
+T affine(const Piece& piece, const std::array<Ball, 3>& value) {
+  if constexpr (std::is_same_v<T, Ball>)
+    return value[0];
+  else
+    return Model::linear(value[0], value[1] - value[0],
+                         piece.is_segment() ? Ball() : value[2] - value[0]);
 }
 
-/// The affine function with these values at the piece's corners.
-Model affine(const Piece& piece, const std::array<Ball, 3>& value) {
-  if (piece.is_point()) return Model(value[0]);
-  return Model::linear(value[0], value[1] - value[0],
-                       piece.is_segment() ? Ball() : value[2] - value[0]);
-}
+/// While it lives, sums and products of balls without radius are exact.
+class Exact : public Scope {
+ public:
+  Exact() { context.precision = ARF_PREC_EXACT; }
+};
 
 }  // namespace
 
@@ -45,14 +47,21 @@ Barycentric unit_corner(Index k) {
   return l;
 }
 
+int order_of(Reader& in, unsigned byte, unsigned allowed) {
+  const int order = 3 + static_cast<int>(byte & 3);
+  if (order > 5 || (byte & ~(3 | allowed)) != 0) in.fail("a division has unknown bits");
+  return order;
+}
+
 Ball Problem::h(int c) const {
   Ball one(1);
   arb_mul_2exp_si(one.get(), one.get(), certificate.k0 - c);
   return one;
 }
 
-Fibre Problem::fibre(Index face, const Piece& piece, int c) const {
-  Fibre f;
+template <class T>
+Fibre<T> Problem::fibre(Index face, const Piece& piece, int c) const {
+  Fibre<T> f;
   f.h = h(c);
   for (Index k = 0; k < 6; ++k) {
     std::array<Ball, 3> value;
@@ -60,37 +69,42 @@ Fibre Problem::fibre(Index face, const Piece& piece, int c) const {
       for (Index j = 0; j < 3; ++j)
         value[i].add_product(Ball(piece.corner[i][j]),
                              Ball(certificate.vertices[certificate.faces[face][j]][k]));
-    (k < 3 ? f.base[k] : f.along[k - 3]) = affine(piece, value);
+    (k < 3 ? f.base[k] : f.along[k - 3]) = affine<T>(piece, value);
   }
   return f;
 }
+template Fibre<Ball> Problem::fibre(Index, const Piece&, int) const;
+template Fibre<Model> Problem::fibre(Index, const Piece&, int) const;
 
-Vector Problem::chord(Index face, Index i, Index j, const Model& s) const {
+Vector<Model> Problem::chord(Index face, Index i, Index j, const Model& s) const {
   const auto &from = certificate.vertices[certificate.faces[face][i]],
              &to = certificate.vertices[certificate.faces[face][j]];
-  Vector d;
+  Vector<Model> d;
   for (Index k = 0; k < 3; ++k)
     d[k] = Model(Ball(to[k]) - Ball(from[k])) + s * Model(Ball(to[k + 3]) - Ball(from[k + 3]));
   return d;
 }
 
-Float Problem::lifted(Index face, Index corner, std::size_t direction) const {
+Ball Problem::lifted(Index face, Index corner, std::size_t direction) const {
+  const Exact exact;
   const double x = certificate.vertices[certificate.faces[face][corner]][direction];
-  const unsigned bit = certificate.lifts[face] >> (corner + 3 * direction) & 1;
-  return sum(x, static_cast<double>(bit), ARF_PREC_EXACT, ARF_RND_DOWN);
+  return Ball(x) + Ball(certificate.lifts[face] >> (corner + 3 * direction) & 1);
 }
 
-std::array<Model, 2> Problem::unit(Index face, const Piece& piece) const {
-  std::array<Model, 2> uv;
+template <class T>
+std::array<T, 2> Problem::unit(Index face, const Piece& piece) const {
+  std::array<T, 2> uv;
   for (std::size_t d = 0; d < 2; ++d) {
     std::array<Ball, 3> value;
     for (Index i = 0; i < 3; ++i)
       for (Index j = 0; j < 3; ++j)
-        value[i].add_product(Ball(piece.corner[i][j]), Ball(lifted(face, j, d)));
-    uv[d] = affine(piece, value);
+        value[i].add_product(Ball(piece.corner[i][j]), lifted(face, j, d));
+    uv[d] = affine<T>(piece, value);
   }
   return uv;
 }
+template std::array<Ball, 2> Problem::unit(Index, const Piece&) const;
+template std::array<Model, 2> Problem::unit(Index, const Piece&) const;
 
 namespace {
 
@@ -115,12 +129,12 @@ void check_areas(const Problem& problem) {
   Ball sum;
   for (Index f = 0; f < problem.certificate.faces.size(); ++f) {
     const auto side = [&](Index k, std::size_t d) {
-      return difference(problem.lifted(f, k, d), problem.lifted(f, 0, d));
+      return problem.lifted(f, k, d) - problem.lifted(f, 0, d);
     };
-    const Float area = difference(product(side(1, 0), side(2, 1)), product(side(2, 0), side(1, 1)));
+    const Ball area = side(1, 0) * side(2, 1) - side(2, 0) * side(1, 1);
     if (area.sign() <= 0)
       throw Rejected("face " + std::to_string(f) + ": has no positive area in unit coordinates");
-    sum = sum + Ball(area);
+    sum = sum + area;
   }
   // Twice the areas.
   if ((sum - Ball(1)).sign() <= 0 || (Ball(3) - sum).sign() <= 0)
@@ -131,6 +145,7 @@ void check_areas(const Problem& problem) {
 
 void check_parametric_chart(const Problem& problem) {
   const Certificate& c = problem.certificate;
+  const Exact exact;
   check_coordinates(c);
   check_areas(problem);
   for (const Edge& e : problem.complex.edges) {
@@ -142,11 +157,10 @@ void check_parametric_chart(const Problem& problem) {
     }
     for (std::size_t d = 0; d < 2; ++d) {
       const auto along = [&](Index i, Index from, Index to) {
-        return difference(problem.lifted(e.face[i], (e.side[i] + to) % 3, d),
-                          problem.lifted(e.face[i], (e.side[i] + from) % 3, d));
+        return problem.lifted(e.face[i], (e.side[i] + to) % 3, d) -
+               problem.lifted(e.face[i], (e.side[i] + from) % 3, d);
       };
-      const Float a = along(0, 0, 1), b = along(1, 1, 0);
-      if (a < b || b < a)
+      if (!(along(0, 0, 1) - along(1, 1, 0)).is_zero())
         throw Rejected("face " + std::to_string(e.face[0]) + ": an edge's lifts differ");
     }
   }

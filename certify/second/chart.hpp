@@ -41,6 +41,22 @@ void shown(const Set& piece, int depth, const std::function<void(const Set&)>& s
   for (const Set& child : children) shown(child, depth - 1, statement);
 }
 
+/// The order in a node's byte of a division; rejects bits that are not allowed.
+int order_of(Reader& in, unsigned byte, unsigned allowed);
+
+/// Reads a division at most `depth` deep, and calls leaf(piece, byte) in the order of each node
+/// without children, whose byte has no bits but the order's and these.
+template <class Leaf>
+void read_division(Reader& in, const Piece& piece, int depth, unsigned allowed, const Leaf& leaf) {
+  const unsigned byte = in.u8();
+  const bool divided = (byte & 4) != 0;
+  const Scope scope;
+  context.order = order_of(in, byte, divided ? 4 : allowed);
+  if (!divided) return leaf(piece, byte);
+  if (depth == 0) in.fail("a division is too deep");
+  for (const Piece& child : piece.children()) read_division(in, child, depth - 1, allowed, leaf);
+}
+
 /// What all parts of the check share.
 struct Problem {
   const Certificate& certificate;
@@ -48,13 +64,15 @@ struct Problem {
   const Complex& complex;
 
   Ball h(int c) const;
-  /// Kind 0: the fibres over a piece.
-  Fibre fibre(Index face, const Piece& piece, int c) const;
+  /// Kind 0: the fibres over a piece (of Ball: a point).
+  template <class T>
+  Fibre<T> fibre(Index face, const Piece& piece, int c) const;
   /// Kind 0: x_j - x_i + s (N_j - N_i).
-  Vector chord(Index face, Index i, Index j, const Model& s) const;
+  Vector<Model> chord(Index face, Index i, Index j, const Model& s) const;
   /// Kind 1: a corner's lifted coordinate (exact), and both over a piece.
-  Float lifted(Index face, Index corner, std::size_t direction) const;
-  std::array<Model, 2> unit(Index face, const Piece& piece) const;
+  Ball lifted(Index face, Index corner, std::size_t direction) const;
+  template <class T>
+  std::array<T, 2> unit(Index face, const Piece& piece) const;
 };
 
 /// Kind 1: the chart conditions, all exact.

@@ -24,7 +24,7 @@ double Crossings::parameter() {
   return t;
 }
 int Crossings::sign_at(Index side, double t, std::size_t colour) const {
-  return sampler_.sign_at(on_side(side, t), outcome_.c, colour);
+  return sampler_.signs_at(on_side(side, t), outcome_.c, 1U << colour)[colour];
 }
 
 void Crossings::type(std::size_t j, bool by_turn) {
@@ -91,26 +91,15 @@ void Crossings::purple(bool by_cross) {
 namespace {
 
 /// At a loose corner the true sign of E_j may be another than the one it counts as, and the arc
-/// runs through other faces at the corner than those it is drawn in: on these too it has its type,
-/// and no purple point.
-void show_undrawn(const Problem& problem, Index face, const FaceOutcome& outcome, std::size_t j,
-                  int type) {
+/// may run through a face at the corner in which it is not drawn: there, too, it is of its type.
+void show_undrawn(const Problem& problem, Index face, int c, std::size_t j, int type) {
   const Sampler sampler(problem, face);
   const int expected = type == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
   shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
     const Scope scope;
-    context.order = outcome.order;
-    const Sample s = sampler.forms(p, outcome.c, 1, 3);
-    if (s.e[j][0].sign() != 0) return;
-    require(s.growth[j].sign() == expected, "a loose corner: the type in the faces around it");
-    bool apart = s.e[1 - j][0].sign() != 0;
-    const Ball other = s.e[1 - j][0].range().ball(), scale = s.e[j][0].range().ball();
-    for (const int weight : {-4, -1, 1, 4}) {
-      if (apart) break;
-      const Model a(other.magnitude()), b(scaled(scale.magnitude(), weight));
-      apart = (a * s.e[j][0] + b * s.e[1 - j][0]).sign() != 0;
-    }
-    require(apart, "a loose corner: no purple point in the faces around it");
+    context.order = 5;
+    require(sampler.forms(p, c, 1, 1U << j).growth[j].sign() == expected,
+            "a loose corner: the type in the faces around it");
   });
 }
 
@@ -124,7 +113,7 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
   const FaceRecord* first = nullptr;
   std::vector<int> slopes, ends;
   std::vector<Index> undrawn;
-  int opposite_crossed = 0, type = 0;
+  int opposite_crossed = 0, type = 0, number = 0;
   for (Index f = 0; f < c.faces.size(); ++f)
     for (Index k = 0; k < 3; ++k) {
       if (c.faces[f][k] != vertex) continue;
@@ -132,12 +121,18 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
       if (first == nullptr) first = &r;
       demand(!r.in_patch && r.w == first->w && r.verdict[j] == first->verdict[j] &&
              r.verdict[j] != 255);
-      demand(!loose.at(j, c.faces[f][(k + 1) % 3]) && !loose.at(j, c.faces[f][(k + 2) % 3]));
+      for (const std::size_t colour : {0U, 1U})
+        demand(!loose.at(colour, c.faces[f][(k + 1) % 3]) &&
+               !loose.at(colour, c.faces[f][(k + 2) % 3]));
+      ++number;
       opposite_crossed += outcomes[f].crossed(j, (k + 1) % 3) ? 1 : 0;
-      if (r.type[j] == 0)
+      if (r.type[j] == 0) {
         undrawn.push_back(f);
-      else
+        demand(r.type[1 - j] == 0);
+      } else {
+        demand(type == 0 || type == r.type[j]);
         type = r.type[j];
+      }
       for (const Index side : {k, (k + 2) % 3}) {
         if (problem.complex.edges[problem.complex.edge_of[f][side]].faces == 2) continue;
         demand(outcomes[f].decided[j][side] && outcomes[f].slope[j][side] != 0);
@@ -146,8 +141,8 @@ void check_loose(const Problem& problem, const LooseCorners& loose, std::size_t 
       }
     }
   demand(slopes.size() == 2 && slopes[0] == slopes[1] && ends[0] != ends[1] &&
-         opposite_crossed == 1);
-  for (const Index f : undrawn) show_undrawn(problem, f, outcomes[f], j, type);
+         opposite_crossed == 1 && (number == 1 || !loose.at(1 - j, vertex)));
+  for (const Index f : undrawn) show_undrawn(problem, f, outcomes[f].c, j, type);
 }
 
 }  // namespace

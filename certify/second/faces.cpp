@@ -25,7 +25,7 @@ bool inside(const PatchRecord& p, const Interval& x, std::size_t d) {
   const Interval z(p.z[d]), r = Interval(p.r) - Interval(2 * p.rho);
   return x.inside((z - r).upper(), (z + r).lower());
 }
-void require_in_patch(const PatchRecord& p, const Vector& x) {
+void require_in_patch(const PatchRecord& p, const Vector<Model>& x) {
   const auto axis = static_cast<Index>(p.axis);
   require(inside(p, x[(axis + 1) % 3].range(), 0) && inside(p, x[(axis + 2) % 3].range(), 1) &&
               x[axis].range().inside(p.m[0], p.m[1]),
@@ -38,10 +38,8 @@ void require_in_patch(const Problem& problem, const PatchRecord& p, Index face) 
     for (const int shift : {-2, -1, 0, 1, 2}) {
       if (shift != 0 && !problem.certificate.periodic[d]) continue;
       bool all = true;
-      for (Index k = 0; k < 3; ++k) {
-        const Float x = problem.lifted(face, k, d);
-        all = all && inside(p, Interval(x, x) + Interval(shift), d);
-      }
+      for (Index k = 0; k < 3; ++k)
+        all = all && inside(p, Interval(problem.lifted(face, k, d)) + Interval(shift), d);
       found = found || all;
     }
     require(found, "patch, 1: the image lies in it");
@@ -119,37 +117,46 @@ class FaceProof {
   }
 
   void show(const Piece& piece, const Node& node);
+  void enlarge_image(const Vector<Model>& x) {
+    std::array<Interval, 3> box;
+    for (Index k = 0; k < 3; ++k) box[k] = x[k].range();
+    if (!outcome_.image) outcome_.image = box;
+    for (Index k = 0; k < 3; ++k) (*outcome_.image)[k] = hull((*outcome_.image)[k], box[k]);
+  }
 
-  void verdict(const Sample& s, std::size_t j, bool steep) const {
-    if (record_.verdict[j] == kNone)
-      return require(extremality_without_root(s, j, steep).sign() != 0,
-                     "the verdict: E_j has no zero");
+  void no_zero(const Sample<>& s, const Direction<Model>& v) const {
+    const Scope scope(0);
+    require(extremality(s.forms, v)[0].sign() != 0, "the verdict: E_j has no zero");
+  }
+  void monotone(const Sample<>& s, std::size_t j) const {
     const auto c = direction(record_.verdict[j]);
     require((scaled(s.e[j][1], c[0]) + scaled(s.e[j][2], c[1])).sign() != 0,
             "the verdict: c . grad E_j has no zero");
   }
 
   void corners() {
+    for (Index k = 0; k < 3; ++k) {
+      unsigned wanted = 0;
+      for (std::size_t j = 0; j < 2; ++j)
+        if (record_.verdict[j] != kNone && !is_loose_[j][k]) wanted |= 1U << j;
+      if (wanted == 0) continue;
+      const auto signs = sampler_.signs_at(unit_corner(k), outcome_.c, wanted);
+      for (std::size_t j = 0; j < 2; ++j) outcome_.sign[j][k] = signs[j];
+    }
     for (std::size_t j = 0; j < 2; ++j)
-      for (Index k = 0; k < 3 && record_.verdict[j] != kNone; ++k)
-        outcome_.sign[j][k] = is_loose_[j][k] ? 1 : sampler_.sign_at(unit_corner(k), outcome_.c, j);
+      for (Index k = 0; k < 3; ++k)
+        if (is_loose_[j][k] && record_.verdict[j] != kNone) outcome_.sign[j][k] = 1;
   }
 
   void side(std::size_t j, Index k) {
     const Piece whole = Piece::segment(unit_corner(k), unit_corner(k + 1));
-    if (divided_[j])
-      segment_division(whole, j, k, 0);
-    else
-      side_piece(whole, outcome_.order, j, k);
+    const Scope scope;
+    context.order = outcome_.order;
+    if (!divided_[j]) return side_piece(whole, j, k);
+    read_division(in_, whole, kSegmentDepth, 0,
+                  [&](const Piece& p, unsigned) { side_piece(p, j, k); });
   }
-  void segment_division(const Piece& piece, std::size_t j, Index k, int depth) {
-    const unsigned byte = in_.u8();
-    const int order = order_of(in_, byte, 4);
-    if ((byte & 4) == 0) return side_piece(piece, order, j, k);
-    if (depth == kSegmentDepth) in_.fail("a division is deeper than 12");
-    for (const Piece& child : piece.children()) segment_division(child, j, k, depth + 1);
-  }
-  void side_piece(const Piece& piece, int order, std::size_t j, Index k);
+  void side_piece(const Piece& piece, std::size_t j, Index k);
 
   const Problem& problem_;
   const FaceRecord& record_;
@@ -193,12 +200,24 @@ void FaceProof::show(const Piece& piece, const Node& node) {
     wanted |= 1U << j;
     jet_order = std::max(jet_order, turn ? 2 : 1);
   }
-  const Sample s = has(~(kChart | kInPatch)) ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
-                                             : sampler_.foot(piece, outcome_.c);
-  if (has(kChart)) sampler_.require_orientation(s);
+  const Sample<> s = has(~(kChart | kInPatch))
+                         ? sampler_.forms(piece, outcome_.c, jet_order, wanted)
+                         : sampler_.foot(piece, outcome_.c);
+  if (has(kChart)) {
+    sampler_.require_orientation(s);
+    enlarge_image(s.foot.x);
+  }
   if (has(kInPatch)) require_in_patch(patch(), s.foot.x);
+  std::optional<std::array<Direction<Model>, 2>> rootless;
   for (std::size_t j = 0; j < 2; ++j) {
-    if (has(kVerdict[j])) verdict(s, j, node.steep);
+    if (has(kVerdict[j])) {
+      if (record_.verdict[j] != kNone) {
+        monotone(s, j);
+      } else {
+        if (!rootless) rootless = rootless_directions(s.a, node.steep);
+        no_zero(s, (*rootless)[j]);
+      }
+    }
     if (!has(kType[j])) continue;
     const int expected = record_.type[j] == (j == 0 ? kElliptic : kHyperbolic) ? -1 : 1;
     require(by_turn(j) ? s.turn[j].sign() != 0 : s.growth[j].sign() == expected,
@@ -211,16 +230,14 @@ void FaceProof::show(const Piece& piece, const Node& node) {
   require(purple.sign() != 0, "purple: the combination, or the determinant");
 }
 
-void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k) {
+void FaceProof::side_piece(const Piece& piece, std::size_t j, Index k) {
   shown<Piece>(piece, 2 * kFurther, [&](const Piece& p) {
-    const Scope scope;
-    context.order = order;
     if (by_value_[j][k]) {
       require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
               "an edge: E_j has no zero");
       return;
     }
-    const Sample s = sampler_.forms(p, outcome_.c, 1, 1U << j);
+    const Sample<> s = sampler_.forms(p, outcome_.c, 1, 1U << j);
     const auto d = sampler_.along(s, k);
     const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
     require(sign != 0, "an edge: the derivative of E_j along it has no zero");
@@ -229,12 +246,6 @@ void FaceProof::side_piece(const Piece& piece, int order, std::size_t j, Index k
 }
 
 }  // namespace
-
-int order_of(Reader& in, unsigned byte, unsigned allowed) {
-  const int order = 3 + static_cast<int>(byte & 3);
-  if (order > 5 || (byte & ~(3 | allowed)) != 0) in.fail("a division has unknown bits");
-  return order;
-}
 
 LooseCorners::LooseCorners(const Problem& problem) {
   const Certificate& c = problem.certificate;

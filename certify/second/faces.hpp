@@ -3,6 +3,8 @@
 
 // SPEC.md, "Faces outside patches" (theorem 9), the chart conditions of a face, and the part of a
 // patch's condition 1 that is said of its faces; their strings in "Witnesses".
+#include <optional>
+
 #include "certify/second/face_sample.hpp"
 
 namespace crest::recheck {
@@ -11,13 +13,14 @@ namespace crest::recheck {
 template <class T>
 using BySide = std::array<std::array<T, 3>, 2>;
 
-/// What is proven of a face; all but the last two outside patches.
+/// What is proven of a face; all but the last three outside patches.
 struct FaceOutcome {
   BySide<int> sign{};      ///< of E_j at corner i, in the frame of w; 0 for verdict 255
   BySide<bool> decided{};  ///< side i, by this face's witness
   BySide<int> slope{};     ///< of E_j along a side decided by its derivative
   int order = 3;           ///< kind 0, also in patches: of the root of its division
   int c = 0;               ///< kind 0, also in patches: of its h
+  std::optional<std::array<Interval, 3>> image;  ///< kind 0, also in patches: a box around it
   bool crossed(std::size_t colour, Index side) const {
     return sign[colour][side] * sign[colour][(side + 1) % 3] < 0;
   }
@@ -37,9 +40,6 @@ class LooseCorners {
 /// Proves everything that is said of the face alone.
 /// Throws: Rejected, Open, Undefined.
 FaceOutcome check_face(const Problem& problem, const LooseCorners& loose, Index face);
-
-/// Degrees of the models at a root byte of a division; rejects unknown bits.
-int order_of(Reader& in, unsigned byte, unsigned allowed);
 
 constexpr int kTriangleDepth = 8, kSegmentDepth = 12;
 /// How much further than its witness this checker divides where its enclosures are weaker.

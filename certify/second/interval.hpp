@@ -2,6 +2,9 @@
 #pragma once
 
 // Intervals by their bounds (SPEC.md, "Boxes"): for boxes of space, and as the ranges of models.
+// Bounds are doubles: a result rounded to nearest and moved outwards by one, unless it is exact.
+#include <algorithm>
+
 #include "certify/second/ball.hpp"
 
 namespace crest::recheck {
@@ -10,34 +13,38 @@ class Interval {
  public:
   Interval() = default;
   /// Throws: Undefined for a bound that is not finite.
-  Interval(const Float& lower, const Float& upper);
-  Interval(double x) : lower_(x), upper_(x) {}
+  Interval(double lower, double upper);
+  Interval(double x) : Interval(x, x) {}
   explicit Interval(const Ball& b);
 
-  const Float& lower() const { return lower_; }
-  const Float& upper() const { return upper_; }
-  bool is_zero() const { return lower_.sign() == 0 && upper_.sign() == 0; }
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+  bool is_zero() const { return lower_ == 0 && upper_ == 0; }
   /// 1, -1, or 0 if both or zero are possible.
-  int sign() const { return lower_.sign() > 0 ? 1 : upper_.sign() < 0 ? -1 : 0; }
+  int sign() const { return lower_ > 0 ? 1 : upper_ < 0 ? -1 : 0; }
   /// Every number of both.
   Ball ball() const;
   /// A number about half-way.
-  Float middle() const;
+  double middle() const { return lower_ / 2 + upper_ / 2; }
   /// Strictly between.
-  bool inside(const Float& a, const Float& b) const { return a < lower_ && upper_ < b; }
-  void add_product(const Interval& a, const Interval& b);
+  bool inside(double a, double b) const { return a < lower_ && upper_ < b; }
+  void add_product(const Interval& a, const Interval& b) { *this = *this + a * b; }
 
   friend Interval operator+(const Interval& a, const Interval& b);
-  friend Interval operator-(const Interval& a, const Interval& b);
+  friend Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
   friend Interval operator*(const Interval& a, const Interval& b);
-  Interval operator-() const;
+  Interval operator-() const { return {-upper_, -lower_}; }
 
  private:
-  Float lower_, upper_;
+  double lower_ = 0, upper_ = 0;
 };
 
-Interval hull(const Interval& a, const Interval& b);
-bool disjoint(const Interval& a, const Interval& b);
+inline Interval hull(const Interval& a, const Interval& b) {
+  return {std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
+}
+inline bool disjoint(const Interval& a, const Interval& b) {
+  return a.upper() < b.lower() || b.upper() < a.lower();
+}
 
 Interval inverse(const Interval& x);
 /// Defined for x >= 0.
@@ -48,6 +55,8 @@ Interval sin(const Interval& x);
 Interval cos(const Interval& x);
 /// n >= 1; of an even n never negative.
 Interval power(const Interval& x, unsigned n);
-Interval scaled(const Interval& x, slong n, slong d = 1);
+inline Interval scaled(const Interval& x, slong n, slong d = 1) {
+  return x * Interval(Ball(Rational(n, static_cast<ulong>(d))));
+}
 
 }  // namespace crest::recheck

@@ -66,8 +66,8 @@ class Jet {
   using Table = Monomials<D>;
   Jet() : c_(1) {}
   Jet(double x) : c_{T(x)} {}
-  explicit Jet(const Ball& x) : c_{T(x)} {}
-  explicit Jet(T x) : c_{std::move(x)} {}
+  template <class Value>
+  explicit Jet(Value x) : c_{T(std::move(x))} {}
   /// x plus a multiple of each variable.
   Jet(T x, const std::array<T, D>& slopes) : c_{std::move(x)} {
     if (context.jet_order == 0) return;
@@ -137,18 +137,42 @@ class Jet {
     for (T& c : r.c_) c = scaled(c, n, d);
     return r;
   }
-  /// f of it, by f's Taylor series at the value.
+  /// f of it: from f(g) g = 1 or f(g)^2 = g degree by degree, else by f's Taylor series at the
+  /// value.
   friend Jet applied(const Function& f, const Jet& g) {
-    if (g.degree_ == 0) return Jet(value_of(f, g.c_[0]));
+    if (g.degree_ == 0 || context.jet_order == 0) return Jet(value_of(f, g.c_[0]));
+    if (f.kind == Function::Kind::inverse || f.kind == Function::Kind::sqrt) return solved(f, g);
     const std::vector<T> t = series(f, g.c_[0], context.jet_order);
     Jet delta = g;
     delta.c_[0] = T();
     Jet r(t.back());
-    for (std::size_t k = t.size() - 1; k-- > 0;) r = r * delta + Jet(t[k]);
+    for (std::size_t k = t.size() - 1; k-- > 0;) {  // delta begins with degree 1
+      const Scope scope(context.jet_order - static_cast<int>(k));
+      r = r * delta + Jet(t[k]);
+    }
     return r;
   }
 
  private:
+  static Jet solved(const Function& f, const Jet& g) {
+    const bool root = f.kind == Function::Kind::sqrt;
+    const Table& table = Table::get();
+    const auto begin = [&](int d) { return table.count[static_cast<std::size_t>(d)]; };
+    Jet r(value_of(f, g.c_[0])), rest;
+    r.grow(context.jet_order);
+    rest.grow(context.jet_order);
+    const T step = root ? inverse(scaled(r.c_[0], 2, 1)) : -r.c_[0];
+    for (int d = 1; d <= context.jet_order; ++d) {
+      for (std::size_t a = 1; a < begin(root ? d : d + 1); ++a) {
+        const int left = d - table.degree[a];
+        for (std::size_t b = begin(left); b < begin(left + 1); ++b)
+          rest.c_[table.product[a][b]].add_product(root ? r.c_[a] : g[a], r.c_[b]);
+      }
+      for (std::size_t k = begin(d); k < begin(d + 1); ++k)
+        r.c_[k] = step * (root ? g[k] - rest.c_[k] : rest.c_[k]);
+    }
+    return r;
+  }
   void grow(int degree) {
     if (degree <= degree_) return;
     degree_ = degree;

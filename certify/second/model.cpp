@@ -2,192 +2,295 @@
 #include "certify/second/model.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace crest::recheck {
 namespace {
 
-constexpr int kDegree = 5;
-constexpr std::size_t kTerms = 21;
+__extension__ using Integer = __int128;
+__extension__ using Unsigned = unsigned __int128;
 
-/// Upper bounds that Arb's functions for magnitudes work on.
-struct Magnitudes {
-  explicit Magnitudes(std::size_t n) : size(n) {
-    for (std::size_t i = 0; i < size; ++i) mag_init(&at[i]);
+constexpr int kDegree = 5, kBits = 57;
+constexpr slong kShift = 64;           // by which a model moves to the left in a sum
+constexpr slong kGreatest = 1L << 40;  // of an exponent
+constexpr std::size_t kTermsOfProduct = 11 * 12 / 2;
+
+constexpr std::size_t at(int i, int j) {
+  return static_cast<std::size_t>((i + j) * (i + j + 1) / 2 + j);
+}
+constexpr std::size_t terms(int degree) {
+  return at(degree + 1, 0);
+}
+
+/// min(i, j) of every term: |u^i v^j| <= 2^-min(i, j).
+constexpr std::array<int, kTermsOfProduct> kHalvings = [] {
+  std::array<int, kTermsOfProduct> all{};
+  for (int d = 0; d <= 2 * kDegree; ++d)
+    for (int j = 0; j <= d; ++j) all[at(d - j, j)] = std::min(d - j, j);
+  return all;
+}();
+
+constexpr std::array<double, kTermsOfProduct> kHalved = [] {
+  std::array<double, kTermsOfProduct> all{};
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = 1.0 / (1 << kHalvings[k]);
+  return all;
+}();
+
+/// Bernstein coefficients of u^i v^j, times 60 * 2^degree: integers.
+struct Bernstein {
+  using Polynomial = std::array<std::array<int, kDegree + 1>, kDegree + 1>;  // by l1^a l2^b
+
+  explicit Bernstein(int degree) : common(60 << degree) {
+    const auto times = [](Polynomial& p, const std::array<int, 3>& linear) {
+      for (std::size_t a = kDegree + 1; a-- > 0;)
+        for (std::size_t b = kDegree + 1 - a; b-- > 0;)
+          p[a][b] = linear[0] * p[a][b] + (a > 0 ? linear[1] * p[a - 1][b] : 0) +
+                    (b > 0 ? linear[2] * p[a][b - 1] : 0);
+    };
+    Polynomial multinomial{{{1}}};
+    for (int k = 0; k < degree; ++k) times(multinomial, {1, 1, 1});
+    for (int d = 0; d <= degree; ++d)
+      for (int j = 0; j <= d; ++j) {
+        Polynomial p{{{1}}};
+        for (int k = 0; k < degree; ++k)
+          times(p, k < d - j ? std::array{-1, 2, -1}
+                   : k < d   ? std::array{-1, -1, 2}
+                             : std::array{1, 1, 1});
+        std::size_t row = 0;
+        for (int a = 0; a <= degree; ++a)
+          for (int b = 0; a + b <= degree; ++b) {
+            const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
+            entry[row++][at(d - j, j)] = p[x][y] * (60 / multinomial[x][y]) << (degree - d);
+          }
+      }
   }
-  Magnitudes(const Magnitudes&) = delete;
-  Magnitudes& operator=(const Magnitudes&) = delete;
-  ~Magnitudes() {
-    for (std::size_t i = 0; i < size; ++i) mag_clear(&at[i]);
-  }
-  std::size_t size;
-  std::array<mag_struct, kTerms> at;
+  int common;
+  std::array<std::array<int, 21>, 21> entry{};  // [Bernstein coefficient][term]
 };
 
-/// Of (l0 + l1 + l2)^n times a polynomial in barycentric coordinates, as integers.
-using Homogeneous = std::vector<std::array<long, kDegree + 1>>;  // [power of l1][power of l2]
-
-Homogeneous times(const Homogeneous& p, const std::array<long, 3>& linear) {
-  Homogeneous r(p.size() + 1);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = 0; i + j < p.size(); ++j) {
-      r[i][j] += linear[0] * p[i][j];
-      r[i + 1][j] += linear[1] * p[i][j];
-      r[i][j + 1] += linear[2] * p[i][j];
-    }
-  return r;
-}
-
-/// Row by Bernstein coefficient, column by u^i v^j.
-std::vector<std::vector<Ball>> bernstein(int degree) {
-  const Scope scope;
-  context.precision = 128;
-  const auto terms = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
-  std::vector<std::vector<Ball>> rows(terms, std::vector<Ball>(terms));
-  Homogeneous multinomial = {{1}};
-  for (int k = 0; k < degree; ++k) multinomial = times(multinomial, {1, 1, 1});
-  std::size_t column = 0;
-  for (int d = 0; d <= degree; ++d)
-    for (int j = 0; j <= d; ++j, ++column) {
-      Homogeneous p = {{1}};
-      for (int k = 0; k < d - j; ++k) p = times(p, {-1, 2, -1});  // 2 u
-      for (int k = 0; k < j; ++k) p = times(p, {-1, -1, 2});      // 2 v
-      for (int k = d; k < degree; ++k) p = times(p, {1, 1, 1});
-      std::size_t row = 0;
-      for (std::size_t a = 0; a < p.size(); ++a)
-        for (std::size_t b = 0; a + b < p.size(); ++b)
-          rows[row++][column] = Ball(Rational(p[a][b], static_cast<ulong>(multinomial[a][b]) << d));
-    }
-  return rows;
-}
-
-const std::vector<std::vector<Ball>>& bernstein_rows(int degree) {
-  static const std::array<std::vector<std::vector<Ball>>, kDegree + 1> all = {
-      bernstein(0), bernstein(1), bernstein(2), bernstein(3), bernstein(4), bernstein(5)};
-  return all[static_cast<std::size_t>(degree)];
-}
-
-/// A bound of the terms of a * b beyond degree n, as |u^i v^j| <= 2^-min(i, j).
-void bound_beyond(mag_t sum, const std::vector<Ball>& a, const std::vector<Ball>& b, int da, int db,
-                  int n) {
-  Magnitudes x(a.size()), y(b.size()), by_shift(kDegree + 1);
-  for (std::size_t i = 0; i < a.size(); ++i) arb_get_mag(&x.at[i], a[i].get());
-  for (std::size_t i = 0; i < b.size(); ++i) arb_get_mag(&y.at[i], b[i].get());
-  std::size_t i = 0;
-  for (int d = 0; d <= da; ++d)
-    for (int j = 0; j <= d; ++j, ++i) {
-      if (mag_is_zero(&x.at[i])) continue;
-      const int first = std::max(n + 1 - d, 0);
-      auto k = static_cast<std::size_t>(first * (first + 1) / 2);
-      for (int e = first; e <= db; ++e)
-        for (int l = 0; l <= e; ++l, ++k)
-          mag_addmul(&by_shift.at[static_cast<std::size_t>(std::min(j + l, d + e - j - l))],
-                     &x.at[i], &y.at[k]);
-    }
-  mag_zero(sum);
-  for (std::size_t s = 0; s < by_shift.size; ++s) {
-    mag_mul_2exp_si(&by_shift.at[s], &by_shift.at[s], -static_cast<slong>(s));
-    mag_add(sum, sum, &by_shift.at[s]);
+/// Divides by 2^by and rounds; the radius takes the errors.
+template <class Number, std::size_t N>
+void shift_right(std::array<Number, N>& c, std::size_t n, Number& radius, slong by) {
+  by = std::min(by, static_cast<slong>(8 * sizeof(Number)) - 2);  // all bits but the sign
+  const Number rest = (Number{1} << by) - 1, half = Number{1} << (by - 1);
+  Number rounded = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    rounded += (c[k] & rest) != 0 ? 1 : 0;
+    c[k] = (c[k] + half) >> by;
   }
+  radius = ((radius + rest) >> by) + (rounded + 1) / 2;
+}
+
+/// A bound n / d * 2^e as a double.
+double below(Integer n, int d, slong e) {
+  const auto quotient = static_cast<std::int64_t>(n / d - (n % d < 0 ? 1 : 0));
+  const int within = static_cast<int>(std::clamp(e, slong{-9999}, slong{9999}));
+  return std::nextafter(std::ldexp(static_cast<double>(quotient), within), -INFINITY);
 }
 
 }  // namespace
 
-Model Model::linear(const Ball& value, const Ball& to1, const Ball& to2) {
-  Model m;
-  m.grow(1);
-  m.c_[0] = value + scaled(to1 + to2, 1, 3);
-  m.c_[1] = scaled(to1, 2, 3);
-  m.c_[2] = scaled(to2, 2, 3);
-  return m;
+/// A model before it is rounded: |c| < 2^122.
+struct Model::Wide {
+  int degree = 0;
+  slong exponent = 0;
+  Integer radius = 0;
+  std::array<Integer, kTerms> c;  ///< set as far as the degree says
+
+  explicit Wide(int n) : degree(n) { std::fill_n(c.begin(), terms(n), 0); }
+  void shift(slong by) {
+    if (by <= 0) return;
+    exponent += by;
+    shift_right(c, terms(degree), radius, by);
+  }
+  /// Requires: what is there is a product of models, not zero.
+  void add(Model m) {
+    if (m.is_zero()) return;
+    shift(m.exponent_ - exponent - kShift);
+    slong left = m.exponent_ - exponent;
+    if (left < 0) shift_right(m.c_, terms(m.degree_), m.radius_, -left);
+    left = std::max(left, slong{0});
+    for (; degree < m.degree_; ++degree)
+      std::fill(c.begin() + terms(degree), c.begin() + terms(degree + 1), 0);
+    for (std::size_t k = 0; k < terms(m.degree_); ++k) c[k] += Integer{m.c_[k]} << left;
+    radius += Integer{m.radius_} << left;
+  }
+  Model rounded() {
+    auto all = static_cast<Unsigned>(radius);
+    for (std::size_t k = 0; k < terms(degree); ++k)
+      all |= static_cast<Unsigned>(c[k] < 0 ? -c[k] : c[k]);
+    const auto high = static_cast<std::uint64_t>(all >> 64), low = static_cast<std::uint64_t>(all);
+    shift((high != 0 ? 64 + std::bit_width(high) : std::bit_width(low)) - kBits);
+    if (std::abs(exponent) > kGreatest) throw Undefined{};
+    Model m;
+    m.degree_ = degree;
+    m.exponent_ = exponent;
+    m.radius_ = static_cast<std::int64_t>(radius);
+    for (std::size_t k = 0; k < terms(degree); ++k) m.c_[k] = static_cast<std::int64_t>(c[k]);
+    return m;
+  }
+  /// At most this: |c|, radius included.
+  static Integer norm(const Model& m) {
+    Integer sum = 0;
+    for (std::size_t k = 0; k < terms(m.degree_); ++k)
+      sum += (std::abs(m.c_[k]) >> kHalvings[k]) + 1;
+    return sum;
+  }
+  /// The greatest power of v that occurs is at most this: 0 on segments.
+  static int powers_of_v(const Model& m) {
+    for (int d = m.degree_; d > 0; --d)
+      for (int j = 1; j <= d; ++j)
+        if (m.c_[at(d - j, j)] != 0) return m.degree_;
+    return 0;
+  }
+  /// Adds a b: up to this degree the terms, of the others a bound to the radius; in doubles, whose
+  /// error is below 2^-40.
+  void add_terms(const Model& a, const Model& b) {
+    const int wa = powers_of_v(a), wb = powers_of_v(b);
+    std::array<double, kTerms> sizes;
+    for (std::size_t k = 0; k < terms(b.degree_); ++k)
+      sizes[k] = static_cast<double>(std::abs(b.c_[k]));
+    std::array<double, kTermsOfProduct> beyond{};
+    for (int d = 0; d <= a.degree_; ++d)
+      for (int j = 0; j <= std::min(d, wa); ++j) {
+        const std::int64_t x = a.c_[at(d - j, j)];
+        if (x == 0) continue;
+        const auto size = static_cast<double>(std::abs(x));
+        for (int e = 0; e <= b.degree_; ++e) {
+          const std::size_t from = at(e, 0), to = at(d - j + e, j), n = std::min(e, wb) + 1U;
+          if (d + e <= degree)
+            for (std::size_t l = 0; l < n; ++l) c[to + l] += Integer{x} * b.c_[from + l];
+          else
+            for (std::size_t l = 0; l < n; ++l) beyond[to + l] += size * sizes[from + l];
+        }
+      }
+    double sum = 0;
+    for (std::size_t k = terms(degree); k < terms(a.degree_ + b.degree_); ++k)
+      sum += beyond[k] * kHalved[k];
+    if (sum != 0) radius += static_cast<Integer>(sum * (1 + 0x1p-40)) + 1;
+  }
+};
+
+Model::Model(const Ball& b) {
+  b.finite();
+  if (b.is_zero()) return;
+  arf_t middle, radius;
+  arf_init(middle);
+  arf_init(radius);
+  arf_set(middle, arb_midref(b.get()));
+  arf_set_mag(radius, arb_radref(b.get()));
+  exponent_ = std::max(arf_abs_bound_lt_2exp_si(middle), arf_abs_bound_lt_2exp_si(radius)) - kBits;
+  if (std::abs(exponent_) > kGreatest) throw Undefined{};
+  arf_mul_2exp_si(middle, middle, -exponent_);
+  arf_mul_2exp_si(radius, radius, -exponent_);
+  c_[0] = arf_get_si(middle, ARF_RND_NEAR);
+  radius_ = arf_get_si(radius, ARF_RND_CEIL) + (arf_is_int(middle) ? 0 : 1);
+  arf_clear(middle);
+  arf_clear(radius);
 }
 
-void Model::grow(int degree) {
-  if (degree <= degree_) return;
-  degree_ = degree;
-  c_.resize(static_cast<std::size_t>((degree + 1) * (degree + 2) / 2));
+Model Model::linear(const Ball& value, const Ball& to1, const Ball& to2) {
+  Model m(value + scaled(to1 + to2, 1, 3)), u(scaled(to1, 2, 3)), v(scaled(to2, 2, 3));
+  m.degree_ = u.degree_ = v.degree_ = 1;
+  std::swap(u.c_[0], u.c_[1]);
+  std::swap(v.c_[0], v.c_[2]);
+  return m + u + v;
 }
 
 Interval Model::range() const {
-  if (degree_ == 0) return Interval(c_[0]);
-  bool first = true;
-  Float lower, upper;
-  for (const std::vector<Ball>& row : bernstein_rows(degree_)) {
-    Ball b;
-    arb_dot(b.get(), nullptr, 0, row[0].get(), 1, c_[0].get(), 1, static_cast<slong>(row.size()),
-            context.precision);
-    const Interval i(b);
-    if (first || i.lower() < lower) lower = i.lower();
-    if (first || upper < i.upper()) upper = i.upper();
-    first = false;
+  static const std::array<Bernstein, kDegree + 1> all = {Bernstein(0), Bernstein(1), Bernstein(2),
+                                                         Bernstein(3), Bernstein(4), Bernstein(5)};
+  const Bernstein& basis = all[static_cast<std::size_t>(degree_)];
+  const std::size_t n = terms(degree_);
+  Integer least = 0, greatest = 0;
+  for (std::size_t row = 0; row < n; ++row) {
+    Integer sum = 0;
+    for (std::size_t k = 0; k < n; ++k) sum += Integer{c_[k]} * basis.entry[row][k];
+    least = row == 0 ? sum : std::min(least, sum);
+    greatest = row == 0 ? sum : std::max(greatest, sum);
   }
-  return {lower, upper};
+  const Integer radius = Integer{basis.common} * radius_;
+  if (is_zero()) return {};
+  return {below(least - radius, basis.common, exponent_),
+          -below(-greatest - radius, basis.common, exponent_)};
 }
 
 Model Model::middle() const {
   Model m = *this;
-  for (Ball& b : m.c_) b = b.middle();
+  m.radius_ = 0;
   return m;
 }
 
 void Model::add_product(const Model& a, const Model& b) {
-  const int n = context.order;
-  grow(std::min(n, a.degree_ + b.degree_));
-  for (int d = 0; d <= a.degree_; ++d)
-    for (int j = 0; j <= d; ++j) {
-      const Ball& x = a.c_[at(d - j, j)];
-      if (x.is_zero()) continue;
-      for (int e = 0; e <= b.degree_ && d + e <= n; ++e)
-        for (int l = 0; l <= e; ++l)
-          arb_addmul(c_[at(d - j + e - l, j + l)].get(), x.get(), b.c_[at(e - l, l)].get(),
-                     context.precision);
-    }
-  if (a.degree_ + b.degree_ > n) {
-    Magnitudes sum(1);
-    bound_beyond(&sum.at[0], a.c_, b.c_, a.degree_, b.degree_, n);
-    mag_add(arb_radref(c_[0].get()), arb_radref(c_[0].get()), &sum.at[0]);
-  }
-  for (const Ball& c : c_) c.finite();
+  if (a.is_zero() || b.is_zero()) return;
+  Wide w(std::min(context.order, a.degree_ + b.degree_));
+  w.exponent = a.exponent_ + b.exponent_;
+  w.add_terms(a, b);
+  if (a.radius_ != 0) w.radius += (Wide::norm(b) + b.radius_) * a.radius_;
+  if (b.radius_ != 0) w.radius += Wide::norm(a) * b.radius_;
+  w.add(*this);
+  *this = w.rounded();
 }
 
 Model& Model::operator+=(const Model& b) {
-  grow(b.degree_);
-  for (std::size_t i = 0; i < b.c_.size(); ++i) c_[i] = c_[i] + b.c_[i];
+  if (b.is_zero()) return *this;
+  if (is_zero() || exponent_ < b.exponent_) {
+    const Model low = *this;
+    *this = b;
+    return low.is_zero() ? *this : *this += low;
+  }
+  Model low = b;
+  const slong shift = exponent_ - b.exponent_;
+  if (shift > 0) shift_right(low.c_, terms(low.degree_), low.radius_, shift);
+  degree_ = std::max(degree_, b.degree_);
+  radius_ += low.radius_;
+  std::int64_t all = radius_;
+  for (std::size_t k = 0; k < terms(degree_); ++k) {
+    c_[k] += low.c_[k];
+    all |= std::abs(c_[k]);
+  }
+  if (all >> kBits == 0) return *this;
+  shift_right(c_, terms(degree_), radius_, 1);
+  ++exponent_;
   return *this;
 }
 Model Model::operator-() const {
   Model m = *this;
-  for (Ball& b : m.c_) b = -b;
+  for (std::int64_t& c : m.c_) c = -c;
   return m;
 }
-Model operator*(const Model& a, const Model& b) {
-  Model m;
-  m.add_product(a, b);
-  return m;
-}
+/// Requires: |n| <= 2^20 if d is not a power of two, |n| <= 2^60 else.
 Model scaled(const Model& x, slong n, slong d) {
-  Model m = x;
-  for (Ball& b : m.c_) b = scaled(b, n, d);
-  return m;
+  if (x.is_zero()) return x;
+  Model::Wide w(x.degree_);
+  w.exponent = x.exponent_;
+  for (; d % 2 == 0; d /= 2) --w.exponent;
+  for (std::size_t k = 0; k < terms(w.degree); ++k) w.c[k] = Integer{x.c_[k]} * n;
+  w.radius = Integer{x.radius_} * std::abs(n);
+  if (d == 1) return w.rounded();
+  constexpr slong kLeft = 40;
+  for (std::size_t k = 0; k < terms(w.degree); ++k) w.c[k] = (w.c[k] << kLeft) / d;
+  w.radius = (w.radius << kLeft) / d + 1 + static_cast<Integer>(terms(w.degree));
+  w.exponent -= kLeft;
+  return w.rounded();
 }
 
 /// f(g): the Taylor polynomial of f at the middle c of g's range, in g - c, with Lagrange's
 /// remainder.
 Model applied(const Function& f, const Model& g) {
   if (f.kind == Function::Kind::power) return power(g, f.exponent);
-  if (g.degree_ == 0) return Model(value_of(f, g.c_[0]));
+  const Interval values = g.range();
+  if (g.degree_ == 0) return Model(value_of(f, values.ball()));
+  const Ball c(values.middle()), range = hull(values, values.middle()).ball();
   const int n = context.order;
-  const Interval range = g.range();
-  const Ball c(range.middle());
-  const Ball last = series(f, range.ball(), n + 1).back();
+  const Ball last = series(f, range, n + 1).back();
   const std::vector<Ball> t = series(f, c, n);
   const Model delta = g - Model(c);
   Model r(t.back());
   for (int k = n - 1; k >= 0; --k) r = r * delta + Model(t[static_cast<std::size_t>(k)]);
-  const Ball error = last * power(range.ball() - c, static_cast<unsigned>(n + 1));
-  Ball radius;
-  arb_get_mag(arb_radref(radius.get()), error.get());
-  r.c_[0] = r.c_[0] + radius;
-  return r;
+  const Ball error = last * power(range - c, static_cast<unsigned>(n + 1));
+  return r + Model(Ball::radius(error));
 }
 
 Model inverse(const Model& x) {

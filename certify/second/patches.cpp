@@ -50,7 +50,7 @@ class PatchProof {
   Index axis(Index k) const { return (static_cast<Index>(patch_.axis) + 1 + k) % 3; }
   Ball r1() const { return Ball(patch_.r) - Ball(patch_.rho); }
   Interval side_of_square(std::size_t d) const {
-    return Interval(patch_.z[d]) + Interval(Float(-patch_.r), Float(patch_.r));
+    return Interval(patch_.z[d]) + Interval(-patch_.r, patch_.r);
   }
 
   /// Kind 0: S is a graph over Q.
@@ -60,22 +60,23 @@ class PatchProof {
   void immersion_over_square() const;
 
   /// The forms over a set of the plane; kind 0: and the heights.
-  Forms forms(const Model& p, const Model& q, Interval* height = nullptr) const {
+  Forms<Model> forms(const Model& p, const Model& q, Interval* height = nullptr) const {
     if (!problem_.surface.implicit()) return problem_.surface.forms(p, q);
     const Model a = p - Model(patch_.z[0]), b = q - Model(patch_.z[1]);
     const auto& g = patch_.g;
-    Fibre fibre;
+    Fibre<Model> fibre;
     fibre.base[axis(0)] = p;
     fibre.base[axis(1)] = q;
     fibre.base[axis(2)] = Model(g[0]) + Model(g[1]) * a + Model(g[2]) * b + Model(g[3]) * a * a +
                           Model(g[4]) * a * b + Model(g[5]) * b * b;
     fibre.along[axis(2)] = Model(sign_);
     fibre.h = problem_.h(patch_.c);
-    const Foot foot = problem_.surface.foot(fibre, 1);
+    const auto foot = problem_.surface.foot(fibre, 1);
     const Interval m = foot.x[axis(2)].range();
     require(m.inside(patch_.m[0], patch_.m[1]), "patch: the heights lie between m0 and m1");
     if (height != nullptr) *height = m;
-    const Jet3 f = problem_.surface.expand(foot.x, frame_of_axis(axis(2), sign_), jet_degree());
+    const Jet3<Model> f =
+        problem_.surface.expand(foot.x, frame_of_axis(axis(2), sign_), jet_degree());
     return problem_.surface.forms(f, sign_);
   }
 
@@ -156,8 +157,7 @@ void PatchProof::height_over_square() {
 void PatchProof::immersion_over_square() const {
   for (std::size_t d = 0; d < 2; ++d) {
     const Interval q = side_of_square(d);
-    if (problem_.certificate.periodic[d] ? patch_.r >= 0.5
-                                         : q.lower().sign() < 0 || Float(1) < q.upper())
+    if (problem_.certificate.periodic[d] ? patch_.r >= 0.5 : q.lower() < 0 || 1 < q.upper())
       in_.fail("its square Q is not in the domain");
   }
   Rectangle square;
@@ -169,7 +169,7 @@ void PatchProof::immersion_over_square() const {
     for (const bool second : {false, true}) {
       const Scope scope(0);
       const auto uv = part.triangle(second);
-      const Form i = problem_.surface.forms(uv[0], uv[1]).i;
+      const Form<Model> i = problem_.surface.forms(uv[0], uv[1]).i;
       require((scaled(i[0][0] * i[2][0], 4) - i[1][0] * i[1][0]).sign() > 0,
               "patch: det I has no zero on Q");
     }
@@ -180,13 +180,14 @@ Box PatchProof::umbilic() {
   const Ball rho = Ball::radius(patch_.rho);
   Interval height;
   const Scope scope(3);
-  const Forms f = forms(Model(Ball(patch_.z[0]) + rho), Model(Ball(patch_.z[1]) + rho), &height);
+  const Forms<Model> f =
+      forms(Model(Ball(patch_.z[0]) + rho), Model(Ball(patch_.z[1]) + rho), &height);
   const Coefficients c = coefficients(f);
   const Balls &a = c.a[1][0], &b = c.a[1][1];
   rays_ = Rays(c, r1());
   {
     const Scope values(0);
-    const Operator o = operator_of(forms(Model(patch_.z[0]), Model(patch_.z[1])));
+    const Operator<Model> o = operator_of(forms(Model(patch_.z[0]), Model(patch_.z[1])));
     const std::array<Ball, 2> value = {o.a11[0].range().ball(), o.a12[0].range().ball()};
     for (Index i = 0; i < 2; ++i) {
       const Ball y0 = patch_.y[2 * i], y1 = patch_.y[2 * i + 1];
@@ -202,7 +203,7 @@ Box PatchProof::umbilic() {
   Box box;
   for (std::size_t d = 0; d < 2; ++d)
     box.side[problem_.surface.implicit() ? axis(d) : d] =
-        Interval(patch_.z[d]) + Interval(Float(-patch_.rho), Float(patch_.rho));
+        Interval(patch_.z[d]) + Interval(-patch_.rho, patch_.rho);
   if (problem_.surface.implicit()) box.side[axis(2)] = height;
   return box;
 }

@@ -6,10 +6,10 @@ namespace {
 
 constexpr int kFurther = 2;
 
-std::vector<Balls> enclosed(const Form& jets, int k) {
+std::vector<Balls> enclosed(const Form<Model>& jets, int k) {
   std::vector<Balls> all;
   const auto& count = Monomials<2>::get().count;
-  for (const Jet2& jet : jets) {
+  for (const Jet2<Model>& jet : jets) {
     all.emplace_back();
     for (Index i = count[static_cast<Index>(k)]; i < count[static_cast<Index>(k) + 1]; ++i)
       all.back().push_back(jet[i].range().ball());
@@ -18,8 +18,8 @@ std::vector<Balls> enclosed(const Form& jets, int k) {
 }
 
 /// e(t); its second coordinate's jets by (r, t) come with t.
-Direction ray(int side, const Jet2& t) {
-  const Jet2 one(1.0);
+Direction<Model> ray(int side, const Jet2<Model>& t) {
+  const Jet2<Model> one(1.0);
   switch (side) {
     case 0:
       return {one, t};
@@ -45,25 +45,25 @@ std::array<double, 2> derivative_of_ray(int side) {
 }
 
 /// The homogeneous part with these Taylor coefficients, in the direction e.
-Jet2 part(const Balls& balls, const Direction& e) {
-  Form f;
+Jet2<Model> part(const Balls& balls, const Direction<Model>& e) {
+  Form<Model> f;
   for (const Ball& b : balls) f.emplace_back(Model(b));
   return evaluate(f, e);
 }
 
 /// f = value + r first + r^2 second along the ray; the product rule of jets gives the derivatives
 /// of SPEC.md.
-Form along(const std::array<std::vector<Balls>, 3>& at, const std::vector<Balls>& second,
-           const Jet2& r, const Direction& e) {
-  Form f;
+Form<Model> along(const std::array<std::vector<Balls>, 3>& at, const std::vector<Balls>& second,
+                  const Jet2<Model>& r, const Direction<Model>& e) {
+  Form<Model> f;
   for (Index k = 0; k < second.size(); ++k)
-    f.push_back(Jet2(Model(at[0][k][0])) + r * (part(at[1][k], e) + r * part(second[k], e)));
+    f.push_back(Jet2<Model>(Model(at[0][k][0])) + r * (part(at[1][k], e) + r * part(second[k], e)));
   return f;
 }
 /// P = first + r second + r^2 third.
-Operator along(const std::array<std::vector<Balls>, 4>& at, const std::vector<Balls>& third,
-               const Jet2& r, const Direction& e) {
-  std::array<Jet2, 3> p;
+Operator<Model> along(const std::array<std::vector<Balls>, 4>& at, const std::vector<Balls>& third,
+                      const Jet2<Model>& r, const Direction<Model>& e) {
+  std::array<Jet2<Model>, 3> p;
   for (Index k = 0; k < 3; ++k)
     p[k] = part(at[1][k], e) + r * (part(at[2][k], e) + r * part(third[k], e));
   return {p[0], p[1], p[2]};
@@ -71,11 +71,11 @@ Operator along(const std::array<std::vector<Balls>, 4>& at, const std::vector<Ba
 
 }  // namespace
 
-Coefficients coefficients(const Forms& f) {
+Coefficients coefficients(const Forms<Model>& f) {
   Coefficients c;
-  const Operator a = operator_of(f);
+  const Operator<Model> a = operator_of(f);
   const Scope scope(2);
-  const Form e = quintic(f), entries = {a.a11, a.a12, a.a21};
+  const Form<Model> e = quintic(f), entries = {a.a11, a.a12, a.a21};
   for (int k = 0; k <= 3; ++k) {
     const auto at = static_cast<Index>(k);
     c.a[at] = enclosed(entries, k);
@@ -102,7 +102,7 @@ std::array<Model, 2> Rectangle::triangle(bool second) const {
 }
 
 std::array<Ball, 2> ray_at(int side, double t) {
-  const Direction e = ray(side, Jet2(t));
+  const Direction<Model> e = ray(side, Jet2<Model>(t));
   return {e[0][0].range().ball(), e[1][0].range().ball()};
 }
 
@@ -119,14 +119,14 @@ void Rays::show_on(const Statement& s, const Coefficients& sector, const std::ar
                    std::array<int, 2>& signs) const {
   const bool runs = s.kind[0] == Kind::running || s.kind[1] == Kind::running;
   const Scope scope(runs ? 1 : 0);
-  const Jet2 r(at[0], {Model(1.0), Model()}), t(at[1], {Model(), Model(1.0)});
-  const Direction e = ray(s.arc.side, t);
-  const Form i = along(at_.i, sector.i[2], r, e), form = along(at_.e, sector.e[2], r, e);
-  const Operator p = along(at_.a, sector.a[3], r, e);
+  const Jet2<Model> r(at[0], {Model(1.0), Model()}), t(at[1], {Model(), Model(1.0)});
+  const Direction<Model> e = ray(s.arc.side, t);
+  const Form<Model> i = along(at_.i, sector.i[2], r, e), form = along(at_.e, sector.e[2], r, e);
+  const Operator<Model> p = along(at_.a, sector.a[3], r, e);
   const auto w = direction(s.w);
-  require(definite({i, {}, {}, {}}, p, w).sign() > 0, "patch, 4: I(w, P w) > 0");
+  require(definite(i, p, w).sign() > 0, "patch, 4: I(w, P w) > 0");
   const auto v = directions(i, p, w);
-  std::array<Jet2, 2> value;
+  std::array<Jet2<Model>, 2> value;
   for (std::size_t j = 0; j < 2; ++j)
     if (runs || s.kind[j] == Kind::free) value[j] = evaluate(form, v[j]);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -149,13 +149,13 @@ void Rays::show_on(const Statement& s, const Coefficients& sector, const std::ar
 int Rays::change_of_frame(const Arc& arc, int w, int next) const {
   if (w == next) return 1;
   const Scope scope(0);
-  const Direction e = ray(arc.side, Jet2(arc.t1));
-  const Form i = along(at_.i, std::vector<Balls>(3, Balls(3)), Jet2(), e);
-  const Operator p = along(at_.a, std::vector<Balls>(3, Balls(4)), Jet2(), e);
-  const Direction v = directions(i, p, direction(w))[0];
+  const Direction<Model> e = ray(arc.side, Jet2<Model>(arc.t1));
+  const Form<Model> i = along(at_.i, std::vector<Balls>(3, Balls(3)), Jet2<Model>(), e);
+  const Operator<Model> p = along(at_.a, std::vector<Balls>(3, Balls(4)), Jet2<Model>(), e);
+  const Direction<Model> v = directions(i, p, direction(w))[0];
   const auto other = direction(next);
-  const Jet2 i12 = scaled(i[1], 1, 2);
-  const Jet2 product =
+  const Jet2<Model> i12 = scaled(i[1], 1, 2);
+  const Jet2<Model> product =
       scaled(i[0] * v[0] + i12 * v[1], other[0], 1) + scaled(i12 * v[0] + i[2] * v[1], other[1], 1);
   require(product[0].sign() != 0, "patch, 4: the change of frame");
   return product[0].sign();

@@ -15,7 +15,7 @@ struct Coefficients {
   std::array<std::vector<Balls>, 4> a;
 };
 /// Of jets of degree 3 (of E: 2).
-Coefficients coefficients(const Forms& f);
+Coefficients coefficients(const Forms<Model>& f);
 
 /// [low, high] in two coordinates, as two triangles.
 struct Rectangle {

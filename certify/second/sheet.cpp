@@ -16,23 +16,27 @@ class SheetProof {
              const SheetRecord& record)
       : problem_(problem), outcomes_(outcomes), record_(record) {}
 
-  void check(const std::vector<Box>& images) {
+  void check() {
     const Certificate& c = problem_.certificate;
     if (c.records[record_.face].in_patch) throw Rejected("one sheet: its face is in a patch");
     find_point();
     Reader in(record_.division.data(), record_.division.size(), "one sheet, " + name());
-    injective(in, Piece::face(), 0);
+    read_division(in, Piece::face(), kTriangleDepth, 0, [&](const Piece& piece, unsigned) {
+      shown<Piece>(piece, kFurther, [&](const Piece& p) { injective_on(p); });
+    });
     in.finish();
     auto other = record_.others.begin();
     for (Index f = 0; f < c.faces.size(); ++f) {
       if (other != record_.others.end() && other->face == f) {
         if (f == record_.face) in.fail("lists its own face");
         Reader division(other->division.data(), other->division.size(), "one sheet, " + name());
-        apart(division, f, Piece::face(), 0);
+        read_division(
+            division, Piece::face(), kTriangleDepth, 56,
+            [&](const Piece& piece, unsigned byte) { apart(division, f, piece, byte >> 3 & 7); });
         division.finish();
         ++other;
       } else if (f != record_.face) {
-        apart_at_once(images[f], f);
+        apart_at_once(f);
       }
     }
     if (other != record_.others.end()) in.fail("faces are unknown or out of order");
@@ -40,16 +44,18 @@ class SheetProof {
 
  private:
   std::string name() const { return "face " + std::to_string(record_.face); }
-  Foot foot(Index face, const Piece& piece) const {
-    return problem_.surface.foot(problem_.fibre(face, piece, outcomes_[face].c),
+  template <class T = Model>
+  Foot<T> foot(Index face, const Piece& piece) const {
+    return problem_.surface.foot(problem_.fibre<T>(face, piece, outcomes_[face].c),
                                  piece.is_point() ? 6 : 0);
   }
 
   void find_point() {
     const double unit = 1 / 1048576.0;
-    const Foot y = foot(record_.face, Piece::point({349525 * unit, 349525 * unit, 349526 * unit}));
+    const auto y =
+        foot<Ball>(record_.face, Piece::point({349525 * unit, 349525 * unit, 349526 * unit}));
     for (Index k = 0; k < 3; ++k) {
-      y_[k] = y.x[k].range();
+      y_[k] = range_of(y.x[k]);
       const auto& box = problem_.certificate.box;
       require(y_[k].inside(box[2 * k], box[2 * k + 1]), "one sheet: the point lies in the box");
     }
@@ -64,32 +70,19 @@ class SheetProof {
     }
   }
 
-  void injective(Reader& in, const Piece& piece, int depth) {
-    const unsigned byte = in.u8();
-    const int order = order_of(in, byte, 4);
-    if ((byte & 4) != 0) {
-      if (depth == kTriangleDepth) in.fail("a division is deeper than 8");
-      for (const Piece& child : piece.children()) injective(in, child, depth + 1);
-      return;
-    }
-    shown<Piece>(piece, kFurther, [&](const Piece& p) {
-      const Scope scope(1);
-      context.order = order;
-      injective_on(p);
-    });
-  }
   void injective_on(const Piece& piece) const {
+    const Scope scope(1);
     const Index face = record_.face;
-    const Fibre fibre = problem_.fibre(face, piece, outcomes_[face].c);
-    const Foot foot = problem_.surface.foot(fibre, 0);
+    const auto fibre = problem_.fibre<Model>(face, piece, outcomes_[face].c);
+    const auto foot = problem_.surface.foot(fibre, 0);
     const Frame axes = frame_of(problem_.certificate.records[face].frame);
-    const Jet3 f = problem_.surface.expand(foot.x, axes, 1);
-    const Vector gradient = {f[1], f[2], f[3]}, along = in_frame(axes, fibre.along);
+    const Jet3<Model> f = problem_.surface.expand(foot.x, axes, 1);
+    const Vector<Model> gradient = {f[1], f[2], f[3]}, along = in_frame(axes, fibre.along);
     const Model q = inverse(dot(gradient, along));
-    std::array<Vector, 2> image;
+    std::array<Vector<Model>, 2> image;
     for (Index j = 0; j < 2; ++j) {
-      const Vector d = in_frame(axes, problem_.chord(face, 0, j + 1, foot.s));
-      image[j] = d + -(dot(gradient, d) * q) * along;
+      const Vector<Model> d = in_frame(axes, problem_.chord(face, 0, j + 1, foot.s));
+      image[j] = moved(d, -(dot(gradient, d) * q), along);
     }
     const auto m = [&](Index i, Index j) {
       return Model(record_.matrix[2 * i]) * image[j][0] +
@@ -100,36 +93,25 @@ class SheetProof {
             "one sheet: the projection is injective");
   }
 
-  bool has_zero(const Foot& foot, Index functional) const {
+  bool has_zero(const Foot<Model>& foot, Index functional) const {
     Model value;
     for (Index k = 0; k < 3; ++k)
       value += Model(functional_[functional][k]) * (foot.x[k] - Model(y_[k].ball()));
     return value.sign() == 0;
   }
-  void apart(Reader& in, Index face, const Piece& piece, int depth) {
-    const unsigned byte = in.u8();
-    const bool divided = (byte & 4) != 0;
-    const int order = order_of(in, byte, divided ? 4 : 4 | 56);
-    if (divided) {
-      if (depth == kTriangleDepth) in.fail("a division is deeper than 8");
-      for (const Piece& child : piece.children()) apart(in, face, child, depth + 1);
-      return;
-    }
-    const Index functional = byte >> 3 & 7;
+  void apart(const Reader& in, Index face, const Piece& piece, Index functional) const {
     if (functional >= kFunctionals) in.fail("an unknown functional");
     shown<Piece>(piece, kFurther, [&](const Piece& p) {
-      const Scope scope;
-      context.order = order;
       require(!has_zero(foot(face, p), functional), "one sheet: a face is apart from the point");
     });
   }
-  void apart_at_once(const Box& image, Index face) const {
+  void apart_at_once(Index face) const {
     for (Index k = 0; k < 3; ++k)
-      if (disjoint(image.side[k], y_[k])) return;
+      if (disjoint((*outcomes_[face].image)[k], y_[k])) return;
     shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
       const Scope scope;
       context.order = outcomes_[face].order;
-      const Foot at = foot(face, p);
+      const auto at = foot(face, p);
       require(!has_zero(at, 0) || !has_zero(at, 1) || !has_zero(at, 2),
               "one sheet: a face that is not listed is apart from the point");
     });
@@ -142,23 +124,6 @@ class SheetProof {
   std::array<std::array<double, 3>, kFunctionals> functional_{};
 };
 
-/// A box around the image of a face.
-Box image_of(const Problem& problem, const FaceOutcome& outcome, Index face) {
-  Box image;
-  bool first = true;
-  shown<Piece>(Piece::face(), kFurther, [&](const Piece& p) {
-    const Scope scope;
-    context.order = outcome.order;
-    const Foot foot = problem.surface.foot(problem.fibre(face, p, outcome.c), 0);
-    for (Index k = 0; k < 3; ++k) {
-      const Interval x = foot.x[k].range();
-      image.side[k] = first ? x : hull(image.side[k], x);
-    }
-    first = false;
-  });
-  return image;
-}
-
 }  // namespace
 
 void check_sheets(const Problem& problem, const std::vector<FaceOutcome>& outcomes) {
@@ -170,10 +135,8 @@ void check_sheets(const Problem& problem, const std::vector<FaceOutcome>& outcom
         !components.insert(problem.complex.component_of[face]).second)
       throw Rejected("one sheet: the components' faces are unknown or out of order");
   }
-  std::vector<Box> images(c.faces.size());
-  in_parallel(c.faces.size(), [&](Index f) { images[f] = image_of(problem, outcomes[f], f); });
   in_parallel(c.sheets.size(),
-              [&](Index i) { SheetProof(problem, outcomes, c.sheets[i]).check(images); });
+              [&](Index i) { SheetProof(problem, outcomes, c.sheets[i]).check(); });
 }
 
 }  // namespace crest::recheck

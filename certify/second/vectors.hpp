@@ -31,10 +31,10 @@ inline Frame frame_of_axis(Index axis, int sign) {
 }
 
 /// Coordinates of a vector in a frame, up to the square of its length.
-inline Vector in_frame(const Frame& frame, const Vector& x) {
-  Vector r;
+inline Vector<Model> in_frame(const Frame& frame, const Vector<Model>& x) {
+  Vector<Model> r;
   for (Index i = 0; i < 3; ++i)
-    for (Index k = 0; k < 3; ++k) r[i] += Model(frame.axis[i][k]) * x[k];
+    for (Index k = 0; k < 3; ++k) r[i].add_product(Model(frame.axis[i][k]), x[k]);
   return r;
 }
 

@@ -122,6 +122,18 @@ TEST_CASE("smooth ridges: no face has two loose corners") {
     for (std::size_t f = 0; f < 2; ++f) square.faces[f].loose[0] = f == 0 ? 0b101 : 0b011;
     CHECK_THROWS_WITH(square.check(), "face 0: at two loose corners of the domain");
   }
+  SECTION("another corner is loose for the other colour") {
+    square.c.loose_corners |= 1U << (4 + 1);
+    square.faces[0].loose[1] = 0b010;
+    CHECK_THROWS_WITH(square.check(), "face 0: at two loose corners of the domain");
+  }
+  SECTION("a corner that is marked, and no face has a ridge there") {
+    for (std::size_t f = 0; f < 2; ++f) {
+      square.c.face_records[f].verdict[0] = SmoothFaceRecord::kNoZero;
+      square.faces[f] = {};
+    }
+    CHECK_THROWS_WITH(square.check(), "vertex 0: its faces differ at a corner of the domain");
+  }
   SECTION("an opposite edge that no face decides") {
     square.faces[0].decided[0] = 0;
     CHECK_THROWS_WITH(square.check(), Catch::Contains("no face decides its blue crossings"));

@@ -9,7 +9,7 @@ namespace {
 using namespace crest::recheck;
 
 double number(const Model& m) {
-  return arf_get_d(m.range().middle().get(), ARF_RND_NEAR);
+  return m.range().middle();
 }
 
 Certificate parametric(const std::string& x, const std::string& y, const std::string& z) {
@@ -20,9 +20,10 @@ Certificate parametric(const std::string& x, const std::string& y, const std::st
 }
 
 /// E at u = v = 0 along e1, with jets of degree 1, in unit coordinates (half the size).
-Jet2 at_origin(const std::string& x, const std::string& y, const std::string& z, std::size_t j) {
+Jet2<Model> at_origin(const std::string& x, const std::string& y, const std::string& z,
+                      std::size_t j) {
   const Surface surface(parametric(x, y, z));
-  const Forms f = surface.forms(Model(0.5), Model(0.5));
+  const Forms<Model> f = surface.forms(Model(0.5), Model(0.5));
   const auto v = directions(f.i, operator_of(f), {32, 0});
   return extremality(f, v[j]);
 }
@@ -37,8 +38,8 @@ TEST_CASE("recheck: at the origin of a Monge form E1 is b0, E2 is b3, up to posi
   // The general forms and the height field's agree up to a positive factor: u + 0 * v^2 is not
   // affine.
   for (const std::size_t j : {0U, 1U}) {
-    const Jet2 height = at_origin("u", "v", monge, j),
-               general = at_origin("u+0*v^2", "v", monge, j);
+    const Jet2<Model> height = at_origin("u", "v", monge, j),
+                      general = at_origin("u+0*v^2", "v", monge, j);
     const double factor = number(general[0]) / number(height[0]);
     CHECK(factor > 0);
   }
@@ -48,11 +49,11 @@ TEST_CASE("recheck: E vanishes on the symmetry planes of an ellipsoid's graph") 
   const Scope scope(0);
   // z = 1 - sqrt(1 - u^2/4 - v^2/9): k1 along u; u = 0 and v = 0 are planes of symmetry.
   const Surface surface(parametric("u", "v", "1-sqrt(1-u^2/4-v^2/9)"));
-  const Forms f = surface.forms(Model(0.5), Model(0.7));
+  const Forms<Model> f = surface.forms(Model(0.5), Model(0.7));
   const auto v = directions(f.i, operator_of(f), {32, 0});
   CHECK(extremality(f, v[0])[0].sign() == 0);
   CHECK(extremality(f, v[1])[0].sign() != 0);
-  const Forms g = surface.forms(Model(0.6), Model(0.7));
+  const Forms<Model> g = surface.forms(Model(0.6), Model(0.7));
   CHECK(extremality(g, directions(g.i, operator_of(g), {32, 0})[0])[0].sign() != 0);
 }
 
@@ -63,8 +64,8 @@ TEST_CASE("recheck: the implicit function has the derivatives of the graph") {
   c.texts = {"z-0.5*(2*x^2+y^2)-x*y^2+0.25*(z-0.5*(2*x^2+y^2)-x*y^2)^3"};
   const Surface surface(c);
   const Frame frame = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1};
-  const Jet3 f = surface.expand({Model(0.0), Model(0.0), Model(0.0)}, frame, 4);
-  const Forms forms = surface.forms(f, 1);
+  const Jet3<Model> f = surface.expand<Model>({0.0, 0.0, 0.0}, frame, 4);
+  const Forms<Model> forms = surface.forms(f, 1);
   CHECK(number(forms.l[0][0]) == Approx(2));
   CHECK(number(forms.l[2][0]) == Approx(1));
   CHECK(number(forms.t[2][0]) == Approx(3 * 2));
