@@ -10,8 +10,6 @@
 #include <deque>
 #include <utility>
 
-#include "algorithms/ridges/umbilic_regions.hpp"
-
 namespace crest::ridges {
 namespace {
 
@@ -139,7 +137,7 @@ double mark(const CurvatureLines& lines, const FitResult& fit, double edge, Colo
   x.significance = x.prominence = x.crest_significance = 0;
   const kernel::Edge& e = lines.mesh().edges()[x.edge];
   const Place here = place_of(fit, colour, e.v0, e.v1, x.weight, 0);
-  if (std::isinf(here.error) || hidden(lines.mesh(), fit, x.edge)) return 0;
+  if (std::isinf(here.error)) return 0;
   const double radius = mix(fit.errors[e.v0].radius, fit.errors[e.v1].radius, x.weight);
   Side ahead(lines, fit, x, colour, true, radius, places[0]);
   Side behind(lines, fit, x, colour, false, radius, places[1]);
