@@ -130,7 +130,7 @@ void mark_ridge(Ridge& ridge, Profile& p, const std::vector<bool>& at_crease,
   const Runs significant = hysteresis(p, options.z);
   for (std::size_t i = 0; i < n; ++i) {
     const Crossing& c = ridge.crossings[i];
-    p.z[i] = score(i, on_crest(c, ridge.colour) ? c.crest_significance : 0);
+    p.z[i] = on_crest(c, ridge.colour) ? score(i, c.crest_significance) : 0;
   }
   const Runs crest = hysteresis(p, options.z);
 

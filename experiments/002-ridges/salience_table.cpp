@@ -41,6 +41,7 @@ struct Marked {
   ridges::RidgeGraph graph;
   ridges::SalienceReport report;
   double fit = 0, extract = 0, mark = 0;
+  double radius = 0;  ///< of the supports, on average
 };
 
 Marked marked(const kernel::TriangleMesh& mesh, int points, const ridges::SalienceOptions& o) {
@@ -57,6 +58,8 @@ Marked marked(const kernel::TriangleMesh& mesh, int points, const ridges::Salien
   Marked m{ridges::extract_ridge_graph(mesh, fit.forms), {}};
   const auto t2 = Clock::now();
   m.report = ridges::mark_salience(mesh, fit, m.graph, o);
+  for (const ridges::CurvatureError& e : fit.errors)
+    m.radius += e.radius / static_cast<double>(fit.errors.size());
   m.fit = seconds(t0, t1);
   m.extract = seconds(t1, t2);
   m.mark = seconds(t2, Clock::now());
@@ -221,6 +224,7 @@ void draw(const Options& o, const std::string& file, const kernel::TriangleMesh&
   io::PictureOptions options;
   options.width = 800;
   options.by_salience = options.subset = true;
+  options.spur = m.radius;
   const std::string name = "salient-" + fs::path(file).stem().string() + ".png";
   io::write_picture((o.pictures / name).string(), mesh, m.graph, options);
 }
