@@ -23,7 +23,7 @@ Vec3 tangential(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& norma
 
 void smooth(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, bool loop,
             std::vector<LinePoint>& line) {
-  constexpr int kSteps = 16;
+  constexpr int kSteps = 32;
   const std::size_t n = line.size();
   const std::vector<LinePoint> given = line;
   for (int step = 0; step < kSteps; ++step) {

