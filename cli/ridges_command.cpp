@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -152,6 +153,13 @@ bool is_smooth(const CLI::App& app) {
   return smooth;
 }
 
+/// Of the fits' supports.
+double mean_radius(const ridges::FitResult& fit) {
+  double sum = 0;
+  for (const ridges::CurvatureError& e : fit.errors) sum += e.radius;
+  return sum / static_cast<double>(std::max<std::size_t>(fit.errors.size(), 1));
+}
+
 /// The picture: the whole graph, or what is significant with the salient lines in full width.
 void draw(const std::string& path, const kernel::TriangleMesh& mesh,
           const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
@@ -165,6 +173,7 @@ void draw(const std::string& path, const kernel::TriangleMesh& mesh,
   constexpr double kAll = 0.95;  // of the length: then nothing needs to stand back
   const ridges::SalienceReport& s = *result.salience;
   picture.by_salience = true;
+  picture.spur = mean_radius(result.fit);
   picture.full_level = s.length_significant >= kAll * s.length ? 1 : 2;
   ridges::RidgeGraph significant = graph;
   if (ridges::filter(significant, at_level(1)).by_level > 0) by.push_back("significance");

@@ -32,6 +32,16 @@ bool falling(const std::vector<SupportTrial>& trials) {
   return n >= 3 && trials[n - 1].j < trials[n - 2].j && trials[n - 2].j < trials[n - 3].j;
 }
 
+/// J by the significant length that a neighbouring support confirms.
+void judge_by_significant(std::vector<SupportTrial>& trials) {
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    double confirmed = 0;
+    if (i > 0) confirmed = trials[i - 1].significant_length;
+    if (i + 1 < trials.size()) confirmed = std::max(confirmed, trials[i + 1].significant_length);
+    trials[i].j = quotient(std::min(trials[i].significant_length, confirmed), trials[i].length);
+  }
+}
+
 }  // namespace
 
 SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions& options,
@@ -45,8 +55,7 @@ SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions&
   const auto largest = [&] {
     return std::max_element(choice.trials.begin(), choice.trials.end(), less)->j;
   };
-  if (!(largest() > 0))
-    for (SupportTrial& t : choice.trials) t.j = quotient(t.significant_length, t.length);
+  if (!(largest() > 0)) judge_by_significant(choice.trials);
   const double enough = 0.95 * largest();
   if (!(enough > 0)) return choice;
   choice.points =

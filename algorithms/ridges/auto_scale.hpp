@@ -3,9 +3,10 @@
 
 // The support chosen from the mesh itself. Supports of 30 * 1.5^i points are tried, by rings, so
 // that they follow the local density:  J = S^2 / L,  S the length of the salient pieces before a
-// weight is asked for (of all significant ones if no support has a salient piece), L the length of
-// the whole graph. The smallest support with J >= 95 % of the largest is taken; two decreases of J
-// in a row end the search. Where nothing is significant it is 30 points.
+// weight is asked for, L the length of the whole graph. If no support has a salient piece S is the
+// length of all significant ones, as far as the support before or the one after has as much: what a
+// single support shows is that support's. The smallest support with J >= 95 % of the largest is
+// taken; two decreases of J in a row end the search. Where nothing is significant it is 30 points.
 #include "algorithms/ridges/salience.hpp"
 
 namespace crest::ridges {

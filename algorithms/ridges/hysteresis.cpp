@@ -2,6 +2,7 @@
 #include "algorithms/ridges/hysteresis.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crest::ridges {
 namespace {
@@ -78,16 +79,11 @@ void reach_ends(const Line& line, const Profile& p, std::vector<Run>& runs, std:
   const auto near = [&](std::size_t i, std::size_t j) {
     return line.length(i, j) <= line.radius(i, j);
   };
-  const auto hidden = [&](std::size_t i, std::size_t j) {
-    return !p.hidden.empty() && std::find(p.hidden.begin() + static_cast<std::ptrdiff_t>(i),
-                                          p.hidden.begin() + static_cast<std::ptrdiff_t>(j),
-                                          0) == p.hidden.begin() + static_cast<std::ptrdiff_t>(j);
-  };
-  if (p.holds[1] && end < n && (near(end - 1, n - 1) || hidden(end, n))) {
+  if (p.holds[1] && end < n && near(end - 1, n - 1)) {
     runs.back().count += n - end;
     ++closed;
   }
-  if (p.holds[0] && first > 0 && (near(0, first) || hidden(0, first))) {
+  if (p.holds[0] && first > 0 && near(0, first)) {
     runs.front().count += first;
     runs.front().first = 0;
     ++closed;
@@ -117,11 +113,14 @@ Runs hysteresis(const Profile& p, double threshold) {
   if (n == 0) return result;
   const auto weak =
       std::find_if(p.z.begin(), p.z.end(), [&](double z) { return !(z >= threshold / 2); });
-  const bool whole_loop =
-      p.loop && weak == p.z.end() && *std::max_element(p.z.begin(), p.z.end()) >= threshold;
-  if (whole_loop || strong_share(p, threshold) >= kWhole) return {{{0, n}}, 1, 0};
-  if (p.loop && weak == p.z.end()) return result;
-  const Line line(p, p.loop ? static_cast<std::size_t>(weak - p.z.begin()) : 0);
+  if (strong_share(p, threshold) >= kWhole) return {{{0, n}}, 1, 0};
+  const bool even = p.loop && weak == p.z.end();
+  const Line line(p, p.loop && !even ? static_cast<std::size_t>(weak - p.z.begin()) : 0);
+  if (even) {
+    result.found = *std::max_element(p.z.begin(), p.z.end()) >= threshold ? 1 : 0;
+    if (result.found > 0 && line.around() >= line.radius(0, 0)) result.kept.push_back({0, n});
+    return result;
+  }
   std::vector<Run> runs = strong_runs(line, threshold);
   result.found = runs.size();
   if (runs.empty()) return result;
@@ -133,7 +132,9 @@ Runs hysteresis(const Profile& p, double threshold) {
   for (const Run& run : runs) {
     const std::size_t last = run.first + run.count - 1;
     const bool whole = run.count == n;
-    if (whole || line.length(run.first, last) >= line.radius(run.first, last))
+    if (line.length(run.first, last) >= line.radius(run.first, last) ||
+        (whole && p.between_umbilics) ||
+        (std::isinf(line.z(run.first)) && std::isinf(line.z(last))))
       result.kept.push_back({whole ? 0 : line.index(run.first), run.count});
   }
   return result;

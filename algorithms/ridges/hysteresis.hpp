@@ -3,11 +3,10 @@
 
 // Which parts of a line are kept for a number z at its points: hysteresis. A run of points with
 // z >= Z / 2 that holds one with z >= Z is kept; gaps up to R between two runs, or between a run
-// and an end that holds, are closed, to such an end also those of hidden points alone (in the
-// region that the end is); then runs shorter than R are dropped. A line with z >= Z on 80 % of its
-// length is kept whole.
+// and an end that holds, are closed; then runs shorter than R are dropped, but for two kinds
+// that are as long as they can be: a whole line between two umbilics, and a run with an infinite z
+// at both ends (a piece of a crease). A line with z >= Z on 80 % of its length is kept whole.
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace crest::ridges {
@@ -16,9 +15,9 @@ namespace crest::ridges {
 struct Profile {
   bool loop = false;
   bool holds[2] = {false, false};  ///< ends to which gaps may be closed
+  bool between_umbilics = false;   ///< significant ones
   std::vector<double> z, gap;
-  std::vector<double> radius;        ///< R at the points
-  std::vector<std::uint8_t> hidden;  ///< n, or none: no point is
+  std::vector<double> radius;  ///< R at the points
 };
 
 /// count points from first on, cyclically in a loop; all n of a loop: the closed loop.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/ridges/creases.hpp"
 #include "algorithms/ridges/local_frame.hpp"
 #include "algorithms/ridges/monge_from_jet.hpp"
 #include "algorithms/ridges/neighbourhood.hpp"
@@ -20,7 +21,8 @@ namespace {
 using kernel::MongeForm;
 
 struct Workspace {
-  explicit Workspace(const kernel::TriangleMesh& mesh) : collector(mesh) {}
+  Workspace(const kernel::TriangleMesh& mesh, const std::vector<std::uint8_t>& creases)
+      : collector(mesh, creases) {}
   NeighbourhoodCollector collector;
   std::array<Support, kLanes> around;
   NeighbourhoodLanes local;
@@ -138,11 +140,13 @@ FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& op
   std::vector<double> residuals;
   if (options.errors) {
     result.errors.resize(mesh.vertex_count());
+    result.creases = crease_vertices(mesh);
     residuals.resize(mesh.vertex_count());
   }
   const Rows rows{result.forms.data(), result.quality.data(),
                   options.errors ? result.errors.data() : nullptr, residuals.data()};
-  tbb::enumerable_thread_specific<Workspace> workspaces([&] { return Workspace(mesh); });
+  tbb::enumerable_thread_specific<Workspace> workspaces(
+      [&] { return Workspace(mesh, result.creases); });
   // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
   tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
                     [&](const tbb::blocked_range<Index>& range) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/ridges/creases.hpp"
+
 namespace crest::ridges {
 
 using kernel::operator-;
@@ -12,8 +14,19 @@ namespace {
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 }  // namespace
 
-NeighbourhoodCollector::NeighbourhoodCollector(const kernel::TriangleMesh& mesh)
-    : mesh_(mesh), mark_(mesh.vertex_count(), 0) {}
+NeighbourhoodCollector::NeighbourhoodCollector(const kernel::TriangleMesh& mesh,
+                                               const std::vector<std::uint8_t>& creases)
+    : mesh_(mesh), creases_(creases), mark_(mesh.vertex_count(), 0) {}
+
+/// How many points the support is to have, if it has reached found by rings.
+std::size_t NeighbourhoodCollector::wanted(const FitOptions& options,
+                                           const std::vector<Index>& found) const {
+  const auto points = static_cast<std::size_t>(options.min_points);
+  const bool at_crease =
+      !creases_.empty() && found.size() >= kSmallestSupport &&
+      std::any_of(found.begin(), found.end(), [&](Index w) { return creases_[w]; });
+  return at_crease ? std::min<std::size_t>(points, kSmallestSupport) : points;
+}
 
 bool NeighbourhoodCollector::add_ring(std::vector<Index>& found, Index first, Index last,
                                       const Vec3& centre, double squared_radius) {
@@ -35,12 +48,11 @@ void NeighbourhoodCollector::collect(Index v, const FitOptions& options, Support
   found.assign(1, v);
   mark_[v] = stamp_;
   const Vec3 centre = mesh_.points()[v];
-  const std::size_t wanted = static_cast<std::size_t>(options.min_points);
   Index first = 0;
   for (int ring = 1;; ++ring) {
     const bool by_radius = options.scale > 0 && ring > 2;
     if (options.scale <= 0) {
-      if (options.rings > 0 ? ring > options.rings : found.size() >= wanted) break;
+      if (options.rings > 0 ? ring > options.rings : found.size() >= wanted(options, found)) break;
     }
     const Index last = static_cast<Index>(found.size());
     if (!add_ring(found, first, last, centre,
@@ -72,14 +84,14 @@ void NeighbourhoodCollector::widen(const FitOptions& options, const Vec3& centre
     add_ring(found, 0, static_cast<Index>(inner), centre, kEverywhere);
     return;
   }
-  const double wanted = kWider * kWider * options.min_points;
+  const double wider = kWider * kWider * static_cast<double>(wanted(options, found));
   const int rings = std::max(1, static_cast<int>(std::lround((kWider - 1) * options.rings)));
   Index first = last_ring;
   for (int ring = 1;; ++ring) {
     const Index last = static_cast<Index>(found.size());
     if (!add_ring(found, first, last, centre, kEverywhere)) return;
     first = last;
-    if (options.rings > 0 ? ring == rings : static_cast<double>(found.size()) >= wanted) return;
+    if (options.rings > 0 ? ring == rings : static_cast<double>(found.size()) >= wider) return;
   }
 }
 

@@ -7,10 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <utility>
-
-#include "algorithms/ridges/umbilic_regions.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -32,6 +29,12 @@ Place place_of(const FitResult& fit, Colour c, Index p, Index q, double weight, 
           blue ? mix(a.wide_k1, b.wide_k1, weight) : mix(a.wide_k2, b.wide_k2, weight),
           blue ? mix(a.k1, b.k1, weight) : mix(a.k2, b.k2, weight), length};
 }
+
+/// What a thread's walks use again and again.
+struct Buffers {
+  std::array<std::vector<Place>, 2> places;
+  std::vector<std::pair<std::size_t, double>> differences;
+};
 
 /// One side's walk, made as far as it is asked for.
 class Side {
@@ -75,25 +78,27 @@ struct Measure {
 };
 
 /// beyond: the peak's place, if it is on this side.
-Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, double beyond) {
+Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, double beyond,
+                     std::vector<std::pair<std::size_t, double>>& largest) {
   Measure m;
   const auto difference = [&](const Place& y) {
     return std::fabs((peak.k - y.k) - (peak.wide - y.wide));
   };
   std::size_t first = 0;  // of the places no farther than R / 2 back
-  // Places from there on with their differences, each larger than all later ones.
-  std::deque<std::pair<std::size_t, double>> largest;
+  // From `front` on places that are no farther, each with a larger difference than all later ones.
+  std::size_t front = 0;
+  largest.clear();
   for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
     const double drop = sense * (peak.k - y->k), length = y->length;
     if (drop < 0) break;  // a higher place: within an edge there is none
     if (length < beyond) continue;
     while (side.at(first)->length < std::max(beyond, length - side.window())) ++first;
     const double here = difference(*y);
-    while (!largest.empty() && largest.back().second <= here) largest.pop_back();
+    while (largest.size() > front && largest.back().second <= here) largest.pop_back();
     largest.emplace_back(i, here);
-    while (largest.front().first < first) largest.pop_front();
+    while (largest[front].first < first) ++front;
     if (!(drop > 0)) continue;
-    const double model = largest.front().second / 2;
+    const double model = largest[front].second / 2;
     const double variance = x.error * x.error + y->error * y->error + model * model;
     m.significance = std::max(m.significance, drop / std::sqrt(variance));
     m.drop = std::max(m.drop, drop);
@@ -101,7 +106,8 @@ Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, d
   return m;
 }
 
-Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double edge) {
+Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double edge,
+                Buffers& buffers) {
   Place peak = x;
   const Side* on = nullptr;
   for (Side* side : sides)
@@ -112,7 +118,7 @@ Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double ed
       on = side;
     }
   const auto by = [&](Side* side) {
-    return measure_side(*side, x, peak, sense, on == side ? peak.length : 0);
+    return measure_side(*side, x, peak, sense, on == side ? peak.length : 0, buffers.differences);
   };
   const Measure a = by(sides[0]);
   if (!(a.drop > 0)) return {};
@@ -135,21 +141,21 @@ double mean_edge_length(const kernel::TriangleMesh& mesh) {
 
 /// Sets the crossing's numbers; returns the prominence as a maximum of |k| if it is on the crest.
 double mark(const CurvatureLines& lines, const FitResult& fit, double edge, Colour colour,
-            Crossing& x, std::array<std::vector<Place>, 2>& places) {
+            Crossing& x, Buffers& buffers) {
   x.significance = x.prominence = x.crest_significance = 0;
   const kernel::Edge& e = lines.mesh().edges()[x.edge];
   const Place here = place_of(fit, colour, e.v0, e.v1, x.weight, 0);
-  if (std::isinf(here.error) || hidden(lines.mesh(), fit, x.edge)) return 0;
+  if (std::isinf(here.error)) return 0;
   const double radius = mix(fit.errors[e.v0].radius, fit.errors[e.v1].radius, x.weight);
-  Side ahead(lines, fit, x, colour, true, radius, places[0]);
-  Side behind(lines, fit, x, colour, false, radius, places[1]);
+  Side ahead(lines, fit, x, colour, true, radius, buffers.places[0]);
+  Side behind(lines, fit, x, colour, false, radius, buffers.places[1]);
   const std::array<Side*, 2> sides = {&ahead, &behind};
   const int sense = sense_of_type(x, colour);
   const int crest_sense = !on_crest(x, colour) ? 0 : colour == Colour::blue ? 1 : -1;
   Measure typed, crest;
-  if (sense != 0) typed = measure(sides, here, sense, edge);
+  if (sense != 0) typed = measure(sides, here, sense, edge, buffers);
   if (crest_sense != 0)
-    crest = sense == crest_sense ? typed : measure(sides, here, crest_sense, edge);
+    crest = sense == crest_sense ? typed : measure(sides, here, crest_sense, edge, buffers);
   x.significance = typed.significance;
   x.prominence = typed.drop;
   x.crest_significance = crest.significance;
@@ -172,16 +178,16 @@ std::vector<std::vector<double>> mark_prominence(const kernel::TriangleMesh& mes
     drops[r].resize(graph.ridges[r].crossings.size());
     begin.push_back(begin.back() + drops[r].size());
   }
-  tbb::enumerable_thread_specific<std::array<std::vector<Place>, 2>> buffers;
+  tbb::enumerable_thread_specific<Buffers> buffers;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
-    auto& places = buffers.local();
+    Buffers& own = buffers.local();
     auto r = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), range.begin()) -
                                       begin.begin() - 1);
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       while (i >= begin[r + 1]) ++r;
       Ridge& ridge = graph.ridges[r];
       drops[r][i - begin[r]] =
-          mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], places);
+          mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], own);
     }
   });
   return drops;

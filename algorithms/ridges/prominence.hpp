@@ -13,8 +13,7 @@
 // m is the model's error: truncation changes by more than itself from one support to the other, a
 // crease (k ~ 1 / R) by a fifth; the largest, because drop and drop' may cross by chance. A side's
 // z and drop are the largest of its walk; the significance and the prominence of a crossing are
-// those of the lesser side. Where both ends of its edge are doubtful (umbilic_regions.hpp) the line
-// of curvature is not known, and z = 0.
+// those of the lesser side.
 #include "algorithms/ridges/curvature_lines.hpp"
 
 namespace crest::ridges {

@@ -38,8 +38,9 @@ struct FitResult {
   std::vector<kernel::MongeForm> forms;  ///< V
   std::vector<FitQuality> quality;       ///< V
   std::vector<CurvatureError> errors;    ///< V with FitOptions::errors, else none
+  std::vector<std::uint8_t> creases;     ///< likewise; 1: on a crease (creases.hpp)
   double scale = 0;                      ///< radius of the supports, 0: by rings
-  int points = 0;                        ///< least points of the supports, 0: not by their number
+  int points = 0;  ///< least points of the supports (at creases 30), 0: not by their number
 };
 
 /// A crossing of a ridge with a mesh edge, edge = (p, q) with p < q (observation 2, equation 4).

@@ -22,7 +22,8 @@ struct FitOptions {
   double scale = 0;     ///< radius of the support in units of the input; 0: by rings
   int smooth = 0;       ///< smoothing steps of the extremalities
   int degree = 4;       ///< of the fitted polynomial, 3 or 4
-  bool errors = false;  ///< estimate the curvatures' errors: a second fit to wider supports
+  bool errors = false;  ///< estimate the curvatures' errors: a second fit to wider supports; and
+                        ///< take the smallest supports by rings where they reach a crease
 };
 
 /// Shapes: one form and one quality a vertex. Deterministic for any thread count.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/ridges/hysteresis.hpp"
 #include "algorithms/ridges/prominence.hpp"
@@ -44,22 +45,35 @@ Profile profile_of(const kernel::TriangleMesh& mesh, const FitResult& fit, const
                    const std::vector<bool>& significant_umbilic) {
   Profile p;
   p.loop = ridge.loop;
+  int umbilics = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const RidgeEnd& end = ridge.ends[i];
+    umbilics += end.kind == EndKind::umbilic && significant_umbilic[end.umbilic];
     p.holds[i] = end.kind == EndKind::boundary ||
                  (end.kind == EndKind::umbilic && significant_umbilic[end.umbilic]);
   }
+  p.between_umbilics = umbilics == 2;
   const std::size_t n = ridge.crossings.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Crossing& c = ridge.crossings[i];
     const kernel::Edge& e = mesh.edges()[c.edge];
-    p.hidden.push_back(hidden(mesh, fit, c.edge));
     p.radius.push_back((1 - c.weight) * fit.errors[e.v0].radius +
                        c.weight * fit.errors[e.v1].radius);
     if (i < ridge.segment_count())
       p.gap.push_back(kernel::distance(c.point, ridge.crossings[(i + 1) % n].point));
   }
   return p;
+}
+
+/// Of each crossing: whether its edge has an end on a crease.
+std::vector<bool> at_creases(const kernel::TriangleMesh& mesh, const FitResult& fit,
+                             const Ridge& ridge) {
+  std::vector<bool> at;
+  for (const Crossing& c : ridge.crossings) {
+    const kernel::Edge& e = mesh.edges()[c.edge];
+    at.push_back(fit.creases[e.v0] || fit.creases[e.v1]);
+  }
+  return at;
 }
 
 /// Calls visit(i, j, length) for the run's segments, from crossing i to j.
@@ -101,17 +115,22 @@ void raise(Ridge& ridge, const Run& run, std::uint8_t level) {
 }
 
 /// Sets the levels and the weight of a ridge and adds it to the report.
-void mark_ridge(Ridge& ridge, Profile& p, const std::vector<double>& drops,
-                const SalienceOptions& options, SalienceReport& report) {
+void mark_ridge(Ridge& ridge, Profile& p, const std::vector<bool>& at_crease,
+                const std::vector<double>& drops, const SalienceOptions& options,
+                SalienceReport& report) {
   const std::size_t n = ridge.crossings.size();
-  for (Crossing& c : ridge.crossings) {
-    c.level = 0;
-    p.z.push_back(c.significance);
+  const auto score = [&](std::size_t i, double z) {
+    return at_crease[i] ? std::numeric_limits<double>::infinity() : z;
+  };
+  p.z.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    ridge.crossings[i].level = 0;
+    p.z[i] = score(i, ridge.crossings[i].significance);
   }
   const Runs significant = hysteresis(p, options.z);
   for (std::size_t i = 0; i < n; ++i) {
     const Crossing& c = ridge.crossings[i];
-    p.z[i] = on_crest(c, ridge.colour) ? c.crest_significance : 0;
+    p.z[i] = on_crest(c, ridge.colour) ? score(i, c.crest_significance) : 0;
   }
   const Runs crest = hysteresis(p, options.z);
 
@@ -147,13 +166,16 @@ void mark_ridge(Ridge& ridge, Profile& p, const std::vector<double>& drops,
 SalienceReport mark_salience(const kernel::TriangleMesh& mesh, const FitResult& fit,
                              RidgeGraph& graph, const SalienceOptions& options) {
   SalienceReport report;
-  const std::vector<std::vector<double>> drops = mark_prominence(mesh, fit, graph);
+  std::vector<std::vector<double>> drops = mark_prominence(mesh, fit, graph);
   report.regions = umbilic_regions(mesh, fit, graph);
   const std::vector<bool> significant_umbilic = mark_umbilics(graph, report.regions);
   for (std::size_t r = 0; r < graph.ridges.size(); ++r) {
     Ridge& ridge = graph.ridges[r];
     Profile profile = profile_of(mesh, fit, ridge, significant_umbilic);
-    mark_ridge(ridge, profile, drops[r], options, report);
+    const std::vector<bool> at_crease = at_creases(mesh, fit, ridge);
+    for (std::size_t i = 0; i < at_crease.size(); ++i)
+      if (at_crease[i]) drops[r][i] = std::numeric_limits<double>::infinity();
+    mark_ridge(ridge, profile, at_crease, drops[r], options, report);
     for (const Crossing& c : ridge.crossings) {
       const kernel::Edge& e = mesh.edges()[c.edge];
       report.undetermined += fit.quality[e.v0].degree < 4 || fit.quality[e.v1].degree < 4;

@@ -7,6 +7,8 @@
 //   Salient (level 2): runs with crest_significance z, on the crest (k1 > |k2| or -k2 > |k1|),
 //   whose weight W = integral of min(drop, 2 max|k|) ds (no unit) is at least min_weight. Umbilics:
 //   umbilic_regions.hpp.
+// At a crossing beside a vertex of a crease (creases.hpp) curvature has no bound: z and drop count
+// as infinite.
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::ridges {

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/umbilic_regions.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::ridges {
 namespace {
 
-/// Disjoint sets of vertices; a set's representative is its least vertex.
-class VertexSets {
- public:
-  explicit VertexSets(Index count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index find(Index v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(Index v, Index w) {
-    v = find(v);
-    w = find(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
+/// k1 - k2 < 3 sigma: the principal directions are not known.
+bool doubtful(const kernel::MongeForm& m, const CurvatureError& e) {
+  const double gap = m.k1 - m.k2, model = gap - (e.wide_k1 - e.wide_k2);
+  return !(gap >= std::sqrt(9 * e.gap * e.gap + model * model));
+}
 
 std::vector<std::uint8_t> members(const kernel::TriangleMesh& mesh, const FitResult& fit,
                                   const RidgeGraph& graph) {
@@ -64,25 +50,15 @@ void count_cells(const kernel::TriangleMesh& mesh, const std::vector<std::uint8_
 
 }  // namespace
 
-bool doubtful(const kernel::MongeForm& m, const CurvatureError& e) {
-  const double gap = m.k1 - m.k2, model = gap - (e.wide_k1 - e.wide_k2);
-  return !(gap >= std::sqrt(9 * e.gap * e.gap + model * model));
-}
-
-bool hidden(const kernel::TriangleMesh& mesh, const FitResult& fit, Index edge) {
-  const kernel::Edge& e = mesh.edges()[edge];
-  return doubtful(fit.forms[e.v0], fit.errors[e.v0]) && doubtful(fit.forms[e.v1], fit.errors[e.v1]);
-}
-
 std::vector<UmbilicRegion> umbilic_regions(const kernel::TriangleMesh& mesh, const FitResult& fit,
                                            const RidgeGraph& graph) {
   const std::vector<std::uint8_t> in = members(mesh, fit, graph);
-  VertexSets sets(mesh.vertex_count());
+  kernel::DisjointSets sets(mesh.vertex_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     if (!in[f]) continue;
     const auto [a, b, c] = mesh.faces()[f];
-    sets.join(a, b);
-    sets.join(a, c);
+    sets.unite(a, b);
+    sets.unite(a, c);
   }
   std::vector<UmbilicRegion> regions;
   std::vector<Index> number(mesh.vertex_count(), kernel::kNone), region_of = number;

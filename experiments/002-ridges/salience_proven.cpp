@@ -3,6 +3,7 @@
 // surface: which of the dropped lines are real, which of the kept ones are not.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "algorithms/ridges/salience.hpp"
@@ -30,28 +31,80 @@ experiments::SmoothSurface perturbed_torus() {
   return s;
 }
 
-/// The proven lines in dashes no longer than the step.
-std::vector<Dash> proven_dashes(double step) {
+struct ProvenLines {
+  std::vector<std::vector<Dash>> lines;  ///< in dashes no longer than the step
+  std::vector<Dash> dashes;              ///< of all of them
+};
+
+ProvenLines proven_lines(double step) {
   const auto proven =
       smooth_ridges::smooth_ridges(experiments::make_surface(perturbed_torus()), {});
   if (!proven.certified) throw std::runtime_error("perturbed torus: not certified");
-  std::vector<Dash> all;
+  ProvenLines all;
   for (const auto& ridge : proven.ridges) {
     const std::size_t n = ridge.points.size();
+    std::vector<Dash> line;
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i)
-      add_dashes(ridge.points[i], ridge.points[(i + 1) % n], ridge.colour, step, all);
+      add_dashes(ridge.points[i], ridge.points[(i + 1) % n], ridge.colour, step, line);
+    all.dashes.insert(all.dashes.end(), line.begin(), line.end());
+    all.lines.push_back(std::move(line));
   }
   return all;
 }
 
+std::vector<Dash> dashes_of(const ridges::Ridge& ridge, double step) {
+  std::vector<Dash> all;
+  for (std::size_t i = 0; i < ridge.segment_count(); ++i)
+    add_dashes(ridge.crossings[i].point, ridge.crossings[(i + 1) % ridge.crossings.size()].point,
+               ridge.colour, step, all);
+  return all;
+}
+
+/// The ridges without any significant crossing; real: a proven line and this one are within the
+/// tolerance of each other on nine tenths of their lengths.
+struct Dropped {
+  int count = 0, real = 0;
+  double longest = 0;
+};
+
+Dropped dropped_whole(const ridges::RidgeGraph& graph, const ProvenLines& proven, double step,
+                      double tolerance) {
+  constexpr double kSame = 0.9;
+  Dropped d;
+  for (const ridges::Ridge& r : graph.ridges) {
+    if (std::any_of(r.crossings.begin(), r.crossings.end(),
+                    [](const ridges::Crossing& c) { return c.level > 0; }))
+      continue;
+    const std::vector<Dash> line = dashes_of(r, step);
+    ++d.count;
+    d.longest = std::max(d.longest, length_of(line));
+    d.real += std::any_of(proven.lines.begin(), proven.lines.end(), [&](const auto& other) {
+      return near_share(line, other, tolerance) >= kSame &&
+             near_share(other, line, tolerance) >= kSame;
+    });
+  }
+  return d;
+}
+
+double shortest(const ProvenLines& proven) {
+  double least = 1e300;
+  for (const auto& line : proven.lines) least = std::min(least, length_of(line));
+  return least;
+}
+
 void run(const std::vector<int>& vertices, double tolerance) {
-  const std::vector<Dash> proven = proven_dashes(0.005);
-  fmt::print("proven length {:.2f}; a line is real within {} of a proven one of its colour\n\n",
-             length_of(proven), tolerance);
+  constexpr double kStep = 0.005;
+  const ProvenLines lines = proven_lines(kStep);
+  const std::vector<Dash>& proven = lines.dashes;
+  fmt::print(
+      "proven length {:.2f}, shortest line {:.3f}; a line is real within {} of a proven one of its "
+      "colour\n\n",
+      length_of(proven), shortest(lines), tolerance);
   fmt::print(
       "| vertices | kept, real | kept, not real | dropped, real | dropped, not real | proven "
       "length "
-      "met by kept lines |\n|---|---|---|---|---|---|\n");
+      "met by kept lines | dropped whole: lines, real ones, longest "
+      "|\n|---|---|---|---|---|---|---|\n");
   for (const int count : vertices) {
     const sampling::SurfaceSample s = sampling::sample("perturbed-torus", {}, count, false);
     const kernel::TriangleMesh mesh(s.points, s.faces);
@@ -63,10 +116,11 @@ void run(const std::vector<int>& vertices, double tolerance) {
     const auto whole = dashes(graph, 0), kept = dashes(graph, 1);
     const double all_real = near_share(whole, proven, tolerance) * length_of(whole);
     const double kept_real = near_share(kept, proven, tolerance) * length_of(kept);
-    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} |\n", mesh.vertex_count(),
-               kept_real, length_of(kept) - kept_real, all_real - kept_real,
+    const Dropped d = dropped_whole(graph, lines, kStep, tolerance);
+    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {}, {}, {:.3f} |\n",
+               mesh.vertex_count(), kept_real, length_of(kept) - kept_real, all_real - kept_real,
                length_of(whole) - all_real - (length_of(kept) - kept_real),
-               near_share(proven, kept, tolerance));
+               near_share(proven, kept, tolerance), d.count, d.real, d.longest);
     std::fflush(stdout);
   }
 }

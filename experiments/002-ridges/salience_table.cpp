@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <numbers>
 
 #include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
@@ -39,6 +41,7 @@ struct Marked {
   ridges::RidgeGraph graph;
   ridges::SalienceReport report;
   double fit = 0, extract = 0, mark = 0;
+  double radius = 0;  ///< of the supports, on average
 };
 
 Marked marked(const kernel::TriangleMesh& mesh, int points, const ridges::SalienceOptions& o) {
@@ -55,6 +58,8 @@ Marked marked(const kernel::TriangleMesh& mesh, int points, const ridges::Salien
   Marked m{ridges::extract_ridge_graph(mesh, fit.forms), {}};
   const auto t2 = Clock::now();
   m.report = ridges::mark_salience(mesh, fit, m.graph, o);
+  for (const ridges::CurvatureError& e : fit.errors)
+    m.radius += e.radius / static_cast<double>(fit.errors.size());
   m.fit = seconds(t0, t1);
   m.extract = seconds(t1, t2);
   m.mark = seconds(t2, Clock::now());
@@ -78,6 +83,14 @@ std::string regions_text(const std::vector<ridges::UmbilicRegion>& regions) {
   return fmt::format("{}, {}, {} ({})", plus, minus, other, zero);
 }
 
+/// How many regions are one umbilic of index +1/2, of -1/2.
+std::pair<int, int> signs_of(const std::vector<ridges::UmbilicRegion>& regions) {
+  std::pair<int, int> signs(0, 0);
+  for (const ridges::UmbilicRegion& r : regions)
+    if (r.is_umbilic()) ++(r.twice_index > 0 ? signs.first : signs.second);
+  return signs;
+}
+
 int vertices_of(const std::string& surface, const Options& o) {
   return o.vertices > 0 ? o.vertices : surface == "blend" ? 40000 : 10000;
 }
@@ -87,21 +100,51 @@ int chosen(const kernel::TriangleMesh& mesh, const Options& o, std::size_t i) {
   return ridges::choose_support(mesh, {}, {}, o.salience()).points;
 }
 
-void noise_row(const std::string& surface, const sampling::SurfaceSample& clean,
-               const Marked& truth, double percent, int seed, std::size_t which, const Options& o) {
+/// What a table says of one noisy mesh, and of a level's meshes on average.
+struct Shares {
+  double significant[2], salient[2];  ///< precision and recall
+  bool umbilics;                      ///< the regions of index +-1/2 are those without noise
+};
+
+Shares noise_row(const std::string& surface, const sampling::SurfaceSample& clean,
+                 const Marked& truth, double percent, int seed, std::size_t which,
+                 const Options& o) {
   const kernel::TriangleMesh mesh = noisy(clean, percent, seed);
   const int points = chosen(mesh, o, which);
   const Marked m = marked(mesh, points, o.salience());
   const double size = m.graph.model_size, near = 0.06 * size;
   const auto whole = dashes(truth.graph, 0), salient = dashes(truth.graph, 2);
   const auto got1 = dashes(m.graph, 1), got2 = dashes(m.graph, 2);
+  const Shares shares = {{near_share(got1, whole, near), near_share(whole, got1, near)},
+                         {near_share(got2, salient, near), near_share(salient, got2, near)},
+                         signs_of(m.report.regions) == signs_of(truth.report.regions)};
   fmt::print(
       "| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.2f} | {:.3f} | {:.3f} | {} | "
       "{} |\n",
       surface, percent, seed, points, m.report.length / size, length_of(got1) / size,
-      near_share(got1, whole, near), near_share(whole, got1, near), length_of(got2) / size,
-      near_share(got2, salient, near), near_share(salient, got2, near),
-      regions_text(m.report.regions), 0.5 * m.graph.twice_index_sum);
+      shares.significant[0], shares.significant[1], length_of(got2) / size, shares.salient[0],
+      shares.salient[1], regions_text(m.report.regions), 0.5 * m.graph.twice_index_sum);
+  std::fflush(stdout);
+  return shares;
+}
+
+void print_level(const std::string& surface, double percent, const std::vector<Shares>& rows) {
+  if (rows.size() < 2) return;
+  const auto text = [&](auto&& value) {
+    double sum = 0, least = 1;
+    for (const Shares& s : rows) {
+      sum += value(s);
+      least = std::min(least, value(s));
+    }
+    return fmt::format("{:.3f} ({:.2f})", sum / static_cast<double>(rows.size()), least);
+  };
+  std::size_t right = 0;
+  for (const Shares& s : rows) right += s.umbilics;
+  fmt::print("| {} | {} | mean (least) of {} | | | | {} | {} | | {} | {} | right in {} | |\n",
+             surface, percent, rows.size(), text([](const Shares& s) { return s.significant[0]; }),
+             text([](const Shares& s) { return s.significant[1]; }),
+             text([](const Shares& s) { return s.salient[0]; }),
+             text([](const Shares& s) { return s.salient[1]; }), right);
   std::fflush(stdout);
 }
 
@@ -118,10 +161,11 @@ void noise_table(const Options& o) {
         sampling::sample(surface, parameters, vertices_of(surface, o), true);
     const Marked truth = marked(noisy(clean, 0, 1), 30, o.salience());
     for (const double percent : o.percent)
-      for (int seed = 1; seed <= (percent == 0 ? 1 : o.seeds); ++seed) {
-        if (o.points.empty()) noise_row(surface, clean, truth, percent, seed, 0, o);
-        for (std::size_t i = 0; i < o.points.size(); ++i)
-          noise_row(surface, clean, truth, percent, seed, i, o);
+      for (std::size_t i = 0; i < std::max<std::size_t>(o.points.size(), 1); ++i) {
+        std::vector<Shares> rows;
+        for (int seed = 1; seed <= (percent == 0 ? 1 : o.seeds); ++seed)
+          rows.push_back(noise_row(surface, clean, truth, percent, seed, i, o));
+        print_level(surface, percent, rows);
       }
   }
 }
@@ -181,6 +225,7 @@ void draw(const Options& o, const std::string& file, const kernel::TriangleMesh&
   options.width = 800;
   options.by_salience = true;
   options.note = "subset by significance";
+  options.spur = m.radius;
   const std::string name = "salient-" + fs::path(file).stem().string() + ".png";
   io::write_picture((o.pictures / name).string(), mesh, m.graph, options);
 }
@@ -257,9 +302,10 @@ void repeat_table(const Options& o) {
   }
 }
 
-/// The edges of dihedral angle over 40 degrees, in dashes.
-std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh, double step) {
-  constexpr double kCosine = 0.766044443118978;
+/// The edges of dihedral angle over the given degrees, in dashes.
+std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh, double degrees,
+                                           double step) {
+  const double cosine = std::cos(degrees * std::numbers::pi / 180);
   const auto normal = [&](kernel::Index f) {
     const auto [a, b, c] = mesh.faces()[f];
     const auto& p = mesh.points();
@@ -270,32 +316,32 @@ std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh, dou
   std::vector<experiments::Dash> all;
   for (const kernel::Edge& e : mesh.edges()) {
     if (e.f0 == kernel::kNone || e.f1 == kernel::kNone) continue;
-    if (kernel::dot(normal(e.f0), normal(e.f1)) > kCosine) continue;
+    if (kernel::dot(normal(e.f0), normal(e.f1)) > cosine) continue;
     experiments::add_dashes(mesh.points()[e.v0], mesh.points()[e.v1], ridges::Colour::blue, step,
                             all);
   }
   return all;
 }
 
-/// fandisk: how much of the sharp edges has a line within an edge, how much of the lines has no
-/// sharp edge within two.
+/// fandisk: how much of the edges over 40 degrees has a line within 1, 1.5, 2 mean edges, how much
+/// of the lines has no feature, an edge over 15 degrees, within two.
 void fandisk_table(const Options& o) {
   const fs::path path = o.data / "fandisk.off";
   if (!fs::exists(path)) return;
   const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
   const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
-  const auto sharp = sharp_edges(mesh, edge / 4);
+  const auto sharp = sharp_edges(mesh, 40, edge / 4), features = sharp_edges(mesh, 15, edge / 4);
   fmt::print(
-      "{} pieces of edges over 40 degrees\n\n| points | lines | length / size | sharp length "
-      "covered | off "
-      "any sharp edge |\n|---|---|---|---|---|\n",
-      sharp.size());
+      "| points | lines | length / size | sharp length covered within 1 | 1.5 | 2 edges | off any "
+      "feature |\n|---|---|---|---|---|---|---|\n");
   for (const int points : o.points.empty() ? std::vector<int>{chosen(mesh, o, 0)} : o.points) {
     const Marked m = marked(mesh, points, o.salience());
     const auto row = [&](const char* name, const std::vector<experiments::Dash>& lines) {
-      fmt::print("| {} | {} | {:.2f} | {:.3f} | {:.3f} |\n", points, name,
+      fmt::print("| {} | {} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", points, name,
                  length_of(lines) / m.graph.model_size, near_share(sharp, lines, edge, true),
-                 1 - near_share(lines, sharp, 2 * edge, true));
+                 near_share(sharp, lines, 1.5 * edge, true),
+                 near_share(sharp, lines, 2 * edge, true),
+                 1 - near_share(lines, features, 2 * edge, true));
     };
     row("graph", dashes(m.graph, 0, edge / 4));
     row("significant", dashes(m.graph, 1, edge / 4));
@@ -305,7 +351,44 @@ void fandisk_table(const Options& o) {
   }
 }
 
+/// Processor time of the fit and the extraction alone, and with the errors and the salience.
+void cost_table(const Options& o) {
+  fmt::print(
+      "| model | points | fit | extraction | fit with errors | salience | quotient |\n"
+      "|---|---|---|---|---|---|---|\n");
+  const auto seconds = [](auto&& work) {
+    double least = 1e300;
+    for (int i = 0; i < 3; ++i) {
+      const std::clock_t start = std::clock();
+      work();
+      least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return least;
+  };
+  for (const std::string& file : o.meshes) {
+    const fs::path path = o.data / file;
+    if (!fs::exists(path)) continue;
+    const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
+    for (const int points : o.points.empty() ? std::vector<int>{30, 100} : o.points) {
+      ridges::FitOptions options;
+      options.min_points = points;
+      ridges::FitResult fit;
+      ridges::RidgeGraph graph;
+      const double plain = seconds([&] { fit = ridges::fit_monge_forms(mesh, options); });
+      const double extract = seconds([&] { graph = ridges::extract_ridge_graph(mesh, fit.forms); });
+      options.errors = true;
+      const double full = seconds([&] { fit = ridges::fit_monge_forms(mesh, options); });
+      graph = ridges::extract_ridge_graph(mesh, fit.forms);
+      const double mark = seconds([&] { ridges::mark_salience(mesh, fit, graph, o.salience()); });
+      fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", file, points, plain,
+                 extract, full, mark, (full + extract + mark) / (plain + extract));
+      std::fflush(stdout);
+    }
+  }
+}
+
 int run(const Options& o) {
+  if (o.table == "cost") cost_table(o);
   if (o.table == "repeat") repeat_table(o);
   if (o.table == "fandisk") fandisk_table(o);
   if (o.table == "noise") noise_table(o);
@@ -321,7 +404,7 @@ int main(int argc, char** argv) {
   crest::Options o;
   crest::experiments::Program program("Salient ridges of samples and scans");
   program.option("--table", o.table, "what to print",
-                 {"noise", "samples", "scans", "repeat", "fandisk"});
+                 {"noise", "samples", "scans", "repeat", "fandisk", "cost"});
   program.option("--data", o.data, "folder of meshes");
   program.option("--pictures", o.pictures, "folder for pictures of the scans (default: none)");
   program.list("--noise", o.percent, "percents of the mean edge length");

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/ridges/ridge_lines.hpp"
+#include "io/ridges/drawn_lines.hpp"
 
 namespace crest::io {
 namespace {
@@ -69,20 +69,6 @@ class Sight {
   double outward_;
 };
 
-/// Four steps of the means of neighbours: a zigzag of an edge's width goes, a corner is cut by less
-/// than an edge. Points inside patches and the ends of a line stay.
-void smooth(std::vector<LinePoint>& line, bool loop) {
-  const std::size_t n = line.size();
-  for (int step = 0; step < 4; ++step) {
-    const std::vector<LinePoint> old = line;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (old[i].crossing == nullptr || (!loop && (i == 0 || i + 1 == n))) continue;
-      const Vec3 &a = old[(i + n - 1) % n].point, &b = old[(i + 1) % n].point;
-      line[i].point = combine(0.5, old[i].point, 0.25, combine(1, a, 1, b));
-    }
-  }
-}
-
 /// The thin classes come before ridge_classes() and so lie under them.
 std::vector<StrokeClass> classes_by_salience() {
   std::vector<StrokeClass> classes = ridge_classes();
@@ -96,25 +82,27 @@ std::vector<StrokeClass> classes_by_salience() {
   return classes;
 }
 
+/// The ridges' strokes.
+template <class LineOf>
 void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeGraph& graph,
-                 const PictureOptions& options, Drawing& drawing) {
+                 const LineOf& line_of, const PictureOptions& options, Drawing& drawing) {
   const std::size_t thin_classes = options.by_salience ? ridge_classes().size() : 0;
   StrokeMaker maker(sight.camera(), surface, drawing);
   const auto hidden = [&](const LinePoint& p) {
     return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
   };
   for (const ridges::Ridge& ridge : graph.ridges) {
-    std::vector<LinePoint> line = line_points(ridge);
-    if (options.by_salience) smooth(line, ridge.loop);
+    const std::vector<LinePoint> line = line_of(ridge);
     const std::size_t n = line.size();
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
       const RidgeType type = options.order == 3 ? line[i].third_order : line[i].fourth_order;
-      const bool full = std::min(line[i].level, next.level) >= options.full_level;
+      const int level = std::min(line[i].level, next.level);
+      const bool full = level >= options.full_level, pruned = options.by_salience && level == 0;
       const std::size_t base = ridge_class(ridge.colour, type);
       const std::size_t stroke_class = base + (full ? thin_classes : 0);
       drawing.classes[base + thin_classes].in_graph = true;
-      if (hidden(line[i]) || hidden(next))
+      if (pruned || hidden(line[i]) || hidden(next))
         maker.end();
       else
         maker.add(line[i].point, next.point, stroke_class);
@@ -227,7 +215,11 @@ Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::
   Drawing drawing{};
   drawing.classes = options.by_salience ? classes_by_salience() : ridge_classes();
   const Sight sight(camera, surface, mesh, normals);
-  add_strokes(sight, surface, graph, options, drawing);
+  const auto line_of = [&](const ridges::Ridge& ridge) {
+    return options.by_salience ? drawn_line(mesh, normals, ridge, options.spur, options.full_level)
+                               : line_points(ridge);
+  };
+  add_strokes(sight, surface, graph, line_of, options, drawing);
   const std::vector<ridges::Umbilic> umbilics =
       options.by_salience ? significant_umbilics(graph) : joined_umbilics(graph);
   add_dots(sight, umbilics, drawing);

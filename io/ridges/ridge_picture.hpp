@@ -16,10 +16,12 @@ struct PictureOptions {
   std::optional<kernel::Vec3> up = {};
   bool show_legend = true;
   int order = 4;  ///< types by the fourth-order or the third-order rule (3)
-  /// By salience: dots at significant umbilics and regions, not where ridges end; the zigzag of
-  /// lines along creases smoothed; segments below full_level a third as wide, and paler.
+  /// By salience: dots at significant umbilics and regions, not where ridges end; lines smoothed
+  /// and their spurs, up to `spur` long (units of the input), pruned (drawn_lines.hpp); segments
+  /// below full_level a third as wide, and paler.
   bool by_salience = false;
   int full_level = 2;
+  double spur = 0;
   std::string note;  ///< for the legend: that this is a subset of the graph, and why
 };
 

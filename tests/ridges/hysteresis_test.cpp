@@ -2,6 +2,7 @@
 #include "algorithms/ridges/hysteresis.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 using namespace crest::ridges;
 
@@ -54,13 +55,17 @@ TEST_CASE("hysteresis: gaps are closed to the ends that hold") {
   check(hysteresis(p, 4), {{0, 5}, {9, 3}});
   p.holds[1] = true;
   check(hysteresis(p, 4), {{0, 5}, {9, 4}});
-  // Hidden points are the end's own, however many.
-  Profile far = line({0, 0, 0, 0, 9, 9, 9, 0, 0, 0, 0});
-  far.holds[0] = true;
-  check(hysteresis(far, 4), {{4, 3}});
-  far.hidden = {1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
-  far.holds[1] = true;
-  check(hysteresis(far, 4), {{0, 7}});
+}
+
+TEST_CASE("hysteresis: a short line is kept whole between two umbilics, a short run on a crease") {
+  Profile p = line({0, 9, 0});
+  p.holds[0] = p.holds[1] = true;
+  p.radius.assign(3, 2.5);
+  check(hysteresis(p, 4), {});
+  p.between_umbilics = true;
+  check(hysteresis(p, 4), {{0, 3}});
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  check(hysteresis(line({0, kInfinite, kInfinite, 0, 0, 0, kInfinite, 9, 0, 0, 0}), 4), {{1, 2}});
 }
 
 TEST_CASE("hysteresis: a line that is strong on 80 % of its length is kept whole") {
@@ -78,4 +83,8 @@ TEST_CASE("hysteresis: loops have no end") {
   check(hysteresis(line({0, 9, 9, 9, 0, 9, 9, 9}, true), 4), {{0, 8}});
   check(hysteresis(line({3, 3, 4, 3, 3}, true), 4), {{0, 5}});
   check(hysteresis(line({3, 3, 3}, true), 4), {});
+  Profile small = line({3, 4, 3}, true);
+  check(hysteresis(small, 4), {{0, 3}});
+  small.radius.assign(3, 3.5);
+  check(hysteresis(small, 4), {});
 }

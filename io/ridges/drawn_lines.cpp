@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ridges/drawn_lines.hpp"
+
+#include <algorithm>
+
+namespace crest::io {
+namespace {
+
+using kernel::dot;
+using kernel::Vec3;
+using kernel::operator+;
+using kernel::operator-;
+using kernel::operator*;
+
+/// The part of a vector in the tangent plane at the crossing.
+Vec3 tangential(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                const ridges::Crossing& crossing, const Vec3& v) {
+  const kernel::Edge& e = mesh.edges()[crossing.edge];
+  const Vec3 n = normals[e.v0] + normals[e.v1];
+  const double squared = dot(n, n);
+  return squared > 0 ? v - (dot(v, n) / squared) * n : v;
+}
+
+void smooth(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, bool loop,
+            std::vector<LinePoint>& line) {
+  constexpr int kSteps = 32;
+  const std::size_t n = line.size();
+  const std::vector<LinePoint> given = line;
+  for (int step = 0; step < kSteps; ++step) {
+    const std::vector<LinePoint> old = line;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (old[i].crossing == nullptr || (!loop && (i == 0 || i + 1 == n))) continue;
+      const Vec3 mean = 0.5 * (old[(i + n - 1) % n].point + old[(i + 1) % n].point);
+      const Vec3 moved = 0.5 * (old[i].point + mean);
+      line[i].point =
+          given[i].point + tangential(mesh, normals, *given[i].crossing, moved - given[i].point);
+    }
+  }
+}
+
+/// How many points at the run's first end are a spur; at(i), i < count, is the run from that end.
+template <class At>
+std::size_t spur_points(std::size_t count, const At& at, double spur) {
+  std::vector<double> length(count, 0.0);
+  for (std::size_t i = 1; i < count; ++i)
+    length[i] = length[i - 1] + kernel::distance(at(i - 1), at(i));
+  std::size_t points = 0;
+  for (std::size_t i = 1, j = 1; i < count && length[i] <= spur; ++i) {
+    while (j < count && length[j] < length[i] + spur) ++j;
+    if (j == count) break;
+    const Vec3 before = at(i) - at(0), after = at(j) - at(i);
+    if (dot(before, after) < 0.5 * kernel::norm(before) * kernel::norm(after)) points = i;
+  }
+  return points;
+}
+
+void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LinePoint>& line) {
+  const auto lesser = [&](const LinePoint& p) { return p.level < level; };
+  const auto first = std::find_if(line.begin(), line.end(), lesser);
+  if (ridge.loop && first == line.end()) return;
+  if (ridge.loop) std::rotate(line.begin(), first, line.end());
+  const std::size_t n = line.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t end = i;
+    while (end < n && !lesser(line[end])) ++end;
+    const std::size_t count = end - i;
+    if (count < 2) continue;
+    std::size_t front = 0, back = 0;
+    if (i > 0 || ridge.ends[0].kind == ridges::EndKind::cut)
+      front = spur_points(
+          count, [&](std::size_t k) { return line[i + k].point; }, spur);
+    if (end < n || ridge.ends[1].kind == ridges::EndKind::cut)
+      back = spur_points(
+          count, [&](std::size_t k) { return line[end - 1 - k].point; }, spur);
+    for (std::size_t k = 0; k < front; ++k) line[i + k].level = 0;
+    for (std::size_t k = 0; k < back; ++k) line[end - 1 - k].level = 0;
+    i = end;
+  }
+}
+
+}  // namespace
+
+std::vector<LinePoint> drawn_line(const kernel::TriangleMesh& mesh,
+                                  const std::vector<Vec3>& normals, const ridges::Ridge& ridge,
+                                  double spur, int full_level) {
+  std::vector<LinePoint> line = line_points(ridge);
+  smooth(mesh, normals, ridge.loop, line);
+  for (const int level : {full_level, 1}) prune(ridge, spur, level, line);
+  return line;
+}
+
+}  // namespace crest::io
