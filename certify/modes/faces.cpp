@@ -148,7 +148,23 @@ class ArcOrder {
   std::vector<RootOnFace<Rational>> exact_;
 };
 
+Direction<3> direction(const LevelContext& context, const FaceNode& face) {
+  const auto& w = context.stated.face_witnesses[face.witness].w;
+  return {w[0], w[1], -(w[0] + w[1])};
+}
+
 }  // namespace
+
+std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face) {
+  ArcOrder order(context, face, direction(context, face));
+  std::vector<ArcPair> arcs;
+  order.join(1, arcs);
+  if (!context.level.neutral) order.join(-1, arcs);
+  require(2 * arcs.size() == order.size(), "face ({}, {}, {}): an odd number of roots",
+          face.corners[0], face.corners[1], face.corners[2]);
+  std::ranges::sort(arcs, {}, &ArcPair::first);
+  return arcs;
+}
 
 void check_face(const LevelContext& context, u32 node, Worker& worker) {
   const FaceNode& face = context.trees.faces[node];
@@ -157,19 +173,14 @@ void check_face(const LevelContext& context, u32 node, Worker& worker) {
     check_rejected(context, face.corners, worker);
     return;
   }
-  const FaceWitness& witness = context.stated.face_witnesses[face.witness];
-  const Direction<3> w = {witness.w[0], witness.w[1], -(witness.w[0] + witness.w[1])};
+  const double lambda = context.stated.face_witnesses[face.witness].lambda;
   const bool plain = face.code == modes_code::kPlainFace;
-  require(!plain || witness.lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
-  check_witness(context, face.corners, w, plain ? std::nullopt : std::optional(witness.lambda),
-                worker);
-  ArcOrder order(context, face, w);
-  std::vector<ArcPair> arcs;
-  order.join(1, arcs);
-  if (!context.level.neutral) order.join(-1, arcs);
-  std::ranges::sort(arcs, {}, &ArcPair::first);
-  require(2 * arcs.size() == order.size() && arcs.size() == face.arcs,
-          "face ({}, {}, {}): {} arcs listed, {} found", a, b, c, face.arcs, arcs.size());
+  require(!plain || lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
+  check_witness(context, face.corners, direction(context, face),
+                plain ? std::nullopt : std::optional(lambda), worker);
+  const auto arcs = find_arcs(context, face);
+  require(arcs.size() == face.arcs, "face ({}, {}, {}): {} arcs listed, {} found", a, b, c,
+          face.arcs, arcs.size());
   for (u32 i = 0; i < arcs.size(); ++i) {
     const ArcPair& stated = context.stated.arcs[face.arc + i];
     require(stated.first == arcs[i].first && stated.second == arcs[i].second,

@@ -20,6 +20,10 @@ void check_witness(const LevelContext& context, const std::array<u32, 3>& corner
 void check_witness(const LevelContext& context, const std::array<u32, 4>& corners,
                    const Direction<4>& w, std::optional<double> lambda, Worker& worker);
 
+/// The arcs of a leaf with a witness that holds, ascending. Throws Reject if the enclosures of
+/// roots do not tell.
+std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face);
+
 /// A leaf: rejected, or its witness holds and its arcs are those listed.
 void check_face(const LevelContext& context, u32 node, Worker& worker);
 
