@@ -149,7 +149,7 @@ class EdgeCheck {
       if (flat(root)) return false;
       const int low = line.sign(root.low), high = line.sign(root.high);
       if (low == 0 || high == 0) return false;
-      require_here(low != high, "no single root in an enclosure");
+      require_here(low != high, "no single root in the enclosure [{}, {}]", root.low, root.high);
     }
     // Each enclosure holds an odd number of them, they do not overlap.
     for (std::size_t i = 0; i + 1 < roots_.size(); ++i)
@@ -196,12 +196,15 @@ class EdgeCheck {
     for (std::size_t i = from; i < to; ++i) {
       const Place low = place(roots_[i].low), high = place(roots_[i].high);
       const int sign_low = sturm.sign(low), sign_high = sturm.sign(high);
-      require_here(sign_low == sign && sign_high != 0, "a root outside the enclosures");
+      require_here(sign_low == sign && sign_high != 0,
+                   "a root before the enclosure [{}, {}], or at its end", roots_[i].low,
+                   roots_[i].high);
       check_gap(sturm, at, low, sign);
       const bool pair = pair_at(i);
-      require_here(
-          sturm.distinct(low, high) == 1 && (pair ? sign < 0 && sign_high < 0 : sign_high == -sign),
-          "no single root in an enclosure");
+      const int count = sturm.distinct(low, high);
+      require_here(count == 1 && (pair ? sign < 0 && sign_high < 0 : sign_high == -sign),
+                   "no single root in the enclosure [{}, {}]: {} there, signs {} and {}",
+                   roots_[i].low, roots_[i].high, count, sign, sign_high);
       i += pair;
       at = high;
       sign = sign_high;

@@ -88,9 +88,7 @@ class ArcOrder {
     const auto key = [&](unsigned i) { return std::tuple(middle(i), outward(i), along(i)); };
     std::ranges::sort(order, {}, key);
     for (std::size_t i = 0; i + 1 < order.size(); ++i)
-      require(in_order(order[i], order[i + 1]),
-              "face ({}, {}, {}): the enclosures do not tell the order of roots across w",
-              face_.corners[0], face_.corners[1], face_.corners[2]);
+      if (!in_order(order[i], order[i + 1])) refuse(order[i], order[i + 1]);
     require(order.size() % 2 == 0, "face ({}, {}, {}): an odd number of roots", face_.corners[0],
             face_.corners[1], face_.corners[2]);
     for (std::size_t i = 0; i < order.size(); i += 2) {
@@ -100,6 +98,15 @@ class ArcOrder {
   }
 
  private:
+  [[noreturn]] void refuse(unsigned i, unsigned j) const {
+    const auto a = interval(roots_[i]), b = interval(roots_[j]);
+    throw Reject(fmt::format(
+        "face ({}, {}, {}): the enclosures do not tell the order across w of roots {} and {}, in "
+        "[{}, "
+        "{}] and [{}, {}]",
+        face_.corners[0], face_.corners[1], face_.corners[2], i, j, a[0], a[1], b[0], b[1]));
+  }
+
   double start(unsigned i) const { return t_[roots_[i].edge]; }
   double end(unsigned i) const { return t_[(roots_[i].edge + 1) % 3]; }
   /// Direction of t along the root's edge.
