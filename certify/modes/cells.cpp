@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "certify/container/reject.hpp"
-#include "certify/modes/union_find.hpp"
+#include "certify/surface/union_find.hpp"
 
 namespace crest::certify::modes {
 namespace {

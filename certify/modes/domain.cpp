@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <tuple>
 
 #include "certify/container/reject.hpp"
 
@@ -122,54 +121,7 @@ void insert_zeros(const ModesCertificate& c, Field& field, std::vector<std::arra
     require(used[i] != 0, "zeros: {} is in no simplex of the complex", i);
 }
 
-/// H1. Buckets by the least corner, then by the others.
-std::vector<DomainFace> list_faces(const std::vector<std::array<u32, 4>>& tets,
-                                   std::size_t vertices) {
-  struct Entry {
-    u32 b, c, tet;
-  };
-  std::vector<std::uint64_t> start(vertices + 1, 0);
-  for (const auto& t : tets) start[t[0] + 1] += 3, start[t[1] + 1] += 1;
-  for (std::size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
-  std::vector<Entry> entries(4 * tets.size());
-  auto next = start;
-  for (u32 i = 0; i < tets.size(); ++i) {
-    const auto& t = tets[i];
-    entries[next[t[0]]++] = {t[1], t[2], i};
-    entries[next[t[0]]++] = {t[1], t[3], i};
-    entries[next[t[0]]++] = {t[2], t[3], i};
-    entries[next[t[1]]++] = {t[2], t[3], i};
-  }
-  std::vector<DomainFace> faces;
-  faces.reserve(2 * tets.size() + 2);
-  for (u32 v = 0; v < vertices; ++v) {
-    const auto from = entries.begin() + static_cast<std::ptrdiff_t>(start[v]);
-    const auto to = entries.begin() + static_cast<std::ptrdiff_t>(start[v + 1]);
-    std::sort(from, to, [](const Entry& x, const Entry& y) {
-      return std::tie(x.b, x.c, x.tet) < std::tie(y.b, y.c, y.tet);
-    });
-    for (auto at = from; at != to; ++at) {
-      const std::array<u32, 3> corners = {v, at->b, at->c};
-      if (!faces.empty() && faces.back().corners == corners) {
-        require(faces.back().tets[1] == kNone,
-                "data: more than two tetrahedra at face ({}, {}, {})", v, at->b, at->c);
-        require(tets[faces.back().tets[0]] != tets[at->tet],
-                "data: tetrahedra {} and {} have the same corners", faces.back().tets[0], at->tet);
-        faces.back().tets[1] = at->tet;
-      } else {
-        faces.push_back({corners, {at->tet, kNone}});
-      }
-    }
-  }
-  return faces;
-}
-
 }  // namespace
-
-u32 Domain::find(const std::array<u32, 3>& corners) const {
-  const auto at = std::ranges::lower_bound(faces, corners, {}, &DomainFace::corners);
-  return at != faces.end() && at->corners == corners ? static_cast<u32>(at - faces.begin()) : kNone;
-}
 
 Domain build_domain(const ModesCertificate& c, Field& field) {
   Domain domain;

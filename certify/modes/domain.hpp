@@ -4,23 +4,18 @@
 // The complex of the tetrahedra, zeros inserted (SPEC.md, H1 and H2).
 #include <span>
 
-#include "certify/modes/field.hpp"
+#include "certify/exact/tensor_field.hpp"
 #include "certify/modes/records.hpp"
+#include "certify/surface/tetrahedra.hpp"
 
 namespace crest::certify::modes {
 
-/// A face and the tetrahedra that have it; the second may be kNone.
-struct DomainFace {
-  std::array<u32, 3> corners;
-  std::array<u32, 2> tets;
-};
-
 struct Domain {
   std::vector<std::array<u32, 4>> tets;  ///< corners ascending
-  std::vector<DomainFace> faces;         ///< ascending
+  std::vector<TetFace> faces;            ///< ascending
 
   /// Place among the faces, kNone if there is no such face.
-  u32 find(const std::array<u32, 3>& corners) const;
+  u32 find(const std::array<u32, 3>& corners) const { return find_face(faces, corners); }
   unsigned sides(u32 face) const { return faces[face].tets[1] == kNone ? 1 : 2; }
 };
 

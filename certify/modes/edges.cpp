@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "certify/container/reject.hpp"
-#include "certify/modes/sturm.hpp"
+#include "certify/exact/sturm.hpp"
 
 namespace crest::certify::modes {
 namespace {
@@ -88,29 +88,15 @@ int count_roots(const Line& line) {
   return count_roots(b, line.degree, widened(line.error + kUnit * line.most()), 5);
 }
 
-class EdgeCheck {
+/// The listed roots of a leaf, against a polynomial.
+class ListedRoots {
  public:
-  EdgeCheck(const LevelContext& context, u32 node, Worker& worker)
+  ListedRoots(const LevelContext& context, u32 node)
       : context_(context),
         node_(context.trees.edges[node]),
-        worker_(worker),
-        roots_(context.stated.roots.data() + node_.root, node_.roots),
-        products_(approximate_products<2>(context.field, {node_.first, node_.second})),
-        forms_(products_) {}
+        roots_(context.stated.roots.data() + node_.root, node_.roots) {}
 
-  void run() {
-    ++worker_.counts.calls;
-    check_order();
-    const bool done = context_.level.neutral ? by_doubles(Line(forms_.cube()))
-                                             : by_doubles(Line(forms_.pair(context_.level)));
-    if (!done) {
-      ++worker_.counts.exact;
-      by_integers();
-    }
-    check_levels();
-  }
-
- private:
+ protected:
   template <class... Arguments>
   void require_here(bool condition, fmt::format_string<Arguments...> text,
                     Arguments&&... arguments) const {
@@ -139,6 +125,77 @@ class EdgeCheck {
     }
   }
 
+  /// The enclosures and the gaps between them, in order.
+  void walk(const Sturm& sturm, std::size_t from, std::size_t to) const {
+    Place at = place(0);
+    int sign = sturm.sign(at);
+    for (std::size_t i = from; i < to; ++i) {
+      const Place low = place(roots_[i].low), high = place(roots_[i].high);
+      const int sign_low = sturm.sign(low), sign_high = sturm.sign(high);
+      require_here(sign_low == sign && sign_high != 0,
+                   "a root before the enclosure [{}, {}], or at its end", roots_[i].low,
+                   roots_[i].high);
+      check_gap(sturm, at, low, sign);
+      const bool pair = pair_at(i);
+      const int count = sturm.distinct(low, high);
+      require_here(count == 1 && (pair ? sign < 0 && sign_high < 0 : sign_high == -sign),
+                   "no single root in the enclosure [{}, {}]: {} there, signs {} and {}",
+                   roots_[i].low, roots_[i].high, count, sign, sign_high);
+      i += pair;
+      at = high;
+      sign = sign_high;
+    }
+    const Place end = place(1);
+    require_here(sturm.sign(end) == sign, "a root outside the enclosures");
+    check_gap(sturm, at, end, sign);
+  }
+
+  /// No root if f < 0 at the ends; where f > 0, it may be zero, not negative, inside.
+  void check_gap(const Sturm& sturm, const Place& low, const Place& high, int sign,
+                 unsigned depth = 0) const {
+    const int count = sturm.distinct(low, high);
+    if (count == 0) return;
+    require_here(sign > 0, "a root outside the enclosures");
+    if (count == 1) return;
+    constexpr unsigned kMostHalvings = 1100;  // below the least distance of doubles
+    if (depth == kMostHalvings) throw Undecided("edge: roots that are too close");
+    for (const unsigned k : {4U, 3U, 5U, 2U, 6U, 1U, 7U}) {
+      const Place middle = between(low, high, k);
+      const int there = sturm.sign(middle);
+      if (there == 0) continue;
+      require_here(there > 0, "a root outside the enclosures");
+      check_gap(sturm, low, middle, sign, depth + 1);
+      return check_gap(sturm, middle, high, sign, depth + 1);
+    }
+    throw std::logic_error("a polynomial of degree 6 with seven roots");
+  }
+
+  const LevelContext& context_;
+  const EdgeNode& node_;
+  std::span<const RootRecord> roots_;
+};
+
+class EdgeCheck : public ListedRoots {
+ public:
+  EdgeCheck(const LevelContext& context, u32 node, Worker& worker)
+      : ListedRoots(context, node),
+        worker_(worker),
+        products_(approximate_products<2>(context.field, {node_.first, node_.second})),
+        forms_(products_) {}
+
+  void run() {
+    ++worker_.counts.calls;
+    check_order();
+    const bool done = context_.level.neutral ? by_doubles(Line(forms_.cube()))
+                                             : by_doubles(Line(forms_.pair(context_.level)));
+    if (!done) {
+      ++worker_.counts.exact;
+      by_integers();
+    }
+    check_levels();
+  }
+
+ private:
   /// Whether doubles tell that the roots are right.
   bool by_doubles(const Line& line) const {
     const int count = count_roots(line);
@@ -189,51 +246,6 @@ class EdgeCheck {
     walk(Sturm({first, last}), from, to);
   }
 
-  /// The enclosures and the gaps between them, in order.
-  void walk(const Sturm& sturm, std::size_t from, std::size_t to) const {
-    Place at = place(0);
-    int sign = sturm.sign(at);
-    for (std::size_t i = from; i < to; ++i) {
-      const Place low = place(roots_[i].low), high = place(roots_[i].high);
-      const int sign_low = sturm.sign(low), sign_high = sturm.sign(high);
-      require_here(sign_low == sign && sign_high != 0,
-                   "a root before the enclosure [{}, {}], or at its end", roots_[i].low,
-                   roots_[i].high);
-      check_gap(sturm, at, low, sign);
-      const bool pair = pair_at(i);
-      const int count = sturm.distinct(low, high);
-      require_here(count == 1 && (pair ? sign < 0 && sign_high < 0 : sign_high == -sign),
-                   "no single root in the enclosure [{}, {}]: {} there, signs {} and {}",
-                   roots_[i].low, roots_[i].high, count, sign, sign_high);
-      i += pair;
-      at = high;
-      sign = sign_high;
-    }
-    const Place end = place(1);
-    require_here(sturm.sign(end) == sign, "a root outside the enclosures");
-    check_gap(sturm, at, end, sign);
-  }
-
-  /// No root if f < 0 at the ends; where f > 0, it may be zero, not negative, inside.
-  void check_gap(const Sturm& sturm, const Place& low, const Place& high, int sign,
-                 unsigned depth = 0) const {
-    const int count = sturm.distinct(low, high);
-    if (count == 0) return;
-    require_here(sign > 0, "a root outside the enclosures");
-    if (count == 1) return;
-    constexpr unsigned kMostHalvings = 1100;  // below the least distance of doubles
-    if (depth == kMostHalvings) throw Undecided("edge: roots that are too close");
-    for (const unsigned k : {4U, 3U, 5U, 2U, 6U, 1U, 7U}) {
-      const Place middle = between(low, high, k);
-      const int there = sturm.sign(middle);
-      if (there == 0) continue;
-      require_here(there > 0, "a root outside the enclosures");
-      check_gap(sturm, low, middle, sign, depth + 1);
-      return check_gap(sturm, middle, high, sign, depth + 1);
-    }
-    throw std::logic_error("a polynomial of degree 6 with seven roots");
-  }
-
   /// The levels of the roots are the signs of det where f > 0 beside them.
   void check_levels() {
     State state = context_.state(node_.first, worker_);
@@ -272,10 +284,7 @@ class EdgeCheck {
                    "the level of a pair of roots, or a wide enclosure of it");
   }
 
-  const LevelContext& context_;
-  const EdgeNode& node_;
   Worker& worker_;
-  std::span<const RootRecord> roots_;
   Products<double, 2> products_;
   SimplexForms<double, 2> forms_;
   Products<Integer, 2> exact_products_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Rejected simplices, witnesses, and the arcs of faces (SPEC.md, lemmas 7 and 8).
+// Rejected simplices, witnesses, and the arcs of faces (SPEC.md, lemma 7).
 #include <optional>
 
 #include "certify/modes/edges.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 // The polynomials of a level on a simplex: f, and the witnesses of SPEC.md, up to positive factors.
-#include "certify/modes/field.hpp"
+#include "certify/exact/tensor_field.hpp"
 
 namespace crest::certify::modes {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "certify/container/reject.hpp"
-#include "certify/modes/union_find.hpp"
+#include "certify/surface/union_find.hpp"
 
 namespace crest::certify::modes {
 namespace {
@@ -22,21 +22,13 @@ struct Spoke {
   Half half;
 };
 
-class Gluer {
+/// The pieces in cells, cones and fans, not glued yet.
+class Collector {
  public:
-  Gluer(const LevelContext& context, const Domain& domain)
+  Collector(const LevelContext& context, const Domain& domain)
       : context_(context), domain_(domain), halves_(context.stated.arcs.size()) {}
 
-  LevelSurfaces glue(const std::vector<CellPieces>& cells) {
-    for (const CellPieces& cell : cells) add_cell(cell);
-    add_zero_tets();
-    UnionFind pieces(pieces_.size()), vertices(vertex_piece_.size());
-    join_arcs(pieces, vertices);
-    join_spokes(pieces, vertices);
-    return count(pieces, vertices);
-  }
-
- private:
+ protected:
   struct Piece {
     std::int8_t level;
     std::int32_t characteristic;  ///< of its interior, with compact supports
@@ -177,6 +169,31 @@ class Gluer {
     }
   }
 
+  const LevelContext& context_;
+  const Domain& domain_;
+  std::vector<std::array<Half, 2>> halves_;  ///< of arcs
+  std::vector<Piece> pieces_;
+  std::vector<u32> vertex_piece_;  ///< a vertex of a piece, before they are glued
+  std::vector<Spoke> spokes_;
+  std::vector<Line> lines_;
+  std::vector<u32> touched_;
+  u32 cones_ = 0, fans_ = 0;
+};
+
+class Gluer : public Collector {
+ public:
+  using Collector::Collector;
+
+  LevelSurfaces glue(const std::vector<CellPieces>& cells) {
+    for (const CellPieces& cell : cells) add_cell(cell);
+    add_zero_tets();
+    UnionFind pieces(pieces_.size()), vertices(vertex_piece_.size());
+    join_arcs(pieces, vertices);
+    join_spokes(pieces, vertices);
+    return count(pieces, vertices);
+  }
+
+ private:
   void join(const Half& a, const Half& b, UnionFind& pieces, UnionFind& vertices) {
     pieces.join(a.piece, b.piece);
     vertices.join(a.first, b.first);
@@ -265,16 +282,6 @@ class Gluer {
     std::ranges::sort(surfaces.negative.components);
     return surfaces;
   }
-
-  const LevelContext& context_;
-  const Domain& domain_;
-  std::vector<std::array<Half, 2>> halves_;  ///< of arcs
-  std::vector<Piece> pieces_;
-  std::vector<u32> vertex_piece_;  ///< a vertex of a piece, before they are glued
-  std::vector<Spoke> spokes_;
-  std::vector<Line> lines_;
-  std::vector<u32> touched_;
-  u32 cones_ = 0, fans_ = 0;
 };
 
 }  // namespace

@@ -21,28 +21,13 @@ std::array<unsigned, 2> others(unsigned i, unsigned j) {
   return rest;
 }
 
-class Reader {
+/// Corners of simplices, and the lists from which everything is read.
+class Base {
  public:
-  Reader(const ModeLevel& level, const Domain& domain, Field& field)
+  Base(const ModeLevel& level, const Domain& domain, Field& field)
       : level_(level), domain_(domain), field_(field) {}
 
-  Trees read() {
-    collect_faces();
-    collect_edges();
-    read_edges();
-    read_faces();
-    read_tets();
-    require(code_ == level_.codes.size(), "trees: codes left over");
-    require(root_ == level_.roots.size(), "trees: {} roots on edges, {} listed", root_,
-            level_.roots.size());
-    require(face_witness_ == level_.face_witnesses.size(), "trees: witnesses of faces left over");
-    require(arc_ == level_.arcs.size(), "trees: arcs left over");
-    require(tet_witness_ == level_.tet_witnesses.size(),
-            "trees: witnesses of tetrahedra left over");
-    return std::move(trees_);
-  }
-
- private:
+ protected:
   static std::array<u32, 3> facet(const std::array<u32, 4>& tet, unsigned opposite) {
     std::array<u32, 3> corners{};
     unsigned at = 0;
@@ -96,6 +81,17 @@ class Reader {
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
+  const ModeLevel& level_;
+  const Domain& domain_;
+  Field& field_;
+  Trees trees_;
+};
+
+class EdgeReader : public Base {
+ public:
+  using Base::Base;
+
+ protected:
   std::uint8_t next_code() {
     require(code_ < level_.codes.size(), "trees: codes end early");
     return level_.codes[code_++];
@@ -146,6 +142,14 @@ class Reader {
     return edge.leaf() ? edge.roots : count_roots(node + 1) + count_roots(edge.other);
   }
 
+  std::size_t code_ = 0, root_ = 0, visits_ = 0;
+};
+
+class FaceReader : public EdgeReader {
+ public:
+  using EdgeReader::EdgeReader;
+
+ protected:
   u32 add_face(const FaceNode& face) {
     trees_.faces.push_back(face);
     return static_cast<u32>(trees_.faces.size() - 1);
@@ -226,6 +230,30 @@ class Reader {
     }
   }
 
+  std::size_t face_witness_ = 0, arc_ = 0;
+};
+
+class Reader : public FaceReader {
+ public:
+  using FaceReader::FaceReader;
+
+  Trees read() {
+    collect_faces();
+    collect_edges();
+    read_edges();
+    read_faces();
+    read_tets();
+    require(code_ == level_.codes.size(), "trees: codes left over");
+    require(root_ == level_.roots.size(), "trees: {} roots on edges, {} listed", root_,
+            level_.roots.size());
+    require(face_witness_ == level_.face_witnesses.size(), "trees: witnesses of faces left over");
+    require(arc_ == level_.arcs.size(), "trees: arcs left over");
+    require(tet_witness_ == level_.tet_witnesses.size(),
+            "trees: witnesses of tetrahedra left over");
+    return std::move(trees_);
+  }
+
+ private:
   /// The edge of a face between two of its corners, 3 if there is none.
   unsigned edge_in(const FaceNode& face, u32 a, u32 b) const {
     for (unsigned k = 0; k < 3; ++k) {
@@ -298,11 +326,7 @@ class Reader {
     }
   }
 
-  const ModeLevel& level_;
-  const Domain& domain_;
-  Field& field_;
-  Trees trees_;
-  std::size_t code_ = 0, root_ = 0, face_witness_ = 0, arc_ = 0, tet_witness_ = 0, visits_ = 0;
+  std::size_t tet_witness_ = 0;
 };
 
 }  // namespace

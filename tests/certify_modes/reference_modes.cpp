@@ -10,7 +10,7 @@
 #include <set>
 
 #include "certify/container/reject.hpp"
-#include "certify/modes/sturm.hpp"
+#include "certify/exact/sturm.hpp"
 #include "certify/modes/surface.hpp"
 
 namespace crest::tests {

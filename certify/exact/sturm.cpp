@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/modes/sturm.hpp"
+#include "certify/exact/sturm.hpp"
 
 namespace crest::certify::modes {
 namespace {

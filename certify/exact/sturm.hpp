@@ -4,7 +4,7 @@
 // Distinct roots of a polynomial on the unit interval, by Sturm's theorem in integers.
 #include <vector>
 
-#include "certify/modes/forms.hpp"
+#include "certify/exact/simplex_forms.hpp"
 
 namespace crest::certify::modes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/modes/field.hpp"
+#include "certify/exact/tensor_field.hpp"
 
 #include <cmath>
 #include <limits>

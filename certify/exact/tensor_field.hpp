@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "certify/modes/forms.hpp"
+#include "certify/exact/simplex_forms.hpp"
 
 namespace crest::certify::modes {
 
