@@ -52,14 +52,14 @@ class Extraction {
   void find_active_tets() {
     std::vector<Direction> u(tensors_.size());
     in_parallel(u.size(), [&](std::size_t i) { u[i] = direction(tensors_[i]); });
-    std::vector<char> excluded(tets_.size());
+    excluded_.resize(tets_.size());
     in_parallel(tets_.size(), [&](std::size_t t) {
       const TetCorners& c = tets_[t];
       const std::array<Direction, 4> corners{u[c[0]], u[c[1]], u[c[2]], u[c[3]]};
-      excluded[t] = cone_excludes(corners);
+      excluded_[t] = cone_excludes(corners);
     });
     for (std::size_t t = 0; t < tets_.size(); ++t)
-      if (!excluded[t]) active_.push_back(static_cast<std::uint32_t>(t));
+      if (!excluded_[t]) active_.push_back(static_cast<std::uint32_t>(t));
     result_.counts.rejected_tets = tets_.size() - active_.size();
   }
 
@@ -84,6 +84,7 @@ class Extraction {
       const FaceCorners& f = faces_[i];
       roots_[i] = face_roots({&tensors_[f[0]], &tensors_[f[1]], &tensors_[f[2]]});
     });
+    drop_excluded_faces();
     first_point_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const FaceRoots& r = roots_[i];
@@ -95,6 +96,24 @@ class Extraction {
       first_point_[i] = static_cast<std::uint32_t>(result_.points.size());
       if (r.count) result_.faces.push_back(faces_[i]);
       for (std::size_t k = 0; k < r.count; ++k) add_point(faces_[i], r.root[k]);
+    }
+  }
+
+  /// A face that is not decided by itself, but is one of a tet that a cone excludes, has no points.
+  void drop_excluded_faces() {
+    std::vector<int> uses(faces_.size(), 0);
+    for (const auto& faces : faces_of_tet_)
+      for (const std::uint32_t f : faces) ++uses[f];
+    bool any = false;
+    for (std::size_t i = 0; i < faces_.size(); ++i) any = any || (roots_[i].special && uses[i] == 1);
+    for (std::size_t t = 0; any && t < tets_.size(); ++t) {
+      if (!excluded_[t]) continue;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const FaceCorners face = face_of(tets_[t], k);
+        const auto at = std::lower_bound(faces_.begin(), faces_.end(), face);
+        if (at != faces_.end() && *at == face)
+          roots_[static_cast<std::size_t>(at - faces_.begin())] = {{}, 0, FaceStage::cone, {}};
+      }
     }
   }
 
@@ -196,6 +215,7 @@ class Extraction {
   std::span<const TetCorners> tets_;
   std::span<const Tensor> tensors_;
   DegenerateCurves result_;
+  std::vector<char> excluded_;
   std::vector<std::uint32_t> active_;
   std::vector<FaceCorners> faces_;
   std::vector<std::array<std::uint32_t, 4>> faces_of_tet_;
