@@ -114,7 +114,8 @@ class Circle {
   bool defined_ = false;
 };
 
-/// Whether a comes before b, seen from the direction of (-1, 0) counterclockwise; nothing: not decided.
+/// Whether a comes before b, seen from the direction of (-1, 0) counterclockwise; nothing: not
+/// decided.
 bool certainly_before(const Seen& a, const Seen& b) {
   const MaybeSign ya = certain_sign(a.y), yb = certain_sign(b.y);
   if (!ya || !yb || *ya == Sign::zero || *yb == Sign::zero) return false;
@@ -201,7 +202,8 @@ class TetConic {
     const Weights w = weights(middle);
     const Vec3 m = place(w), chord = b - a;
     const double length = kernel::norm(chord);
-    const bool flat = depth < 7 && kernel::norm(kernel::cross(m - a, chord)) < 0.005 * length * length &&
+    const bool flat = depth < 7 &&
+                      kernel::norm(kernel::cross(m - a, chord)) < 0.005 * length * length &&
                       kernel::dot(m - a, chord) > 0 && kernel::dot(b - m, chord) > 0;
     if (depth == 0 || flat) return;
     refine(from, a, middle, m, depth - 1, interior);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Degenerate curves inside a tet: arcs of the conic v . Tbar v = 0 on which the four coordinate forms
-// have one sign, between the face points (theory: README.md).
+// Degenerate curves inside a tet: arcs of the conic v . Tbar v = 0 on which the four coordinate
+// forms have one sign, between the face points (theory: README.md).
 //
 // The conic is seen from a point inside it: the direction of v modulo that point orders its points.
 // Between neighbours no coordinate vanishes where the others agree, so one sample decides an arc.

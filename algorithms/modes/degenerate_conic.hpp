@@ -4,10 +4,10 @@
 // Degenerate tensors of a simplex's linear field, over any number type (Ball, Rational).
 //
 // A traceless T is degenerate iff T = s (v v^T - I/3) with s != 0, v != 0. With t(T) = (xx - zz,
-// yy - zz, 2xy, 2yz, 2xz), which does not see multiples of I, a linear form w on tensors vanishes on
-// I iff it is w . t, and w . t(v v^T) is the quadratic form of the traceless matrix (w0, w1, -w0 -
-// w1; w2, w3, w4). So v v^T - I/3 lies in the span of the corners' deviators iff the forms of all w
-// with w . t(T_i) = 0 vanish at v: two conics P, Q for a face, one (the tensor Tbar of paper 004,
+// yy - zz, 2xy, 2yz, 2xz), which does not see multiples of I, a linear form w on tensors vanishes
+// on I iff it is w . t, and w . t(v v^T) is the quadratic form of the traceless matrix (w0, w1, -w0
+// - w1; w2, w3, w4). So v v^T - I/3 lies in the span of the corners' deviators iff the forms of all
+// w with w . t(T_i) = 0 vanish at v: two conics P, Q for a face, one (the tensor Tbar of paper 004,
 // equation 3) for a tet; and its coordinates there are forms of the same kind (B_i of the README).
 // Nothing here needs the deviators themselves.
 #include <array>
@@ -50,8 +50,8 @@ Conic<N> traceless(const std::array<N, 5>& w) {
   return {{w[0], w[1], N(0) - (w[0] + w[1]), w[2], w[3], w[4]}};
 }
 
-/// t(T), and for the corners after the first t(T_i) - t(T_0): neighbours in a mesh differ little, and
-/// what they have in common costs no digits.
+/// t(T), and for the corners after the first t(T_i) - t(T_0): neighbours in a mesh differ little,
+/// and what they have in common costs no digits.
 template <class N, std::size_t K>
 std::array<std::array<N, 5>, K> corner_rows(const std::array<const Tensor*, K>& corners) {
   std::array<std::array<N, 5>, K> rows;

@@ -105,7 +105,8 @@ class Extraction {
     for (const auto& faces : faces_of_tet_)
       for (const std::uint32_t f : faces) ++uses[f];
     bool any = false;
-    for (std::size_t i = 0; i < faces_.size(); ++i) any = any || (roots_[i].special && uses[i] == 1);
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      any = any || (roots_[i].special && uses[i] == 1);
     for (std::size_t t = 0; any && t < tets_.size(); ++t) {
       if (!excluded_[t]) continue;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -150,7 +151,8 @@ class Extraction {
       const FaceRoots& r = roots_[f];
       if (r.special) special = r.special;
       for (std::size_t k = 0; k < r.count; ++k)
-        points.push_back({first_point_[f] + static_cast<std::uint32_t>(k), r.root[k].type, r.root[k].v});
+        points.push_back(
+            {first_point_[f] + static_cast<std::uint32_t>(k), r.root[k].type, r.root[k].v});
     }
     if (special) return {{}, special, true};
     return tet_arcs({&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]], &tensors_[c[3]]},

@@ -108,8 +108,9 @@ Conic<Ball> turned_to(const Conic<Ball>& p, std::size_t axis) {
 /// 4 or 2 real roots, of two traceless conics' quartic; 0: not decided.
 std::size_t number_of_roots(const std::array<Ball, 5>& f) {
   const Ball i = Ball(12) * (f[4] * f[0]) - Ball(3) * (f[3] * f[1]) + f[2] * f[2];
-  const Ball j = f[2] * (Ball(72) * (f[4] * f[0]) + Ball(9) * (f[3] * f[1]) - (f[2] * f[2] + f[2] * f[2])) -
-                 Ball(27) * (f[4] * (f[1] * f[1]) + f[0] * (f[3] * f[3]));
+  const Ball j =
+      f[2] * (Ball(72) * (f[4] * f[0]) + Ball(9) * (f[3] * f[1]) - (f[2] * f[2] + f[2] * f[2])) -
+      Ball(27) * (f[4] * (f[1] * f[1]) + f[0] * (f[3] * f[3]));
   const MaybeSign s = certain_sign(Ball(4) * (i * i * i) - j * j);
   if (!s || *s == Sign::zero) return 0;
   return *s == Sign::positive ? 4 : 2;
@@ -181,7 +182,8 @@ std::optional<FaceRoots> triage_face_roots(const std::array<const Tensor*, 3>& c
     if (const double w = std::fabs(p.c[k].mid); w > largest) largest = w, axis = k, second = false;
     if (const double w = std::fabs(q.c[k].mid); w > largest) largest = w, axis = k, second = true;
   }
-  const PencilQuartic<Ball> pencil(turned_to(second ? q : p, axis), turned_to(second ? p : q, axis));
+  const PencilQuartic<Ball> pencil(turned_to(second ? q : p, axis),
+                                   turned_to(second ? p : q, axis));
   const std::size_t expected = number_of_roots(pencil.f);
   if (expected == 0) return std::nullopt;
   const Guesses guesses(pencil.f);
@@ -211,7 +213,8 @@ std::optional<FaceRoots> triage_face_roots(const std::array<const Tensor*, 3>& c
     if (up && down) continue;
     if (!sign[0] || !sign[1] || !sign[2] || !(up || down)) return std::nullopt;
     const double sum = b[0] + b[1] + b[2];
-    result.root[result.count++] = {up ? DegenerateType::linear : DegenerateType::planar, v,
+    result.root[result.count++] = {up ? DegenerateType::linear : DegenerateType::planar,
+                                   v,
                                    {b[0] / sum, b[1] / sum, b[2] / sum}};
   }
   return result;

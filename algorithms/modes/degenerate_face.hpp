@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Degenerate points of a face, from its three tensors alone: at most four. They are the common points
-// of two conics (degenerate_conic.hpp) at which the three coordinate forms have one sign: > 0 linear,
-// < 0 planar.
+// Degenerate points of a face, from its three tensors alone: at most four. They are the common
+// points of two conics (degenerate_conic.hpp) at which the three coordinate forms have one sign: >
+// 0 linear, < 0 planar.
 //
 // Stages. cone: a bound shows that there are none. triage: doubles with error radii; the number of
-// real common points is 4 or 2 by the sign of the quartic's discriminant (two traceless conics always
-// meet: some combination of two real conics without a real common point is definite, and its trace is
-// zero), so as many sign changes in disjoint intervals are all of them. exact: rationals and
-// real_roots.
+// real common points is 4 or 2 by the sign of the quartic's discriminant (two traceless conics
+// always meet: some combination of two real conics without a real common point is definite, and its
+// trace is zero), so as many sign changes in disjoint intervals are all of them. exact: rationals
+// and real_roots.
 #include <array>
 #include <optional>
 #include <span>
@@ -18,8 +18,8 @@
 
 namespace crest::modes {
 
-/// A deviator's direction in an orthonormal basis of traceless tensors; not usable: zero, or so small
-/// beside the tensor's trace that doubles do not bound it.
+/// A deviator's direction in an orthonormal basis of traceless tensors; not usable: zero, or so
+/// small beside the tensor's trace that doubles do not bound it.
 struct Direction {
   std::array<double, 5> x{};
   bool usable = false;
@@ -49,7 +49,8 @@ struct FaceRoots {
   std::optional<SpecialReason> special;
 };
 
-/// Requires: finite tensors, in the order of the corners' numbers: both tets of a face see the same.
+/// Requires: finite tensors, in the order of the corners' numbers: both tets of a face see the
+/// same.
 FaceRoots face_roots(const std::array<const Tensor*, 3>& corners);
 /// Nothing: not decided.
 std::optional<FaceRoots> triage_face_roots(const std::array<const Tensor*, 3>& corners);

@@ -149,7 +149,8 @@ class RootPlace {
       if (!result.special) result.special = SpecialReason::on_rim;
       return;
     }
-    FaceRoot r{up ? DegenerateType::linear : DegenerateType::planar, enclose(*seen_, root.value), {}};
+    FaceRoot r{
+        up ? DegenerateType::linear : DegenerateType::planar, enclose(*seen_, root.value), {}};
     kernel::Vector3<Rational> v;
     for (std::size_t i = 0; i < 3; ++i) v[i] = r.v[i].mid;
     std::array<Rational, 3> b;
@@ -173,7 +174,8 @@ FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
   const auto forms = simplex_forms<Rational, 3>(corners);
   if (!forms) {
     const bool zero = std::any_of(corners.begin(), corners.end(), [](const Tensor* t) {
-      return (*t)[0] == (*t)[1] && (*t)[1] == (*t)[2] && (*t)[3] == 0 && (*t)[4] == 0 && (*t)[5] == 0;
+      return (*t)[0] == (*t)[1] && (*t)[1] == (*t)[2] && (*t)[3] == 0 && (*t)[4] == 0 &&
+             (*t)[5] == 0;
     });
     result.special = zero ? SpecialReason::zero_tensor : SpecialReason::dependent;
     return result;

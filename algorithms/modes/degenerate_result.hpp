@@ -2,7 +2,8 @@
 #pragma once
 
 // Degenerate curves of a piecewise linear tensor field: what the computation returns, io writes and
-// a certificate claims. (Apart from degenerate_curves.hpp so that readers of results see no rationals.)
+// a certificate claims. (Apart from degenerate_curves.hpp so that readers of results see no
+// rationals.)
 #include <array>
 #include <cstdint>
 #include <string>

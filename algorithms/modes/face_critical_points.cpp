@@ -28,8 +28,8 @@ struct Cubic {
   }
   template <class T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& x) const {
-    const Eigen::Matrix<T, 3, 3> t = x[0] * basis[0].cast<T>() + x[1] * basis[1].cast<T>() +
-                                     x[2] * basis[2].cast<T>();
+    const Eigen::Matrix<T, 3, 3> t =
+        x[0] * basis[0].cast<T>() + x[1] * basis[1].cast<T>() + x[2] * basis[2].cast<T>();
     const Eigen::Matrix<T, 3, 3> square = t * t;
     Eigen::Matrix<T, 3, 1> g;
     for (int i = 0; i < 3; ++i)
@@ -42,7 +42,8 @@ struct Cubic {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         h(i, j) = 2 * (t * basis[static_cast<std::size_t>(i)])
-                          .cwiseProduct(basis[static_cast<std::size_t>(j)]).sum();
+                          .cwiseProduct(basis[static_cast<std::size_t>(j)])
+                          .sum();
     return (h + h.transpose()) / 2;
   }
 };

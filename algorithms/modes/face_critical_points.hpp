@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Critical points of the mode on the unit tensors of a face's plane (paper 004, equations 10 to 13), in
-// plain doubles: for tests and pictures, nothing is decided by them. There are seven pairs +-T, complex
-// ones counted; four are degenerate tensors, two or four of them real; by Euler's count degenerate
-// points are the only extrema if all four are real, and with two at most one other is.
+// Critical points of the mode on the unit tensors of a face's plane (paper 004, equations 10 to
+// 13), in plain doubles: for tests and pictures, nothing is decided by them. There are seven pairs
+// +-T, complex ones counted; four are degenerate tensors, two or four of them real; by Euler's
+// count degenerate points are the only extrema if all four are real, and with two at most one other
+// is.
 #include <array>
 #include <vector>
 

@@ -38,7 +38,8 @@ ModeGeometry mode_geometry(const std::array<kernel::Vec3, 4>& corners,
         inverse(i, 0) * change[0] + inverse(i, 1) * change[1] + inverse(i, 2) * change[2];
 
   // mode = 3 sqrt6 d n^(-3/2) with d = det T, n = |T|^2; d_i = <T^2, W_i>, d_ij = 2 <T W_i, W_j>.
-  const double d = t.determinant(), n = t.squaredNorm(), c = 3 * std::sqrt(6.0) / (n * std::sqrt(n));
+  const double d = t.determinant(), n = t.squaredNorm(),
+               c = 3 * std::sqrt(6.0) / (n * std::sqrt(n));
   const Eigen::Matrix3d square = t * t;
   Eigen::Vector3d slope, growth;
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +50,8 @@ ModeGeometry mode_geometry(const std::array<kernel::Vec3, 4>& corners,
   Eigen::Matrix3d hessian;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      const Eigen::Matrix3d &wi = w[static_cast<std::size_t>(i)], &wj = w[static_cast<std::size_t>(j)];
+      const Eigen::Matrix3d &wi = w[static_cast<std::size_t>(i)],
+                            &wj = w[static_cast<std::size_t>(j)];
       const double dij = ((t * wi).cwiseProduct(wj).sum() + (t * wj).cwiseProduct(wi).sum());
       const double nij = 2 * wi.cwiseProduct(wj).sum();
       hessian(i, j) = c * (dij - 1.5 * (slope[i] * growth[j] + slope[j] * growth[i] + d * nij) / n +
@@ -57,16 +59,23 @@ ModeGeometry mode_geometry(const std::array<kernel::Vec3, 4>& corners,
     }
   const Eigen::Vector3d gradient = c * (slope - 1.5 * d / n * growth);
   const double length = gradient.norm();
-  const Eigen::Vector3d normal = gradient / length, p = normal.unitOrthogonal(), q = normal.cross(p);
-  Eigen::Matrix2d shape;  // the surface's second fundamental form: -H / |gradient| across the normal
+  const Eigen::Vector3d normal = gradient / length, p = normal.unitOrthogonal(),
+                        q = normal.cross(p);
+  Eigen::Matrix2d
+      shape;  // the surface's second fundamental form: -H / |gradient| across the normal
   shape << p.dot(hessian * p), p.dot(hessian * q), p.dot(hessian * q), q.dot(hessian * q);
   shape /= -length;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(shape);
   const auto direction = [&](int k) {
     return plain(solver.eigenvectors()(0, k) * p + solver.eigenvectors()(1, k) * q);
   };
-  return {c * d,        plain(gradient), plain(normal), solver.eigenvalues()[1], solver.eigenvalues()[0],
-          direction(1), direction(0)};
+  return {c * d,
+          plain(gradient),
+          plain(normal),
+          solver.eigenvalues()[1],
+          solver.eigenvalues()[0],
+          direction(1),
+          direction(0)};
 }
 
 }  // namespace crest::modes

@@ -21,7 +21,8 @@ Eigen::Matrix3d deviator(const Tensor& t) {
 Eigen::Matrix3d eigen(const Matrix3& a) {
   Eigen::Matrix3d m;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (int j = 0; j < 3; ++j)
+      m(i, j) = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   return m;
 }
 Eigen::Vector3d eigen(const Vec3& v) {
@@ -73,7 +74,8 @@ LinearTensors::LinearTensors(const std::array<Tensor, 4>& corners) {
   Eigen::Matrix<double, 4, 5> t;
   for (int i = 0; i < 4; ++i)
     t.row(i) = coordinates(deviator(corners[static_cast<std::size_t>(i)])).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix<double, 4, 5>> svd(t, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix<double, 4, 5>> svd(
+      t, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d bar = matrix(svd.matrixV().col(4));
   if (bar.determinant() > 0) bar = -bar;
   bar_ = plain(bar);
@@ -125,7 +127,8 @@ std::optional<std::array<ModePoint, 2>> mode_points(const LinearTensors& field, 
   std::array<ModePoint, 2> result;
   double turn = std::acos(cosine) / 2;
   for (ModePoint& p : result) {
-    const Eigen::Vector3d d = std::cos(turn) * c.major + std::sin(turn) * c.minor, e = axis.cross(d);
+    const Eigen::Vector3d d = std::cos(turn) * c.major + std::sin(turn) * c.minor,
+                          e = axis.cross(d);
     p.tensor = plain(Eigen::Matrix3d(middle * axis * axis.transpose() + upper * d * d.transpose() -
                                      (middle + upper) * e * e.transpose()));
     p.dominant = plain(d);
@@ -159,8 +162,8 @@ std::optional<Vec3> boundary_point(const LinearTensors& field, double alpha, dou
 
 Vec3 quad_grid(const IrregularPoints& p, double theta, double eta) {
   const double f = p.a * p.a / (p.c * p.c) - 1, cosine = std::cos(eta);
-  const Vec3 v{std::cos(theta) * std::sqrt(f * cosine * cosine + 1), std::sin(theta) * std::sin(eta),
-               cosine};
+  const Vec3 v{std::cos(theta) * std::sqrt(f * cosine * cosine + 1),
+               std::sin(theta) * std::sin(eta), cosine};
   return (1 / kernel::norm(v)) * v;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The medium eigenvector as parameter of all mode surfaces of one linear field (paper 004, section 4
-// and equation 14), in plain doubles: closed-form points, and a second way to every vertex of a mesh.
+// The medium eigenvector as parameter of all mode surfaces of one linear field (paper 004, section
+// 4 and equation 14), in plain doubles: closed-form points, and a second way to every vertex of a
+// mesh.
 //
-// Letters: v medium eigenvector, a unit vector; Tbar the unit traceless tensor orthogonal to the field,
-// det <= 0; alpha = v.Tbar v, beta = |Tbar v|^2; rho half the gap of Tbar's eigenvalues in the plane
-// across v, 4 rho^2 = 2 - 4 beta + alpha^2; sin(theta) = sqrt3 tan(arcsin|mu| / 3). The dominant
-// eigenvector makes the angles +-1/2 arccos(alpha sin(theta) / (2 rho)) with Tbar's major axis in that
-// plane: equation 5 without an asymmetric tensor.
+// Letters: v medium eigenvector, a unit vector; Tbar the unit traceless tensor orthogonal to the
+// field, det <= 0; alpha = v.Tbar v, beta = |Tbar v|^2; rho half the gap of Tbar's eigenvalues in
+// the plane across v, 4 rho^2 = 2 - 4 beta + alpha^2; sin(theta) = sqrt3 tan(arcsin|mu| / 3). The
+// dominant eigenvector makes the angles +-1/2 arccos(alpha sin(theta) / (2 rho)) with Tbar's major
+// axis in that plane: equation 5 without an asymmetric tensor.
 #include <array>
 #include <optional>
 
@@ -29,8 +30,8 @@ class LinearTensors {
   const Matrix3& frame() const { return frame_; }
   const kernel::Vec3& eigenvalues() const { return eigenvalues_; }
 
-  /// Barycentric coordinates of the point where the field is a multiple of U, a tensor of its span; s
-  /// is that multiple. s = 0: none (a point at infinity).
+  /// Barycentric coordinates of the point where the field is a multiple of U, a tensor of its span;
+  /// s is that multiple. s = 0: none (a point at infinity).
   struct Place {
     std::array<double, 4> weights;
     double s;
@@ -57,8 +58,8 @@ struct ModePoint {
   int sign;  ///< of the mode at the point: of s
 };
 /// Both points whose medium eigenvector is v; nothing outside the real domain or at rho = 0.
-std::optional<std::array<ModePoint, 2>> mode_points(const LinearTensors& field, const kernel::Vec3& v,
-                                                    double mu);
+std::optional<std::array<ModePoint, 2>> mode_points(const LinearTensors& field,
+                                                    const kernel::Vec3& v, double mu);
 
 /// rho = 0: (+-a, 0, +-c) in Tbar's frame; here a, c >= 0.
 struct IrregularPoints {

@@ -2,8 +2,8 @@
 #pragma once
 
 // The one critical point of the mode in a tet that is not degenerate (README.md, theorem A): T* =
-// Tbar^2 - tr(Tbar^3) Tbar - I/3 for the unit Tbar, in rationals up to a factor. The surface of mode
-// mu has a cone point there iff mu^2 = mu*^2 exactly.
+// Tbar^2 - tr(Tbar^3) Tbar - I/3 for the unit Tbar, in rationals up to a factor. The surface of
+// mode mu has a cone point there iff mu^2 = mu*^2 exactly.
 #include <array>
 #include <optional>
 

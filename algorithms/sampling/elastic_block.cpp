@@ -12,7 +12,8 @@ Eigen::Vector3d corner(std::size_t c) {
 }
 /// xx yy zz xy yz xz, shears as engineering strains.
 Eigen::Matrix<double, 6, 6> elasticity() {
-  constexpr double e = 1, nu = 0.3, lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));
+  constexpr double e = 1, nu = 0.3, lambda = e * nu / ((1 + nu) * (1 - 2 * nu)),
+                   mu = e / (2 * (1 + nu));
   Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();
   d.topLeftCorner<3, 3>().setConstant(lambda);
   for (int k = 0; k < 6; ++k) d(k, k) += k < 3 ? 2 * mu : mu;
@@ -37,8 +38,8 @@ Eigen::Matrix<double, 24, 24> cube_stiffness() {
   Eigen::Matrix<double, 24, 24> k = Eigen::Matrix<double, 24, 24>::Zero();
   const double g = std::sqrt(3.0) / 6;
   for (std::size_t c = 0; c < 8; ++c) {
-    const Eigen::Vector3d x = Eigen::Vector3d::Constant(0.5) +
-                              g * (2 * corner(c) - Eigen::Vector3d::Ones());
+    const Eigen::Vector3d x =
+        Eigen::Vector3d::Constant(0.5) + g * (2 * corner(c) - Eigen::Vector3d::Ones());
     const Eigen::Matrix<double, 6, 24> b = strain_matrix(x);
     k += b.transpose() * elasticity() * b / 8;
   }
@@ -46,7 +47,7 @@ Eigen::Matrix<double, 24, 24> cube_stiffness() {
 }
 
 Eigen::Matrix<double, 24, 1> gather(const Eigen::VectorXd& x,
-                                           const std::array<std::size_t, 8>& node) {
+                                    const std::array<std::size_t, 8>& node) {
   Eigen::Matrix<double, 24, 1> local;
   for (std::size_t c = 0; c < 8; ++c)
     local.segment<3>(static_cast<Eigen::Index>(3 * c)) =
@@ -94,7 +95,9 @@ Eigen::VectorXd ElasticBlock::diagonal() const {
 }
 
 int ElasticBlock::solve(int most) {
-  const auto free = [&](Eigen::Index i) { return prescribed_[static_cast<std::size_t>(i)] == kFree; };
+  const auto free = [&](Eigen::Index i) {
+    return prescribed_[static_cast<std::size_t>(i)] == kFree;
+  };
   for (Eigen::Index i = 0; i < u_.size(); ++i)
     u_[i] = free(i) ? 0 : prescribed_[static_cast<std::size_t>(i)];
   Eigen::VectorXd r = -times(u_), scale = diagonal();
@@ -153,7 +156,8 @@ std::vector<std::array<std::uint32_t, 4>> ElasticBlock::tets() const {
           std::array<std::uint32_t, 4> tet{};
           for (std::size_t s = 0; s < 4; ++s) {
             std::array<int, 3> c{};
-            for (std::size_t d = 0; d < 3; ++d) c[d] = cube[d] + (cube[d] % 2 ? 1 - step[d] : step[d]);
+            for (std::size_t d = 0; d < 3; ++d)
+              c[d] = cube[d] + (cube[d] % 2 ? 1 - step[d] : step[d]);
             tet[s] = static_cast<std::uint32_t>(index(c[0], c[1], c[2]));
             if (s < 3) step[kOrders[order][s]] = 1;
           }
@@ -175,7 +179,8 @@ void symmetrise(const ElasticBlock& block, std::size_t axis, double sign,
       for (int i = 0; i <= n[0]; ++i) {
         std::array<int, 3> c{i, j, k};
         c[axis] = n[axis] - c[axis];
-        const auto &own = before[block.index(i, j, k)], &image = before[block.index(c[0], c[1], c[2])];
+        const auto &own = before[block.index(i, j, k)],
+                   &image = before[block.index(c[0], c[1], c[2])];
         for (std::size_t m = 0; m < 6; ++m)
           stress[block.index(i, j, k)][m] = (own[m] + sign * parity[m] * image[m]) / 2;
       }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Stress of a block of unit cubes by linear elasticity (E = 1, nu = 0.3), as a tensor field on tets:
-// trilinear hexahedra, conjugate gradients without a matrix, stress at the nodes as the mean over their
-// cubes.
+// Stress of a block of unit cubes by linear elasticity (E = 1, nu = 0.3), as a tensor field on
+// tets: trilinear hexahedra, conjugate gradients without a matrix, stress at the nodes as the mean
+// over their cubes.
 #include <Eigen/Dense>
 #include <array>
 #include <cstdint>
@@ -33,8 +33,8 @@ class ElasticBlock {
   /// xx yy zz xy yz xz at every node.
   std::vector<std::array<double, 6>> nodal_stress() const;
 
-  /// Six a cube, along its diagonal; every cube's split is its neighbours' mirror image, so that the mesh
-  /// is symmetric about each plane of nodes.
+  /// Six a cube, along its diagonal; every cube's split is its neighbours' mirror image, so that
+  /// the mesh is symmetric about each plane of nodes.
   std::vector<std::array<std::uint32_t, 4>> tets() const;
 
  private:
@@ -50,7 +50,8 @@ class ElasticBlock {
 };
 
 /// The mean of the stress and its mirror image about the middle plane across an axis: the symmetry
-/// becomes exact. sign -1: the image is that of -T (a load that pushes on one side and pulls on the other).
+/// becomes exact. sign -1: the image is that of -T (a load that pushes on one side and pulls on the
+/// other).
 void symmetrise(const ElasticBlock& block, std::size_t axis, double sign,
                 std::vector<std::array<double, 6>>& stress);
 

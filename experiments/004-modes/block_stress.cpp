@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four blocks of paper 004, section 7 and appendix B: stress of a block under compression, push and
-// pull, three compressions, a twisting compression, as VTU with a 6-component point array.
+// The four blocks of paper 004, section 7 and appendix B: stress of a block under compression, push
+// and pull, three compressions, a twisting compression, as VTU with a 6-component point array.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -19,7 +19,8 @@ namespace {
 class VtuWriter {
  public:
   template <class T>
-  std::string add(const std::string& name, const char* type, int components, const std::vector<T>& x) {
+  std::string add(const std::string& name, const char* type, int components,
+                  const std::vector<T>& x) {
     const std::uint64_t bytes = x.size() * sizeof(T), offset = data_.size();
     data_.append(reinterpret_cast<const char*>(&bytes), 8);
     data_.append(reinterpret_cast<const char*>(x.data()), bytes);
@@ -53,18 +54,20 @@ void write(const std::filesystem::path& path, const ElasticBlock& block,
   std::ofstream out(path, std::ios::binary);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
          "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-      << fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points.size(), tets.size())
+      << fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points.size(),
+                     tets.size())
       << "<PointData Tensors=\"stress\">\n"
       << writer.add("stress", "Float64", 6, stress) << "</PointData>\n<Points>\n"
       << writer.add("points", "Float64", 3, points) << "</Points>\n<Cells>\n"
-      << writer.add("connectivity", "Int64", 1, corners) << writer.add("offsets", "Int64", 1, offsets)
-      << writer.add("types", "UInt8", 1, types)
-      << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << writer.data()
-      << "\n</AppendedData>\n</VTKFile>\n";
+      << writer.add("connectivity", "Int64", 1, corners)
+      << writer.add("offsets", "Int64", 1, offsets) << writer.add("types", "UInt8", 1, types)
+      << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
+      << writer.data() << "\n</AppendedData>\n</VTKFile>\n";
 }
 
 void run(const std::filesystem::path& folder, const std::string& only, bool mirror) {
-  fmt::print("| block | hexahedra | tets | iterations | seconds | file |\n|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| block | hexahedra | tets | iterations | seconds | file |\n|---|---|---|---|---|---|\n");
   for (const Scenario& s : scenarios()) {
     if (!only.empty() && only != s.name) continue;
     const auto start = std::chrono::steady_clock::now();

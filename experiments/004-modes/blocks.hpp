@@ -2,8 +2,9 @@
 #pragma once
 
 // The four loaded blocks of paper 004, section 7 and appendix B: compression, push and pull, three
-// compressions, a twisting compression. The floor is clamped, square patches of the top are bonded to
-// plates that move by 5 % of the height; patches and the twist's angle are ours, the paper has no numbers.
+// compressions, a twisting compression. The floor is clamped, square patches of the top are bonded
+// to plates that move by 5 % of the height; patches and the twist's angle are ours, the paper has
+// no numbers.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -24,7 +25,8 @@ struct Scenario {
 };
 
 /// A square patch of the top: bonded, moved by `dz`, turned by `turn` radians.
-inline void press(ElasticBlock& block, double x, double y, double half, double dz, double turn = 0) {
+inline void press(ElasticBlock& block, double x, double y, double half, double dz,
+                  double turn = 0) {
   const auto& n = block.size();
   for (int j = 0; j <= n[1]; ++j)
     for (int i = 0; i <= n[0]; ++i) {
@@ -40,12 +42,14 @@ inline void press(ElasticBlock& block, double x, double y, double half, double d
 inline std::vector<Scenario> scenarios() {
   return {
       {"single", {40, 40, 50}, [](ElasticBlock& b, double d) { press(b, 20, 20, 8, -d); }},
-      {"push_pull", {75, 40, 25},
+      {"push_pull",
+       {75, 40, 25},
        [](ElasticBlock& b, double d) {
          press(b, 18.5, 20, 6.5, -d);
          press(b, 56.5, 20, 6.5, d);
        }},
-      {"three", {80, 40, 20},
+      {"three",
+       {80, 40, 20},
        [](ElasticBlock& b, double d) {
          for (const int x : {14, 40, 66}) press(b, x, 20, 5, -d);
        }},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Degenerate curves: processor time of a face by stage (tensor-lines: mean 115 to 170 us a random face,
-// 5 to 8 us where it rejects at once), and the curves of the four blocks.
+// Degenerate curves: processor time of a face by stage (tensor-lines: mean 115 to 170 us a random
+// face, 5 to 8 us where it rejects at once), and the curves of the four blocks.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -42,8 +42,10 @@ std::vector<Tensor> faces(std::size_t n, double spread) {
 
 void face_times(std::size_t n) {
   fmt::print(
-      "{} faces a row, one thread, processor time; spread: of the corners around a common degenerate "
-      "tensor\n\n| spread | cone, ns | excluded | triage, us | not decided | points 0, 1, 2, 3, 4 | exact, "
+      "{} faces a row, one thread, processor time; spread: of the corners around a common "
+      "degenerate "
+      "tensor\n\n| spread | cone, ns | excluded | triage, us | not decided | points 0, 1, 2, 3, 4 "
+      "| exact, "
       "us |\n|---|---|---|---|---|---|---|\n",
       n);
   for (const double spread : {0.0, 0.3, 0.05, 0.01, 0.001}) {
@@ -78,8 +80,10 @@ void face_times(std::size_t n) {
 
 void block_curves() {
   fmt::print(
-      "\n| block | load | tets | excluded | faces tested | exact | face points | linear: pieces, length | planar: "
-      "pieces, length | closed | special faces | tets with such | undecided | seconds |\n|---|---|---|---|---|---|"
+      "\n| block | load | tets | excluded | faces tested | exact | face points | linear: pieces, "
+      "length | planar: "
+      "pieces, length | closed | special faces | tets with such | undecided | seconds "
+      "|\n|---|---|---|---|---|---|"
       "---|---|---|---|---|---|---|---|\n");
   for (const Scenario& s : scenarios())
     for (const bool exact : {false, true}) {
@@ -91,7 +95,8 @@ void block_curves() {
       for (int k = 0; k <= n[2]; ++k)
         for (int j = 0; j <= n[1]; ++j)
           for (int i = 0; i <= n[0]; ++i)
-            points.push_back({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+            points.push_back(
+                {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
       const auto start = std::chrono::steady_clock::now();
       const DegenerateCurves r = degenerate_curves(points, tets, stress);
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -103,11 +108,13 @@ void block_curves() {
         length[static_cast<std::size_t>(c.type)] += c.length;
         closed += c.closed;
       }
-      fmt::print("| {} | {} | {} | {} | {} | {} | {} | {}, {:.1f} | {}, {:.1f} | {} | {} | {} | {} | {:.2f} |\n",
-                 s.name, exact ? "exactly symmetric" : "as solved", tets.size(), r.counts.rejected_tets,
-                 r.counts.rejected_faces + r.counts.triage_faces + r.counts.exact_faces,
-                 r.counts.exact_faces, r.points.size(), pieces[0], length[0], pieces[1], length[1], closed,
-                 r.special_faces.size(), r.special_tets.size(), r.undecided.size(), time.count());
+      fmt::print(
+          "| {} | {} | {} | {} | {} | {} | {} | {}, {:.1f} | {}, {:.1f} | {} | {} | {} | {} | "
+          "{:.2f} |\n",
+          s.name, exact ? "exactly symmetric" : "as solved", tets.size(), r.counts.rejected_tets,
+          r.counts.rejected_faces + r.counts.triage_faces + r.counts.exact_faces,
+          r.counts.exact_faces, r.points.size(), pieces[0], length[0], pieces[1], length[1], closed,
+          r.special_faces.size(), r.special_tets.size(), r.undecided.size(), time.count());
       std::fflush(stdout);
     }
 }
@@ -118,7 +125,8 @@ void block_curves() {
 int main(int argc, char** argv) {
   int faces = 20000;
   bool blocks = false;
-  crest::experiments::Program program("Degenerate curves: speed of a face, curves of the four blocks.");
+  crest::experiments::Program program(
+      "Degenerate curves: speed of a face, curves of the four blocks.");
   program.option("--faces", faces, "random faces a row", {1, 10000000});
   program.flag("--blocks", blocks, "the four blocks, too");
   return program.run(argc, argv, [&] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What users do today: marching tets on the mode as a scalar, each tet in 1, 8, 27 or 64. Topology, the
-// largest error of the mode at triangles' centres, time, on the four blocks.
+// What users do today: marching tets on the mode as a scalar, each tet in 1, 8, 27 or 64. Topology,
+// the largest error of the mode at triangles' centres, time, on the four blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using Tet = std::array<std::uint32_t, 4>;
 
 double mode_of(const Tensor& a) {
   const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
-  const double det = x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) +
-                     a[5] * (a[3] * a[4] - y * a[5]);
+  const double det =
+      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
   const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
   return n > 0 ? 3 * std::sqrt(6.0) * det / (n * std::sqrt(n)) : 0;
 }
@@ -180,7 +180,8 @@ class Marching {
 
 void run(const std::string& only, const std::vector<double>& levels, bool mirror, int finest) {
   fmt::print(
-      "| block | level | parts of a tet | triangles | components | Euler characteristic | boundary loops | "
+      "| block | level | parts of a tet | triangles | components | Euler characteristic | boundary "
+      "loops | "
       "largest error of the mode | seconds |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const Scenario& s : scenarios()) {
     if (!only.empty() && only != s.name) continue;
@@ -194,8 +195,8 @@ void run(const std::string& only, const std::vector<double>& levels, bool mirror
         for (const Tet& t : tets) marching.add(t, lattice, n);
         const auto c = marching.count();
         const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.3g} | {:.1f} |\n", s.name, level, n * n * n,
-                   c.triangles, c.components, c.euler, c.loops, c.error, time.count());
+        fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.3g} | {:.1f} |\n", s.name, level,
+                   n * n * n, c.triangles, c.components, c.euler, c.loops, c.error, time.count());
         std::fflush(stdout);
       }
   }

@@ -150,8 +150,9 @@ void figure_6(const LinearTensors& f, double node, int width, const std::filesys
         for (int i = -8000; i <= 8000; ++i) {
           const auto p = modes::boundary_point(f, i / 8000.0, mu);
           if (p && last)
-            canvas.draw_stroke(pixel(sx * (*last)[0], sy * (*last)[1]), pixel(sx * (*p)[0], sy * (*p)[1]),
-                               mu == node ? 2 : 1, mu == node ? kMagenta : kInk);
+            canvas.draw_stroke(pixel(sx * (*last)[0], sy * (*last)[1]),
+                               pixel(sx * (*p)[0], sy * (*p)[1]), mu == node ? 2 : 1,
+                               mu == node ? kMagenta : kInk);
           last = p;
         }
       }
@@ -161,8 +162,10 @@ void figure_6(const LinearTensors& f, double node, int width, const std::filesys
 void run(const std::filesystem::path& folder, int width) {
   const LinearTensors f = field();
   const double node = std::sqrt(1 - f.characteristic_mode() * f.characteristic_mode());
-  fmt::print("mu* = {:.6f}\n\n| picture | mode | grey | blue | cyan | magenta |\n|---|---|---|---|---|---|\n",
-             node);
+  fmt::print(
+      "mu* = {:.6f}\n\n| picture | mode | grey | blue | cyan | magenta "
+      "|\n|---|---|---|---|---|---|\n",
+      node);
   const auto sphere = [&](const char* name, double mu, bool grid) {
     SpherePicture picture(f, width);
     const auto seen = picture.regions(mu);
@@ -189,7 +192,8 @@ void run(const std::filesystem::path& folder, int width) {
 int main(int argc, char** argv) {
   std::filesystem::path folder = ".";
   int width = 320;
-  crest::experiments::Program program("The sphere of medium eigenvectors, figures 4 to 7 of paper 004.");
+  crest::experiments::Program program(
+      "The sphere of medium eigenvectors, figures 4 to 7 of paper 004.");
   program.option("--pictures", folder, "folder of the pictures");
   program.option("--width", width, "pixels", {64, 2000});
   return program.run(argc, argv, [&] {

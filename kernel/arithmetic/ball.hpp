@@ -16,8 +16,8 @@ namespace crest::kernel {
 /// hold, or rad is infinite or one of the two NaN. Proof. The result's own rounding errs by at most
 /// u |mid| + 2^-1075; each radius below is a sum of products of non-negative terms with at most
 /// seven roundings, each a factor of at least 1 - u, so kSlack = 1 + 16 u makes up for them, and
-/// kTiny for products that underflow. Quotient: |a/b - a'/b'| <= (ra + |a'/b'| rb) / (|b'| - rb) for
-/// |b'| > rb. Root: |sqrt x - sqrt x'| <= r / sqrt x' for x, x' >= 0.
+/// kTiny for products that underflow. Quotient: |a/b - a'/b'| <= (ra + |a'/b'| rb) / (|b'| - rb)
+/// for |b'| > rb. Root: |sqrt x - sqrt x'| <= r / sqrt x' for x, x' >= 0.
 struct Ball {
   double mid = 0, rad = 0;
   static constexpr double kSlack = 1 + 16 * kUnitRoundoff;

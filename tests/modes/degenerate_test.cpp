@@ -51,8 +51,8 @@ struct Summary {
 
 double mode_of(const Tensor& a) {
   const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
-  const double det = x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) +
-                     a[5] * (a[3] * a[4] - y * a[5]);
+  const double det =
+      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
   const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
   return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
 }
@@ -224,8 +224,8 @@ TEST_CASE("degenerate curves on a symmetry plane: its faces are named") {
   CHECK(r.undecided.empty());
   int in_plane = 0;
   for (const auto& f : r.special_faces) {
-    const bool flat = s.points[f.face[0]][2] == 0 && s.points[f.face[1]][2] == 0 &&
-                      s.points[f.face[2]][2] == 0;
+    const bool flat =
+        s.points[f.face[0]][2] == 0 && s.points[f.face[1]][2] == 0 && s.points[f.face[2]][2] == 0;
     in_plane += flat && f.reason == SpecialReason::zero_quartic;
   }
   CHECK(in_plane > 0);

@@ -46,8 +46,8 @@ inline std::array<double, 6> tensor_at(const LinearField& field, const kernel::V
   return {t[0], t[1], -t[0] - t[1], t[2], t[4], t[3]};
 }
 
-/// The box [-size, size]^3 in n^3 cubes of six tets along the diagonal (0,0,0)-(1,1,1); mirrored: every
-/// cube's split is its neighbours' mirror image.
+/// The box [-size, size]^3 in n^3 cubes of six tets along the diagonal (0,0,0)-(1,1,1); mirrored:
+/// every cube's split is its neighbours' mirror image.
 inline SampledField box_mesh(std::uint32_t n, double size, bool mirrored = false) {
   SampledField field;
   const auto at = [n](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -56,8 +56,8 @@ inline SampledField box_mesh(std::uint32_t n, double size, bool mirrored = false
   for (std::uint32_t k = 0; k <= n; ++k)
     for (std::uint32_t j = 0; j <= n; ++j)
       for (std::uint32_t i = 0; i <= n; ++i)
-        field.points.push_back({size * (2.0 * i / n - 1), size * (2.0 * j / n - 1),
-                                size * (2.0 * k / n - 1)});
+        field.points.push_back(
+            {size * (2.0 * i / n - 1), size * (2.0 * j / n - 1), size * (2.0 * k / n - 1)});
   const std::array<std::array<std::size_t, 3>, 6> orders{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
   for (std::uint32_t k = 0; k < n; ++k)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/modes/sphere.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "algorithms/modes/face_critical_points.hpp"
 #include "algorithms/modes/mode_geometry.hpp"
-#include "algorithms/modes/sphere.hpp"
 #include "algorithms/modes/theorem_a.hpp"
 #include "tests/modes/reference_fields.hpp"
 #include "tests/support/environment.hpp"
@@ -37,8 +38,8 @@ Tensor blend(const std::array<Tensor, 4>& t, const std::array<double, 4>& w) {
 }
 double mode_of(const Tensor& a) {
   const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
-  const double det = x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) +
-                     a[5] * (a[3] * a[4] - y * a[5]);
+  const double det =
+      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
   const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
   return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
 }
@@ -72,8 +73,9 @@ TEST_CASE("sphere: both points of a medium eigenvector, their modes and signs") 
       const Matrix3& bar = field.characteristic();
       const Vec3 image{kernel::dot(bar[0], v), kernel::dot(bar[1], v), kernel::dot(bar[2], v)};
       const double alpha = kernel::dot(v, image), sine = sine_of_theta(mu);
-      CHECK(domain == Approx(0.5 - kernel::dot(image, image) + (1 - sine * sine) * alpha * alpha / 4)
-                          .margin(1e-13));
+      CHECK(domain ==
+            Approx(0.5 - kernel::dot(image, image) + (1 - sine * sine) * alpha * alpha / 4)
+                .margin(1e-13));
       found ? ++real : ++complex;
       if (!found) continue;
       int sum = 0;
@@ -106,8 +108,8 @@ TEST_CASE("sphere: irregular points and the complex domain's boundary") {
     for (int i = -50; i <= 50; ++i)
       if (const auto x = boundary_point(field, i / 60.0, 0.6)) {
         ++found;
-        const Vec3 w = (*x)[0] * field.frame()[0] + (*x)[1] * field.frame()[1] +
-                       (*x)[2] * field.frame()[2];
+        const Vec3 w =
+            (*x)[0] * field.frame()[0] + (*x)[1] * field.frame()[1] + (*x)[2] * field.frame()[2];
         CHECK(kernel::norm(w) == Approx(1));
         CHECK(std::fabs(real_domain(field, w, 0.6)) < 1e-13);
       }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/sampling/elastic_block.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
-
-#include "algorithms/sampling/elastic_block.hpp"
 
 namespace {
 
@@ -32,8 +32,12 @@ TEST_CASE("elastic block, patch test: a linear displacement has its constant str
   clamp_surface(block, u);
   CHECK(block.solve() > 0);
   const double lambda = 0.3 / (1.3 * 0.4), mu = 1 / 2.6, trace = 0.04;
-  const std::array<double, 6> expected{lambda * trace + 2 * mu * 0.01,  lambda * trace - 2 * mu * 0.01,
-                                       lambda * trace + 2 * mu * 0.04,  mu * 0.025, mu * 0.03, 0};
+  const std::array<double, 6> expected{lambda * trace + 2 * mu * 0.01,
+                                       lambda * trace - 2 * mu * 0.01,
+                                       lambda * trace + 2 * mu * 0.04,
+                                       mu * 0.025,
+                                       mu * 0.03,
+                                       0};
   for (const auto& s : block.nodal_stress())
     for (std::size_t k = 0; k < 6; ++k) CHECK(s[k] == Approx(expected[k]).margin(1e-9));
   for (int k = 0; k <= 5; ++k)
@@ -78,9 +82,7 @@ TEST_CASE("elastic block: a symmetric load has symmetric stress; tets fill the b
   double volume = 0;
   for (const auto& t : block.tets()) {
     Eigen::Matrix3d edges;
-    const auto at = [](std::uint32_t v) {
-      return Eigen::Vector3d(v % 5, v / 5 % 5, v / 25);
-    };
+    const auto at = [](std::uint32_t v) { return Eigen::Vector3d(v % 5, v / 5 % 5, v / 25); };
     for (int c = 0; c < 3; ++c) edges.col(c) = at(t[static_cast<std::size_t>(c) + 1]) - at(t[0]);
     CHECK(edges.determinant() == Approx(1));
     volume += edges.determinant() / 6;
