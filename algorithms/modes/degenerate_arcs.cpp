@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/degenerate_arcs.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
+
+#include "algorithms/modes/degenerate_exact.hpp"
+#include "algorithms/modes/small_matrix.hpp"
 
 namespace crest::modes {
 
@@ -16,14 +18,20 @@ using kernel::operator+;
 using kernel::operator-;
 using kernel::operator*;
 
-Ball ball(const Rational& x) {
-  const double mid = static_cast<double>(x);
-  return {mid, 0x1p-51 * std::fabs(mid) + Ball::kTiny};
-}
-Conic<Ball> ball(const Conic<Rational>& c) {
+/// Times a positive number, so that doubles hold the forms.
+Conic<Ball> ball(const Conic<Integer>& c, const Integer& scale) {
   Conic<Ball> b;
-  for (std::size_t k = 0; k < 6; ++k) b.c[k] = ball(c.c[k]);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto mid = static_cast<double>(kernel::Rational(c.c[k], scale));
+    b.c[k] = {mid, 0x1p-51 * std::fabs(mid) + Ball::kTiny};
+  }
   return b;
+}
+Integer largest(std::span<const Conic<Integer>> forms) {
+  Integer most = 1;
+  for (const auto& f : forms)
+    for (const Integer& x : f.c) most = std::max<Integer>(most, abs(x));
+  return most;
 }
 
 struct TetForms {
@@ -31,17 +39,14 @@ struct TetForms {
   std::optional<SpecialReason> special;
 };
 
-TetForms forms_of(const std::array<const Tensor*, 4>& corners) {
-  if (const auto forms = simplex_forms<Ball, 4>(corners)) {
-    const MaybeSign s = certain_sign(forms->vanishing[0].det());
-    if (s && *s != Sign::zero) return {*forms, {}};
-  }
-  const auto exact = simplex_forms<Rational, 4>(corners);
+TetForms exact_forms_of(const std::array<const Tensor*, 4>& corners) {
+  const auto exact = exact_forms<4>(corners);
   if (!exact) return {{}, SpecialReason::dependent};
   if (exact->vanishing[0].det().is_zero()) return {{}, SpecialReason::line_pair};
   TetForms f;
-  f.forms.vanishing[0] = ball(exact->vanishing[0]);
-  for (std::size_t k = 0; k < 4; ++k) f.forms.coordinates[k] = ball(exact->coordinates[k]);
+  f.forms.vanishing[0] = ball(exact->vanishing[0], largest(exact->vanishing));
+  const Integer scale = largest(exact->coordinates);
+  for (std::size_t k = 0; k < 4; ++k) f.forms.coordinates[k] = ball(exact->coordinates[k], scale);
   return f;
 }
 
@@ -56,22 +61,21 @@ class Circle {
  public:
   /// turn: of the plane in which directions are compared.
   Circle(const Conic<Ball>& conic, double turn) : conic_(conic) {
-    Eigen::Matrix3d m;
     const auto& c = conic.c;
-    m << c[0].mid, c[3].mid, c[5].mid, c[3].mid, c[1].mid, c[4].mid, c[5].mid, c[4].mid, c[2].mid;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
+    const Eigensystem axes =
+        eigensystem({Vec3{c[0].mid, c[3].mid, c[5].mid}, Vec3{c[3].mid, c[1].mid, c[4].mid},
+                     Vec3{c[5].mid, c[4].mid, c[2].mid}});
     // The eigenvalue whose sign is alone.
-    const Eigen::Index alone = solver.eigenvalues()[1] > 0 ? 0 : 2;
-    const Eigen::Vector3d a = solver.eigenvectors().col((alone + 1) % 3),
-                          b = solver.eigenvectors().col((alone + 2) % 3);
-    const double stretch_a = std::sqrt(std::fabs(solver.eigenvalues()[(alone + 1) % 3]));
-    const double stretch_b = std::sqrt(std::fabs(solver.eigenvalues()[(alone + 2) % 3]));
+    const std::size_t alone = axes.values[1] > 0 ? 2 : 0, second = (alone + 1) % 3,
+                      third = (alone + 2) % 3;
+    const Vec3 &a = axes.vectors[second], &b = axes.vectors[third];
+    const double stretch_a = std::sqrt(std::fabs(axes.values[second])),
+                 stretch_b = std::sqrt(std::fabs(axes.values[third]));
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      const double pa = a[i] * stretch_a, pb = b[i] * stretch_b;
+      const double pa = a[k] * stretch_a, pb = b[k] * stretch_b;
       across_[0][k] = std::cos(turn) * pa + std::sin(turn) * pb;
       across_[1][k] = std::cos(turn) * pb - std::sin(turn) * pa;
-      const double ia = a[i] / stretch_a, ib = b[i] / stretch_b;
+      const double ia = a[k] / stretch_a, ib = b[k] / stretch_b;
       along_[0][k] = std::cos(turn) * ia + std::sin(turn) * ib;
       along_[1][k] = std::cos(turn) * ib - std::sin(turn) * ia;
     }
@@ -236,15 +240,21 @@ TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<V
                  std::span<const TetPoint> points) {
   TetArcs result;
   if (points.empty()) return result;
-  const TetForms f = forms_of(corners);
-  result.special = f.special;
-  if (!f.special) {
+  const auto joined = [&](const TetForms& f) {
     for (const double turn : {0.0, 0.7, 1.9, 2.6}) {
       TetConic conic(f, positions, turn);
-      if (conic.run(points, result.arcs)) return result;
+      if (conic.run(points, result.arcs)) return true;
       result.arcs.clear();
     }
+    return false;
+  };
+  if (const auto forms = triage_forms<4>(corners)) {
+    const MaybeSign s = certain_sign(forms->vanishing[0].det());
+    if (s && *s != Sign::zero && joined({*forms, {}})) return result;
   }
+  const TetForms exact = exact_forms_of(corners);
+  result.special = exact.special;
+  if (!exact.special && joined(exact)) return result;
   if (points.size() == 2)
     result.arcs.push_back({{points[0].id, points[1].id}, {}});
   else

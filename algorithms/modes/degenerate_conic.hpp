@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Degenerate tensors of a simplex's linear field, over any number type (Ball, Rational).
+// Degenerate tensors of a simplex's linear field, over any number type (Ball, Integer).
 //
 // A traceless T is degenerate iff T = s (v v^T - I/3) with s != 0, v != 0. With t(T) = (xx - zz,
 // yy - zz, 2xy, 2yz, 2xz), which does not see multiples of I, a linear form w on tensors vanishes
@@ -16,13 +16,11 @@
 
 #include "algorithms/modes/degenerate_result.hpp"
 #include "kernel/arithmetic/ball.hpp"
-#include "kernel/arithmetic/rational.hpp"
 #include "kernel/arithmetic/vec3.hpp"
 
 namespace crest::modes {
 
 using kernel::Ball;
-using kernel::Rational;
 using kernel::Vector3;
 
 /// A symmetric matrix as a quadratic form; xx yy zz xy yz xz.
@@ -72,59 +70,44 @@ struct SimplexForms {
   std::array<Conic<N>, K> coordinates;    ///< s times the barycentric coordinates at v
 };
 
-inline double pivot_weight(const Ball& x) {
-  return std::fabs(x.mid);
-}
-inline double pivot_weight(const Rational& x) {
-  return x.is_zero() ? 0 : 1;
-}
-inline kernel::MaybeSign certain_sign(const Rational& x) {
-  return kernel::sign_of(x);
-}
-
-/// Gauss-Jordan with the largest pivot of all, the row operations kept. Guarantees: rank < K means
-/// dependent deviators, in exact arithmetic only; nothing: not decided.
-template <class N, std::size_t K>
+/// Gauss-Jordan with the largest pivot of all, the row operations kept.
+template <std::size_t K>
 struct Elimination {
-  std::array<std::array<N, 5>, K> rows;
-  std::array<std::array<N, K>, K> left{};  ///< left x given rows = rows
+  std::array<std::array<Ball, 5>, K> rows;
+  std::array<std::array<Ball, K>, K> left{};  ///< left x given rows = rows
   std::array<std::size_t, 5> column{0, 1, 2, 3, 4};
-  std::size_t rank = 0;
 
-  explicit Elimination(const std::array<std::array<N, 5>, K>& given) : rows(given) {
-    for (std::size_t i = 0; i < K; ++i)
-      for (std::size_t j = 0; j < K; ++j) left[i][j] = N(i == j ? 1 : 0);
+  explicit Elimination(const std::array<std::array<Ball, 5>, K>& given) : rows(given) {
+    for (std::size_t i = 0; i < K; ++i) left[i][i] = 1;
   }
 
   /// False: not decided.
   bool run() {
-    for (; rank < K; ++rank) {
-      if (!choose_pivot()) return true;
-      const N pivot = rows[rank][column[rank]];
+    for (std::size_t rank = 0; rank < K; ++rank) {
+      choose_pivot(rank);
+      const Ball pivot = rows[rank][column[rank]];
       if (!certain_sign(pivot)) return false;
-      const N factor = N(1) / pivot;
+      const Ball factor = Ball(1) / pivot;
       for (std::size_t k = rank + 1; k < 5; ++k)
         rows[rank][column[k]] = rows[rank][column[k]] * factor;
       for (std::size_t j = 0; j < K; ++j) left[rank][j] = left[rank][j] * factor;
       for (std::size_t i = 0; i < K; ++i)
-        if (i != rank) subtract(i);
+        if (i != rank) subtract(i, rank);
     }
     return true;
   }
 
-  SimplexForms<N, K> forms() const {
-    SimplexForms<N, K> f;
+  SimplexForms<Ball, K> forms() const {
+    SimplexForms<Ball, K> f;
     for (std::size_t k = K; k < 5; ++k) {
-      std::array<N, 5> w;
-      for (std::size_t j = K; j < 5; ++j) w[column[j]] = N(j == k ? 1 : 0);
-      for (std::size_t i = 0; i < K; ++i) w[column[i]] = N(0) - rows[i][column[k]];
+      std::array<Ball, 5> w{};
+      w[column[k]] = 1;
+      for (std::size_t i = 0; i < K; ++i) w[column[i]] = -rows[i][column[k]];
       f.vanishing[k - K] = traceless(w);
     }
-    std::array<std::array<N, 5>, K> b;
-    for (std::size_t j = 0; j < K; ++j) {
-      b[j].fill(N(0));
+    std::array<std::array<Ball, 5>, K> b{};
+    for (std::size_t j = 0; j < K; ++j)
       for (std::size_t i = 0; i < K; ++i) b[j][column[i]] = left[i][j];
-    }
     // The rows are differences: the first corner has what the others leave.
     for (std::size_t j = 1; j < K; ++j)
       for (std::size_t i = 0; i < K; ++i) b[0][column[i]] = b[0][column[i]] - left[i][j];
@@ -133,31 +116,30 @@ struct Elimination {
   }
 
  private:
-  bool choose_pivot() {
+  void choose_pivot(std::size_t rank) {
     std::size_t row = rank, place = rank;
     double largest = 0;
     for (std::size_t i = rank; i < K; ++i)
       for (std::size_t k = rank; k < 5; ++k)
-        if (const double w = pivot_weight(rows[i][column[k]]); w > largest)
+        if (const double w = std::fabs(rows[i][column[k]].mid); w > largest)
           largest = w, row = i, place = k;
     std::swap(rows[rank], rows[row]);
     std::swap(left[rank], left[row]);
     std::swap(column[rank], column[place]);
-    return largest > 0;
   }
-  void subtract(std::size_t i) {
-    const N factor = rows[i][column[rank]];
+  void subtract(std::size_t i, std::size_t rank) {
+    const Ball factor = rows[i][column[rank]];
     for (std::size_t k = rank + 1; k < 5; ++k)
       rows[i][column[k]] = rows[i][column[k]] - factor * rows[rank][column[k]];
     for (std::size_t j = 0; j < K; ++j) left[i][j] = left[i][j] - factor * left[rank][j];
   }
 };
 
-/// Nothing: dependent (exact arithmetic), or not decided (Ball).
-template <class N, std::size_t K>
-std::optional<SimplexForms<N, K>> simplex_forms(const std::array<const Tensor*, K>& corners) {
-  Elimination<N, K> e(corner_rows<N, K>(corners));
-  if (!e.run() || e.rank < K) return std::nullopt;
+/// Nothing: not decided.
+template <std::size_t K>
+std::optional<SimplexForms<Ball, K>> triage_forms(const std::array<const Tensor*, K>& corners) {
+  Elimination<K> e(corner_rows<Ball, K>(corners));
+  if (!e.run()) return std::nullopt;
   return e.forms();
 }
 
@@ -171,21 +153,22 @@ struct PencilQuartic {
   std::array<N, 5> f;  ///< coefficient k: x^k y^(4 - k)
   std::array<N, 3> q;  ///< y^2, x y, x^2
   std::array<N, 2> l;  ///< y, x
+  N p;
+  std::array<N, 2> m;
+  std::array<N, 3> n;
 
   /// Requires: P's z^2 is not zero.
-  PencilQuartic(const Conic<N>& P, const Conic<N>& Q) {
-    const N r = Q.c[2] / P.c[2];
-    const auto less = [&](std::size_t i) { return Q.c[i] - r * P.c[i]; };
+  PencilQuartic(const Conic<N>& P, const Conic<N>& Q)
+      : p(P.c[2]), m{P.c[4], P.c[5]}, n{P.c[1], P.c[3] + P.c[3], P.c[0]} {
+    const auto less = [&](std::size_t i) { return p * Q.c[i] - Q.c[2] * P.c[i]; };
     const N xy = less(3);
     q = {less(1), xy + xy, less(0)};
     l = {less(4), less(5)};
-    const N nxy = P.c[3] + P.c[3];
-    const std::array<N, 3> n{P.c[1], nxy, P.c[0]};
     // F = q (p q - 4 m l) + n (2 l)^2
-    const std::array<N, 3> ll = product(l, l), ml = product(std::array<N, 2>{P.c[4], P.c[5]}, l);
+    const std::array<N, 3> ll = product(l, l), ml = product(m, l);
     std::array<N, 3> inner, twice;
     for (std::size_t k = 0; k < 3; ++k) {
-      inner[k] = P.c[2] * q[k] - N(4) * ml[k];
+      inner[k] = p * q[k] - N(4) * ml[k];
       twice[k] = N(4) * ll[k];
     }
     const std::array<N, 5> a = product(q, inner), b = product(n, twice);

@@ -172,7 +172,7 @@ bool cones_exclude(std::span<const Direction> u, int depth) {
 }
 
 std::optional<FaceRoots> triage_face_roots(const std::array<const Tensor*, 3>& corners) {
-  const auto forms = simplex_forms<Ball, 3>(corners);
+  const auto forms = triage_forms<3>(corners);
   if (!forms) return std::nullopt;
   const auto& [p, q] = forms->vanishing;
   std::size_t axis = 0;

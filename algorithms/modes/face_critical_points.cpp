@@ -1,178 +1,216 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/face_critical_points.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/Polynomials>
+#include <limits>
+
+#include "algorithms/modes/small_matrix.hpp"
 
 namespace crest::modes {
 
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-Matrix3d deviator(const Tensor& t) {
-  Matrix3d m;
-  m << t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2];
-  return m - m.trace() / 3 * Matrix3d::Identity();
-}
+using kernel::Vec3;
+using kernel::operator+;
+using kernel::operator-;
+using kernel::operator*;
+using Complex = std::complex<double>;
 
 /// det on the span of three orthonormal tensors: (f, g, h) is its gradient (equation 13).
 struct Cubic {
-  std::array<Matrix3d, 3> basis;
+  std::array<Matrix3, 3> basis;
 
-  Matrix3d tensor(const Vector3d& x) const {
-    return x[0] * basis[0] + x[1] * basis[1] + x[2] * basis[2];
+  Matrix3 tensor(const Vec3& x) const {
+    return sum(sum(sum({}, x[0], basis[0]), x[1], basis[1]), x[2], basis[2]);
   }
-  template <class T>
-  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& x) const {
-    const Eigen::Matrix<T, 3, 3> t =
-        x[0] * basis[0].cast<T>() + x[1] * basis[1].cast<T>() + x[2] * basis[2].cast<T>();
-    const Eigen::Matrix<T, 3, 3> square = t * t;
-    Eigen::Matrix<T, 3, 1> g;
-    for (int i = 0; i < 3; ++i)
-      g[i] = square.cwiseProduct(basis[static_cast<std::size_t>(i)].cast<T>()).sum();
-    return g;
+  Vec3 gradient(const Vec3& x) const {
+    const Matrix3 t = tensor(x), squared = product(t, t);
+    return {inner(squared, basis[0]), inner(squared, basis[1]), inner(squared, basis[2])};
   }
-  Matrix3d hessian(const Vector3d& x) const {
-    const Matrix3d t = tensor(x);
-    Matrix3d h;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        h(i, j) = 2 * (t * basis[static_cast<std::size_t>(i)])
-                          .cwiseProduct(basis[static_cast<std::size_t>(j)])
-                          .sum();
-    return (h + h.transpose()) / 2;
+  Matrix3 hessian(const Vec3& x) const {
+    const Matrix3 t = tensor(x);
+    Matrix3 h;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        h[i][j] = inner(product(t, basis[i]), basis[j]) + inner(product(t, basis[j]), basis[i]);
+    return h;
   }
 };
 
-/// Equations 11 and 10 as cubics in u' for a value of v', constants first.
-using Coefficients = std::array<double, 4>;
+/// The polynomial with those values; constants first.
+std::vector<double> interpolated(const std::vector<double>& places,
+                                 const std::vector<double>& values) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    std::vector<double> row;
+    double power = 1;
+    for (std::size_t p = 0; p < places.size(); ++p, power *= places[k]) row.push_back(power);
+    row.push_back(values[k]);
+    rows.push_back(std::move(row));
+  }
+  return solved(std::move(rows));
+}
+
+/// All roots at once (Durand and Kerner).
+std::vector<Complex> roots(const std::vector<double>& c) {
+  const std::size_t n = c.size() - 1;
+  double size = 0;
+  for (std::size_t k = 0; k < n; ++k) size = std::max(size, std::fabs(c[k] / c[n]));
+  std::vector<Complex> x;
+  for (std::size_t k = 0; k < n; ++k)
+    x.push_back(
+        std::polar(std::min(1 + size, 2.0),
+                   0.4 + 6.283185307179586 * static_cast<double>(k) / static_cast<double>(n)));
+  for (int step = 0; step < 400; ++step) {
+    double moved = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      Complex value = c[n], others = c[n];
+      for (std::size_t k = n; k-- > 0;) value = value * x[i] + c[k];
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != i) others *= x[i] - x[j];
+      const Complex move = value / others;
+      x[i] -= move;
+      moved = std::max(moved, std::abs(move) / (1 + std::abs(x[i])));
+    }
+    if (!(moved > 1e-13)) break;
+  }
+  return x;
+}
+
+/// Equations 11 and 10 as cubics in u' for a value of v'.
 struct Equations {
-  Coefficients first, second;
+  std::vector<double> first, second;
 
   Equations(const Cubic& cubic, double v) {
-    std::array<Coefficients, 2> values;
-    Eigen::Matrix4d powers;
-    for (int k = 0; k < 4; ++k) {
-      const double u = k - 1.5;
-      for (int p = 0; p < 4; ++p) powers(k, p) = std::pow(u, p);
-      const Vector3d g = cubic.gradient<double>({u, v, 1});
-      values[0][static_cast<std::size_t>(k)] = g[0] - u * g[2];
-      values[1][static_cast<std::size_t>(k)] = v * g[2] - g[1];
+    const std::vector<double> places{-1.5, -0.5, 0.5, 1.5};
+    std::vector<double> one, two;
+    for (const double u : places) {
+      const Vec3 g = cubic.gradient({u, v, 1});
+      one.push_back(g[0] - u * g[2]);
+      two.push_back(v * g[2] - g[1]);
     }
-    for (int e = 0; e < 2; ++e) {
-      const Eigen::Vector4d c =
-          powers.fullPivLu().solve(Eigen::Vector4d(values[static_cast<std::size_t>(e)].data()));
-      auto& target = e == 0 ? first : second;
-      for (int p = 0; p < 4; ++p) target[static_cast<std::size_t>(p)] = c[p];
-    }
+    first = interpolated(places, one);
+    second = interpolated(places, two);
   }
 
-  /// Sylvester's matrix; its determinant has degree 9 in v'.
+  /// The determinant of Sylvester's matrix; its degree in v' is 9.
   double resultant() const {
-    Eigen::Matrix<double, 6, 6> m = Eigen::Matrix<double, 6, 6>::Zero();
-    for (int r = 0; r < 3; ++r)
-      for (int p = 0; p < 4; ++p) {
-        m(r, r + p) = first[static_cast<std::size_t>(p)];
-        m(3 + r, r + p) = second[static_cast<std::size_t>(p)];
+    std::vector<std::vector<double>> m(6, std::vector<double>(6, 0));
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t p = 0; p < 4; ++p) {
+        m[r][r + p] = first[p];
+        m[3 + r][r + p] = second[p];
       }
-    return m.determinant();
+    double det = 1;
+    for (std::size_t k = 0; k < 6; ++k) {
+      std::size_t best = k;
+      for (std::size_t i = k; i < 6; ++i)
+        if (std::fabs(m[i][k]) > std::fabs(m[best][k])) best = i;
+      if (best != k) std::swap(m[k], m[best]), det = -det;
+      det *= m[k][k];
+      if (m[k][k] == 0) return 0;
+      for (std::size_t i = k + 1; i < 6; ++i)
+        for (std::size_t j = 6; j-- > k;) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
+    }
+    return det;
   }
 };
 
 /// Newton's method for gradient = lambda x, |x| = 1.
-bool polish(const Cubic& cubic, Vector3d& x) {
+bool polish(const Cubic& cubic, Vec3& x) {
   for (int step = 0; step < 30; ++step) {
-    const Vector3d g = cubic.gradient<double>(x);
-    const double lambda = g.dot(x);
-    Eigen::Matrix4d m;
-    m.topLeftCorner<3, 3>() = cubic.hessian(x) - lambda * Matrix3d::Identity();
-    m.topRightCorner<3, 1>() = -x;
-    m.bottomLeftCorner<1, 3>() = x.transpose();
-    m(3, 3) = 0;
-    Eigen::Vector4d residual;
-    residual << g - lambda * x, 0;
-    const Eigen::Vector4d move = m.fullPivLu().solve(-residual);
-    if (!move.allFinite() || move.head<3>().norm() > 0.5) return false;
-    x = (x + move.head<3>()).normalized();
-    if (move.head<3>().norm() < 1e-14) return true;
+    const Vec3 g = cubic.gradient(x);
+    const double lambda = kernel::dot(g, x);
+    const Matrix3 h = cubic.hessian(x);
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+      rows.push_back({h[i][0], h[i][1], h[i][2], -x[i], lambda * x[i] - g[i]});
+      rows[i][i] -= lambda;
+    }
+    rows.push_back({x[0], x[1], x[2], 0, 0});
+    const std::vector<double> s = solved(std::move(rows));
+    const Vec3 move{s[0], s[1], s[2]};
+    const double length = kernel::norm(move);
+    if (!(length < 0.5)) return false;
+    x = x + move;
+    x = 1 / kernel::norm(x) * x;
+    if (length < 1e-14) return true;
   }
-  return (cubic.gradient<double>(x) - x * x.dot(cubic.gradient<double>(x))).norm() < 1e-12;
+  const Vec3 g = cubic.gradient(x);
+  return kernel::norm(g - kernel::dot(g, x) * x) < 1e-12;
 }
 
-/// The roots of the resultant, each with the u' that solves both equations best.
-std::vector<Vector3d> guesses(const Cubic& cubic) {
-  constexpr int n = 10;
-  Eigen::Matrix<double, n, n> powers;
-  Eigen::Matrix<double, n, 1> values;
-  for (int k = 0; k < n; ++k) {
-    const double v = 1.5 * std::cos((k + 0.5) * M_PI / n);
-    for (int p = 0; p < n; ++p) powers(k, p) = std::pow(v, p);
-    values[k] = Equations(cubic, v).resultant();
+/// The roots of the resultant, each with all u' of one equation: Newton's method sorts them out.
+std::vector<Vec3> guesses(const Cubic& cubic) {
+  std::vector<double> places, values;
+  for (int k = 0; k < 10; ++k) {
+    places.push_back(1.5 * std::cos((k + 0.5) * 0.3141592653589793));
+    values.push_back(Equations(cubic, places.back()).resultant());
   }
-  const Eigen::Matrix<double, n, 1> c = powers.fullPivLu().solve(values);
-  std::vector<Vector3d> result;
-  const Eigen::PolynomialSolver<double, n - 1> solver(c);
-  for (const auto& root : solver.roots()) {
-    if (std::fabs(root.imag()) > 1e-3 * (1 + std::abs(root))) continue;
+  std::vector<Vec3> result;
+  for (const Complex& root : roots(interpolated(places, values))) {
+    if (!(std::fabs(root.imag()) <= 1e-3 * (1 + std::abs(root)))) continue;
     const double v = root.real();
-    const Equations e(cubic, v);
-    const Eigen::Vector4d first(e.first.data());
-    if (first[3] == 0) continue;
-    const Eigen::PolynomialSolver<double, 3> in_u(first);
-    for (const auto& u : in_u.roots())
-      if (std::fabs(u.imag()) <= 1e-2 * (1 + std::abs(u)))
-        result.push_back(Vector3d(u.real(), v, 1).normalized());
+    for (const Complex& u : roots(Equations(cubic, v).first)) {
+      if (!(std::fabs(u.imag()) <= 1e-2 * (1 + std::abs(u)))) continue;
+      const Vec3 x{u.real(), v, 1};
+      result.push_back(1 / kernel::norm(x) * x);
+    }
   }
   return result;
+}
+
+FaceCriticalPoint described(const Cubic& cubic, const Matrix3& triangle, const Vec3& x) {
+  // x = sum b_i row i of the triangle.
+  std::vector<std::vector<double>> rows;
+  for (std::size_t k = 0; k < 3; ++k)
+    rows.push_back({triangle[0][k], triangle[1][k], triangle[2][k], x[k]});
+  const std::vector<double> b = solved(std::move(rows));
+  const double total = b[0] + b[1] + b[2];
+  FaceCriticalPoint p;
+  for (std::size_t k = 0; k < 3; ++k) p.weights[k] = b[k] / total;
+  p.mode = (total < 0 ? -1 : 1) * 3 * std::sqrt(6.0) * determinant(cubic.tensor(x));
+  p.degenerate = std::fabs(p.mode) > 1 - 1e-9;
+  // The Hessian on the sphere: that of det less the multiplier, across x.
+  const double lambda = kernel::dot(cubic.gradient(x), x);
+  const Vec3 a = across(x), c = kernel::cross(x, a);
+  const Matrix3 h = cubic.hessian(x);
+  const double aa = kernel::dot(a, product(h, a)) - lambda, ac = kernel::dot(a, product(h, c)),
+               cc = kernel::dot(c, product(h, c)) - lambda;
+  p.extremum = aa * cc - ac * ac > 0;
+  return p;
 }
 
 }  // namespace
 
 std::vector<FaceCriticalPoint> face_critical_points(const std::array<Tensor, 3>& corners) {
   Cubic cubic;
-  Matrix3d triangle = Matrix3d::Zero();  // corners = triangle x basis
-  for (int i = 0; i < 3; ++i) {
-    Matrix3d rest = deviator(corners[static_cast<std::size_t>(i)]);
-    for (int j = 0; j < i; ++j) {
-      const Matrix3d& unit = cubic.basis[static_cast<std::size_t>(j)];
-      triangle(i, j) = rest.cwiseProduct(unit).sum();
-      rest -= triangle(i, j) * unit;
+  Matrix3 triangle{};  // corner i = sum over k of triangle[i][k] basis[k]
+  for (std::size_t i = 0; i < 3; ++i) {
+    Matrix3 rest = deviator(corners[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      triangle[i][j] = inner(rest, cubic.basis[j]);
+      rest = sum(rest, -triangle[i][j], cubic.basis[j]);
     }
-    triangle(i, i) = rest.norm();
-    cubic.basis[static_cast<std::size_t>(i)] = rest / rest.norm();
+    triangle[i][i] = std::sqrt(inner(rest, rest));
+    cubic.basis[i] = sum({}, 1 / triangle[i][i], rest);
   }
-  std::vector<Vector3d> found;
-  // Two charts: a point near w = 0 in one is not in the other.
+  std::vector<Vec3> found;
+  // Each basis tensor once as w: a point near w = 0 in one chart is not in another.
   for (int chart = 0; chart < 3; ++chart) {
-    for (Vector3d x : guesses(cubic)) {
+    for (Vec3 x : guesses(cubic)) {
       if (!polish(cubic, x)) continue;
       bool known = false;
-      for (const Vector3d& y : found) known = known || x.cross(y).norm() < 1e-7;
+      for (const Vec3& y : found) known = known || kernel::norm(kernel::cross(x, y)) < 1e-7;
       if (!known) found.push_back(x);
     }
     std::rotate(cubic.basis.begin(), cubic.basis.begin() + 1, cubic.basis.end());
-    for (Vector3d& x : found) x = Vector3d(x[1], x[2], x[0]);
+    for (Vec3& x : found) x = {x[1], x[2], x[0]};
   }
   std::vector<FaceCriticalPoint> result;
-  for (const Vector3d& x : found) {
-    FaceCriticalPoint p;
-    const Vector3d b = triangle.transpose().fullPivLu().solve(x);
-    for (int i = 0; i < 3; ++i) p.weights[static_cast<std::size_t>(i)] = b[i] / b.sum();
-    const double sign = b.sum() < 0 ? -1 : 1;
-    p.mode = sign * 3 * std::sqrt(6.0) * cubic.tensor(x).determinant();
-    p.degenerate = std::fabs(p.mode) > 1 - 1e-9;
-    // The Hessian on the sphere: that of det less the multiplier, across x.
-    const double lambda = cubic.gradient<double>(x).dot(x);
-    const Vector3d a = x.unitOrthogonal(), c = x.cross(a);
-    const Matrix3d h = cubic.hessian(x) - lambda * Matrix3d::Identity();
-    const double aa = a.dot(h * a), ac = a.dot(h * c), cc = c.dot(h * c);
-    p.extremum = aa * cc - ac * ac > 0;
-    result.push_back(p);
-  }
+  for (const Vec3& x : found) result.push_back(described(cubic, triangle, x));
   return result;
 }
 

@@ -1,103 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/sphere.hpp"
 
-#include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "algorithms/modes/degenerate_conic.hpp"
+
 namespace crest::modes {
+
+using kernel::Vec3;
+using kernel::operator+;
+using kernel::operator*;
 
 namespace {
 
-using kernel::Vec3;
-using kernel::operator*;
-
-Eigen::Matrix3d deviator(const Tensor& t) {
-  Eigen::Matrix3d m;
-  m << t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2];
-  return m - m.trace() / 3 * Eigen::Matrix3d::Identity();
-}
-Eigen::Matrix3d eigen(const Matrix3& a) {
-  Eigen::Matrix3d m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      m(i, j) = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  return m;
-}
-Eigen::Vector3d eigen(const Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-Vec3 plain(const Eigen::Vector3d& v) {
-  return {v[0], v[1], v[2]};
-}
-Matrix3 plain(const Eigen::Matrix3d& m) {
-  return {plain(Eigen::Vector3d(m.row(0))), plain(Eigen::Vector3d(m.row(1))),
-          plain(Eigen::Vector3d(m.row(2)))};
-}
-/// Orthonormal coordinates of traceless symmetric matrices.
-Eigen::Matrix<double, 5, 1> coordinates(const Eigen::Matrix3d& m) {
-  constexpr double h = std::numbers::sqrt2 / 2;
-  return {(2 * m(2, 2) - m(0, 0) - m(1, 1)) * h * std::numbers::inv_sqrt3, (m(0, 0) - m(1, 1)) * h,
-          2 * h * m(0, 1), 2 * h * m(1, 2), 2 * h * m(0, 2)};
-}
-Eigen::Matrix3d matrix(const Eigen::Matrix<double, 5, 1>& x) {
-  constexpr double h = std::numbers::sqrt2 / 2, g = h * std::numbers::inv_sqrt3;
-  Eigen::Matrix3d m;
-  m << h * x[1] - g * x[0], h * x[2], h * x[4], h * x[2], -h * x[1] - g * x[0], h * x[3], h * x[4],
-      h * x[3], 2 * g * x[0];
-  return m;
+Matrix3 matrix(const Conic<Ball>& f) {
+  const auto& c = f.c;
+  return {Vec3{c[0].mid, c[3].mid, c[5].mid}, Vec3{c[3].mid, c[1].mid, c[4].mid},
+          Vec3{c[5].mid, c[4].mid, c[2].mid}};
 }
 
 /// Tbar across v.
 struct Across {
   double alpha, beta, rho;
-  Eigen::Vector3d major, minor;
+  Vec3 major, minor;
 
-  Across(const LinearTensors& field, const Vec3& direction) {
-    const Eigen::Matrix3d bar = eigen(field.characteristic());
-    const Eigen::Vector3d v = eigen(direction), image = bar * v;
-    alpha = v.dot(image);
-    beta = image.squaredNorm();
-    const Eigen::Vector3d p = v.unitOrthogonal(), q = v.cross(p);
-    const double half = (p.dot(bar * p) - q.dot(bar * q)) / 2, mixed = p.dot(bar * q);
+  Across(const LinearTensors& field, const Vec3& v) {
+    const Matrix3& bar = field.characteristic();
+    const Vec3 image = product(bar, v), p = across(v), q = kernel::cross(v, p);
+    alpha = kernel::dot(v, image);
+    beta = kernel::dot(image, image);
+    const double half = (kernel::dot(p, product(bar, p)) - kernel::dot(q, product(bar, q))) / 2;
+    const double mixed = kernel::dot(p, product(bar, q));
     rho = std::hypot(half, mixed);
     const double turn = std::atan2(mixed, half) / 2;
     major = std::cos(turn) * p + std::sin(turn) * q;
-    minor = v.cross(major);
+    minor = kernel::cross(v, major);
   }
 };
 
 }  // namespace
 
 LinearTensors::LinearTensors(const std::array<Tensor, 4>& corners) {
-  Eigen::Matrix<double, 4, 5> t;
-  for (int i = 0; i < 4; ++i)
-    t.row(i) = coordinates(deviator(corners[static_cast<std::size_t>(i)])).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix<double, 4, 5>> svd(
-      t, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d bar = matrix(svd.matrixV().col(4));
-  if (bar.determinant() > 0) bar = -bar;
-  bar_ = plain(bar);
-  bar_mode_ = 3 * std::sqrt(6.0) * bar.determinant();
-  // The dual basis: rows of (t t^T)^-1 t.
-  Eigen::Matrix<double, 4, 5> dual = Eigen::Matrix<double, 4, 5>::Zero();
-  for (int k = 0; k < 4; ++k)
-    dual += svd.matrixU().col(k) * svd.matrixV().col(k).transpose() / svd.singularValues()[k];
-  for (int i = 0; i < 4; ++i)
-    dual_[static_cast<std::size_t>(i)] = plain(matrix(dual.row(i).transpose()));
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(bar);
-  for (int k = 0; k < 3; ++k) {
-    frame_[static_cast<std::size_t>(k)] = plain(Eigen::Vector3d(solver.eigenvectors().col(2 - k)));
-    eigenvalues_[static_cast<std::size_t>(k)] = solver.eigenvalues()[2 - k];
-  }
+  Elimination<4> e(corner_rows<Ball, 4>({&corners[0], &corners[1], &corners[2], &corners[3]}));
+  e.run();
+  const auto forms = e.forms();
+  const Matrix3 bar = matrix(forms.vanishing[0]);
+  const double norm = std::sqrt(inner(bar, bar));
+  bar_ = sum({}, determinant(bar) > 0 ? -1 / norm : 1 / norm, bar);
+  bar_mode_ = 3 * std::sqrt(6.0) * determinant(bar_);
+  for (std::size_t k = 0; k < 4; ++k) dual_[k] = matrix(forms.coordinates[k]);
+  const Eigensystem axes = eigensystem(bar_);
+  frame_ = axes.vectors;
+  eigenvalues_ = axes.values;
 }
 
 LinearTensors::Place LinearTensors::place(const Matrix3& u) const {
   Place p{};
   double sum = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) p.weights[k] += kernel::dot(dual_[k][i], u[i]);
+    p.weights[k] = inner(dual_[k], u);
     sum += p.weights[k];
   }
   if (sum == 0) return p;
@@ -123,15 +85,12 @@ std::optional<std::array<ModePoint, 2>> mode_points(const LinearTensors& field, 
   if (!(std::fabs(cosine) <= 1)) return std::nullopt;
   const double a = std::asin(std::fabs(mu)) / 3, unit = std::sqrt(2.0 / 3);
   const double upper = unit * std::sin(2 * std::numbers::pi / 3 - a), middle = -unit * std::sin(a);
-  const Eigen::Vector3d axis = eigen(v);
   std::array<ModePoint, 2> result;
   double turn = std::acos(cosine) / 2;
   for (ModePoint& p : result) {
-    const Eigen::Vector3d d = std::cos(turn) * c.major + std::sin(turn) * c.minor,
-                          e = axis.cross(d);
-    p.tensor = plain(Eigen::Matrix3d(middle * axis * axis.transpose() + upper * d * d.transpose() -
-                                     (middle + upper) * e * e.transpose()));
-    p.dominant = plain(d);
+    p.dominant = std::cos(turn) * c.major + std::sin(turn) * c.minor;
+    p.tensor = sum(sum(square(middle, v), 1, square(upper, p.dominant)), -(middle + upper),
+                   square(1, kernel::cross(v, p.dominant)));
     const auto place = field.place(p.tensor);
     p.weights = place.weights;
     p.sign = place.s > 0 ? 1 : place.s < 0 ? -1 : 0;

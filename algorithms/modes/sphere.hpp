@@ -13,11 +13,9 @@
 #include <array>
 #include <optional>
 
-#include "algorithms/modes/degenerate_result.hpp"
+#include "algorithms/modes/small_matrix.hpp"
 
 namespace crest::modes {
-
-using Matrix3 = std::array<kernel::Vec3, 3>;
 
 /// A linear field given by four corners' tensors. Requires: independent deviators.
 class LinearTensors {

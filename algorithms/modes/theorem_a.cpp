@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/theorem_a.hpp"
 
-#include "algorithms/modes/degenerate_conic.hpp"
+#include "algorithms/modes/degenerate_exact.hpp"
 
 namespace crest::modes {
 
 namespace {
 
+using kernel::Rational;
 using Matrix = Conic<Rational>;
+
+Matrix rational(const Conic<Integer>& a) {
+  Matrix b;
+  for (std::size_t k = 0; k < 6; ++k) b.c[k] = a.c[k];
+  return b;
+}
 
 Rational inner(const Matrix& a, const Matrix& b) {
   return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] +
@@ -29,9 +36,9 @@ Rational squared_mode(const Matrix& a) {
 }  // namespace
 
 std::optional<CriticalTensor> critical_tensor(const std::array<const Tensor*, 4>& corners) {
-  const auto forms = simplex_forms<Rational, 4>(corners);
+  const auto forms = exact_forms<4>(corners);
   if (!forms) return std::nullopt;
-  const Matrix& bar = forms->vanishing[0];
+  const Matrix bar = rational(forms->vanishing[0]);
   const Rational s = inner(bar, bar);
   CriticalTensor result;
   result.squared_mode = 1 - squared_mode(bar);
@@ -44,7 +51,7 @@ std::optional<CriticalTensor> critical_tensor(const std::array<const Tensor*, 4>
   Rational sum = 0;
   int up = 0, down = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    sum += b[k] = inner(forms->coordinates[k], star);
+    sum += b[k] = inner(rational(forms->coordinates[k]), star);
     up += b[k] > 0;
     down += b[k] < 0;
   }
