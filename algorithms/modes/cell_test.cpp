@@ -176,7 +176,8 @@ class Test {
       rest -= r.w[k + 1];
     }
     r.w[0] = static_cast<std::int16_t>(rest);
-    r.lambda = static_cast<std::int16_t>(std::lround(unit * y[D]));
+    // A multiple of 3: the certificate's lambda is a third of it (certificate.cpp).
+    r.lambda = static_cast<std::int16_t>(3 * std::lround(unit / 3 * y[D]));
     return r;
   }
 

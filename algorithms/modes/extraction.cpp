@@ -25,9 +25,10 @@ std::uint64_t key(Index a, Index b) {
 
 Extraction::Extraction(const ModeField& field, const Level& level, const ModeOptions& options)
     : field_(field),
+      scale_(scale_of(field.tensors)),
       level_(level),
       limits_{options.max_depth, options.budget},
-      vertices_(field.tensors, scale_of(field.tensors), level),
+      vertices_(field.tensors, scale_, level),
       lines_(vertices_, level),
       faces_(vertices_, lines_, level, limits_),
       cells_(faces_, level, limits_) {
@@ -110,7 +111,13 @@ void Extraction::close_again() {
   }
   for (Index c = 0; c < cells_.size(); ++c) {
     counts_.graph_cells += cells_.cell(c).state == State::graph ? 1 : 0;
-    if (cells_.cell(c).state == State::open) open_.push_back(cells_.cell(c).tet);
+    if (cells_.cell(c).state != State::open) continue;
+    open_.push_back(cells_.cell(c).tet);
+    for (const Index f : cells_.cell(c).faces) {
+      std::vector<Index> leaves;
+      faces_.leaves(f, leaves);
+      open_faces_.insert(leaves.begin(), leaves.end());
+    }
   }
   std::sort(open_.begin(), open_.end());
   open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
@@ -142,7 +149,7 @@ void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int ori
 }
 
 ModeSurface Extraction::surface(Side side) {
-  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), boundary_faces_);
+  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), boundary_faces_, open_faces_);
   for (const Tree& tree : trees_)
     add_leaves(builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
   for (const Cone& c : cones_) {
@@ -159,6 +166,8 @@ ModeSurface Extraction::surface(Side side) {
   // Each of these is an edge of one triangle: no others, if there are as many.
   s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
   s.face_loops = face_loops(side);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
   for (std::size_t v = 0; v < s.points.size(); ++v)
     if (product(s.tensors[v], s.tensors[v]) > 0)
       s.max_mode_error =

@@ -33,6 +33,7 @@ class Extraction {
   /// Faces of the mesh that are among the trees', with their numbers there.
   const std::unordered_map<Index, Index>& mesh_faces() const { return mesh_faces_; }
   Index edge_between(Index a, Index b) const;
+  int scale() const { return scale_; }
   const Level& level() const { return level_; }
   const ModeField& field() const { return field_; }
 
@@ -50,6 +51,7 @@ class Extraction {
   std::size_t cone_rims(Side side);
 
   const ModeField& field_;
+  int scale_;
   Level level_;
   Limits limits_;
   Vertices vertices_;
@@ -63,6 +65,7 @@ class Extraction {
   std::unordered_map<std::uint64_t, Index> mesh_edges_;
   ModeCounts counts_;
   std::vector<Index> open_;
+  std::unordered_set<Index> open_faces_;  ///< leaves at open cells
 };
 
 }  // namespace crest::modes

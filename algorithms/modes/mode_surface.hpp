@@ -15,6 +15,7 @@ struct SurfaceComponent {
   std::int64_t euler_characteristic = 0;
   std::size_t boundary_loops = 0;
   bool orientable = true;
+  bool complete = true;  ///< it touches no undecided cell: the counts are proven
 };
 
 /// The surface of one signed level.

@@ -20,13 +20,15 @@ double ModeFunction::mode(const Symmetric& t) {
 
 SurfaceBuilder::SurfaceBuilder(Faces& faces, const Level& level, Side side,
                                const std::vector<Vec3>& mesh_points,
-                               const std::unordered_set<Index>& boundary_faces)
+                               const std::unordered_set<Index>& boundary_faces,
+                               const std::unordered_set<Index>& open_faces)
     : faces_(faces),
       level_(level),
       side_(side),
       function_(level, side),
       places_(mesh_points),
-      boundary_faces_(boundary_faces) {
+      boundary_faces_(boundary_faces),
+      open_faces_(open_faces) {
   surface_.sign = static_cast<int>(side);
   surface_.mode = surface_.sign * level.value();
 }
@@ -297,8 +299,14 @@ void SurfaceBuilder::emit(const Job& job, Layout& layout, const PlanarPiece& pla
 }
 
 void SurfaceBuilder::mesh(const Job& job) {
+  bool open = false;
   for (const Loop& loop : job.piece)
-    for (const LoopArc& a : loop) count_segments(a.arc);
+    for (const LoopArc& a : loop) open = count_segments(a.arc) || open;
+  mesh_piece(job);
+  touches_.resize(surface_.triangles.size(), open ? 1 : 0);
+}
+
+void SurfaceBuilder::mesh_piece(const Job& job) {
   Layout layout = lay_out(job);
   PlanarPiece planar = layout.planar;
   if (const auto triangles = triangulate(planar)) {
@@ -311,10 +319,14 @@ void SurfaceBuilder::mesh(const Job& job) {
   if (const auto triangles = triangulate(planar)) emit(job, layout, planar, *triangles, false);
 }
 
-void SurfaceBuilder::count_segments(Index arc) {
-  if (!boundary_faces_.contains(faces_.face(faces_.arcs()[arc].face).whole)) return;
+/// Counts the arc's segments if they are on the boundary; whether it is at an open cell.
+bool SurfaceBuilder::count_segments(Index arc) {
+  const Index f = faces_.arcs()[arc].face;
   const auto inside = inside_.find(arc);
-  boundary_segments_ += 1 + (inside == inside_.end() ? 0 : inside->second.size());
+  const bool open = open_faces_.contains(f);
+  if (boundary_faces_.contains(faces_.face(f).whole) && !open)
+    boundary_segments_ += 1 + (inside == inside_.end() ? 0 : inside->second.size());
+  return open;
 }
 
 Index SurfaceBuilder::zero_point(Index vertex) {
@@ -351,7 +363,7 @@ void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {
 }
 
 void SurfaceBuilder::mesh(const ConeJob& job) {
-  count_segments(job.arc);
+  const bool open = count_segments(job.arc);
   const Arc& arc = faces_.arcs()[job.arc];
   std::vector<Index> line{root_point(arc.roots[0])};
   if (const auto inside = inside_.find(job.arc); inside != inside_.end())
@@ -361,6 +373,7 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
     surface_.triangles.push_back({zero_point(job.apex), line[k], line[k + 1]});
     surface_.tets.push_back(job.tet);
   }
+  touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
 /// Polylines are shared: all are fine enough before any piece is meshed.
@@ -384,6 +397,7 @@ void SurfaceBuilder::refine_all() {
 
 ModeSurface SurfaceBuilder::build() {
   refine_all();
+  touches_.assign(surface_.triangles.size(), 0);
   for (const Job& job : jobs_) mesh(job);
   for (const ConeJob& job : cones_) mesh(job);
   return std::move(surface_);

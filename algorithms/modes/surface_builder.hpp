@@ -29,7 +29,8 @@ class SurfaceBuilder {
  public:
   SurfaceBuilder(Faces& faces, const Level& level, Side side,
                  const std::vector<kernel::Vec3>& mesh_points,
-                 const std::unordered_set<Index>& boundary_faces);
+                 const std::unordered_set<Index>& boundary_faces,
+                 const std::unordered_set<Index>& open_faces);
 
   /// Prepares the pieces of a leaf cell with closed facets. `orientation`: of the cell, corners in
   /// their order.
@@ -42,6 +43,8 @@ class SurfaceBuilder {
   ModeSurface build();
   /// Of polylines on the domain's boundary, after build().
   std::size_t boundary_segments() const { return boundary_segments_; }
+  /// Whether the triangle's piece ends at an open cell, after build().
+  bool touches_open(std::size_t triangle) const { return touches_[triangle] != 0; }
 
  private:
   using Barycentric = std::array<double, 4>;
@@ -75,8 +78,9 @@ class SurfaceBuilder {
   bool lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const;
   void refine_all();
   void mesh(const Job& job);
+  void mesh_piece(const Job& job);
   void mesh(const ConeJob& job);
-  void count_segments(Index arc);
+  bool count_segments(Index arc);
   Index zero_point(Index vertex);
   void emit(const Job& job, Layout& layout, const PlanarPiece& planar,
             const std::vector<std::array<std::size_t, 3>>& triangles, bool lift);
@@ -93,7 +97,8 @@ class SurfaceBuilder {
   Side side_;
   ModeFunction function_;
   std::vector<kernel::Vec3> places_;
-  const std::unordered_set<Index>& boundary_faces_;
+  const std::unordered_set<Index>&boundary_faces_, &open_faces_;
+  std::vector<char> touches_;  ///< triangles
   std::vector<Job> jobs_;
   std::vector<ConeJob> cones_;
   std::size_t boundary_segments_ = 0;
