@@ -4,21 +4,85 @@
 #include "certify/container/compose.hpp"
 
 namespace crest::certify {
+namespace {
+
+void write(ByteWriter& out, const RootRecord& root) {
+  out.number(root.low);
+  out.number(root.high);
+  out.integer(root.level);
+}
+void write(ByteWriter& out, const FaceWitness& witness) {
+  for (const auto w : witness.w) out.integer(w);
+  out.number(witness.lambda);
+}
+void write(ByteWriter& out, const ArcPair& arc) {
+  out.integer(arc.first);
+  out.integer(arc.second);
+}
+void write(ByteWriter& out, const TetWitness& witness) {
+  for (const auto w : witness.w) out.integer(w);
+  out.number(witness.lambda);
+  for (const auto count : witness.pieces) out.integer(count);
+}
+void write(ByteWriter& out, const SurfaceComponent& component) {
+  out.integer(component.euler_characteristic);
+  out.integer(component.boundary_loops);
+}
+template <std::size_t n>
+void write(ByteWriter& out, const std::array<std::uint32_t, n>& corners) {
+  out.numbers(std::span<const std::uint32_t>(corners));
+}
+
+template <class Record>
+void write_list(ByteWriter& out, const std::vector<Record>& list) {
+  out.count(list.size());
+  for (const Record& record : list) write(out, record);
+}
+
+void write_counts(ByteWriter& out, const SurfaceCounts& counts) {
+  write_list(out, counts.components);
+  out.integer(counts.touched);
+}
+
+void write_level(ByteWriter& out, const ModeLevel& level) {
+  out.integer(level.numerator);
+  out.integer(level.denominator);
+  write_list(out, level.edges);
+  write_list(out, level.faces);
+  out.count(level.tets.size());
+  out.numbers(level.tets);
+  out.count(level.codes.size());
+  out.bytes(level.codes);
+  write_list(out, level.roots);
+  write_list(out, level.face_witnesses);
+  write_list(out, level.arcs);
+  write_list(out, level.tet_witnesses);
+  write_counts(out, level.positive);
+  if (level.numerator != 0) write_counts(out, level.negative);
+  out.integer(level.open_tets);
+}
+
+}  // namespace
 
 Bytes encode(const ModesCertificate& c) {
-  std::size_t data_size = 8 + sizeof(double) * 3 * c.points.size();
-  data_size += sizeof(std::uint32_t) * 4 * c.cells.size();
   const auto write_data = [&](ByteWriter& out) {
     out.count(c.points.size());
-    out.count(c.cells.size());
+    out.count(c.tets.size());
+    for (const auto& tet : c.tets) write(out, tet);
     out.rows(c.points);
-    for (const auto& cell : c.cells) out.numbers(std::span<const std::uint32_t>(cell));
+    out.rows(c.tensors);
   };
   const auto write_claims = [&](ByteWriter& out) {
-    out.integer(c.distinct);
-    out.integer(c.used);
+    out.count(c.zeros.size());
+    for (const ZeroRecord& zero : c.zeros) {
+      out.integer(static_cast<std::uint8_t>(zero.corners.size()));
+      out.numbers(zero.corners);
+    }
+    out.count(c.levels.size());
+    for (const ModeLevel& level : c.levels) write_level(out, level);
   };
-  return compose({kModes, kModesVersion}, data_size, write_data, write_claims);
+  const std::size_t size = 8 + 16 * c.tets.size() + 24 * c.points.size() + 48 * c.tensors.size();
+  return compose({kModes, kModesVersion}, size, write_data, write_claims);
 }
 
 }  // namespace crest::certify

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/modes/planar_pieces.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+namespace crest::modes {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    CGAL::No_constraint_intersection_tag>;
+using Triangles = std::vector<std::array<std::size_t, 3>>;
+
+constexpr std::size_t kNoPoint = ~std::size_t{0};
+
+/// Face info: how many constraints lie between the face and infinity.
+void find_nesting(Triangulation& t) {
+  for (auto f = t.all_faces_begin(); f != t.all_faces_end(); ++f) f->info() = -1;
+  std::deque<std::pair<Triangulation::Face_handle, int>> queue{{t.infinite_face(), 0}};
+  while (!queue.empty()) {
+    const auto [face, level] = queue.front();
+    queue.pop_front();
+    if (face->info() >= 0) continue;
+    face->info() = level;
+    for (int i = 0; i < 3; ++i) {
+      const bool wall = face->is_constrained(i);
+      if (face->neighbor(i)->info() >= 0) continue;
+      if (wall)
+        queue.emplace_back(face->neighbor(i), level + 1);
+      else
+        queue.emplace_front(face->neighbor(i), level);
+    }
+  }
+}
+
+bool insert_loops(Triangulation& t, const PlanarPiece& piece) {
+  std::vector<Triangulation::Vertex_handle> handles(piece.points.size());
+  for (std::size_t i = 0; i < piece.points.size(); ++i) {
+    handles[i] = t.insert({piece.points[i][0], piece.points[i][1]});
+    handles[i]->info() = i;
+  }
+  if (t.number_of_vertices() != piece.points.size()) return false;
+  std::size_t walls = 0;
+  for (const auto& loop : piece.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i, ++walls)
+      t.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);
+  // A constraint through a vertex has become two.
+  std::size_t found = 0;
+  for (const auto& e : t.finite_edges()) found += t.is_constrained(e) ? 1 : 0;
+  return found == walls;
+}
+
+/// One point on a diagonal with both ends on one facet; false if there is none.
+bool mend_diagonal(Triangulation& t, PlanarPiece& piece) {
+  for (const auto& e : t.finite_edges()) {
+    if (t.is_constrained(e) || e.first->info() != 1) continue;
+    const auto a = e.first->vertex(t.ccw(e.second)), b = e.first->vertex(t.cw(e.second));
+    if ((piece.facets[a->info()] & piece.facets[b->info()]) == 0) continue;
+    const auto p = CGAL::midpoint(a->point(), b->point());
+    const std::size_t before = t.number_of_vertices();
+    const auto v = t.insert(p);
+    if (t.number_of_vertices() == before) return false;
+    v->info() = piece.points.size();
+    piece.points.push_back({p.x(), p.y()});
+    piece.facets.push_back(0);
+    return true;
+  }
+  return false;
+}
+
+Triangles domain(const Triangulation& t) {
+  Triangles r;
+  for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
+    if (f->info() == 1)
+      r.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return r;
+}
+
+}  // namespace
+
+std::optional<Triangles> triangulate(PlanarPiece& piece) {
+  const std::size_t given = piece.points.size();
+  if (given == 3) {
+    const auto& p = piece.points[0];
+    const auto& q = piece.points[1];
+    const auto& r = piece.points[2];
+    const auto turn = CGAL::orientation(Kernel::Point_2(p[0], p[1]), Kernel::Point_2(q[0], q[1]),
+                                        Kernel::Point_2(r[0], r[1]));
+    if (turn == CGAL::COLLINEAR) return std::nullopt;
+    if (turn == CGAL::LEFT_TURN) return Triangles{{0, 1, 2}};
+    return Triangles{{0, 2, 1}};
+  }
+  Triangulation t;
+  try {
+    if (!insert_loops(t, piece)) return std::nullopt;
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return std::nullopt;
+  }
+  find_nesting(t);
+  for (std::size_t k = 0; k < 4 * given && mend_diagonal(t, piece); ++k) find_nesting(t);
+  Triangles r = domain(t);
+  // Euler: so many triangles has a connected domain with these boundaries.
+  const std::size_t inner = piece.points.size() - given;
+  if (r.size() + 4 != given + 2 * piece.loops.size() + 2 * inner) return std::nullopt;
+  for (const auto& triangle : r)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = triangle[k], b = triangle[(k + 1) % 3];
+      if (a == kNoPoint || b == kNoPoint) return std::nullopt;
+    }
+  return r;
+}
+
+PlanarPiece laid_out(const PlanarPiece& piece) {
+  PlanarPiece r = piece;
+  r.points.assign(piece.points.size(), {0, 0});
+  const auto circle = [&](const std::vector<std::size_t>& loop, double x, double y, double radius) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double a = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(loop.size());
+      r.points[loop[i]] = {x + radius * std::cos(a), y + radius * std::sin(a)};
+    }
+  };
+  circle(r.loops[0], 0, 0, 10);
+  const auto holes = static_cast<double>(r.loops.size() - 1);
+  for (std::size_t k = 1; k < r.loops.size(); ++k) {
+    const double a = 2 * std::numbers::pi * static_cast<double>(k) / holes;
+    circle(r.loops[k], 4 * std::cos(a), 4 * std::sin(a), holes > 1 ? 4 / holes : 2);
+  }
+  return r;
+}
+
+}  // namespace crest::modes

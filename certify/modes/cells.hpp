@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Leaf cells: the pieces of the levels in them, bounded by loops of arcs (SPEC.md, lemma 7).
+#include "certify/modes/faces.hpp"
+
+namespace crest::certify::modes {
+
+/// An arc on the boundary of a piece; its ends are numbered within the cell.
+struct HalfArc {
+  u32 arc;    ///< place in ModeLevel::arcs
+  u32 piece;  ///< within the cell
+  u32 first, second;
+};
+struct CellPieces {
+  std::vector<HalfArc> arcs;
+  std::vector<std::int8_t> levels;  ///< of each piece
+  std::vector<u32> loops;           ///< of each piece
+  u32 roots = 0;
+};
+
+/// An arc of a face, with the roots it joins.
+struct FaceArc {
+  u32 arc, first, second;
+  std::int8_t level;
+};
+/// Leaves below a node; throws Reject if one is open.
+void list_leaves(const Trees& trees, u32 face, std::vector<u32>& leaves);
+void list_arcs(const LevelContext& context, u32 leaf, std::vector<FaceArc>& arcs);
+
+/// Throws Reject unless the cell is rejected rightly, or its witness holds and its pieces are as
+/// many as listed and known.
+CellPieces check_cell(const LevelContext& context, const Cell& cell, Worker& worker);
+
+}  // namespace crest::certify::modes

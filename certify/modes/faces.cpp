@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/modes/faces.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "certify/container/reject.hpp"
+
+namespace crest::certify::modes {
+namespace {
+
+using kernel::Rational;
+
+/// A root on the boundary of a face; the numbers run along its edge from corner k to corner k + 1.
+template <class Number>
+struct RootOnFace {
+  u32 root;
+  unsigned edge;
+  Number low, high;
+};
+
+/// low and high: of the part of an edge, in the whole.
+template <class Number>
+void list_edge(const LevelContext& context, u32 node, const Number& low, const Number& high,
+               std::vector<RootOnFace<Number>>& roots) {
+  const EdgeNode& edge = context.trees.edges[node];
+  if (edge.leaf()) {
+    require(!edge.open, "edge ({}, {}): open, yet of a face that is not", edge.first, edge.second);
+    for (u32 i = edge.root; i < edge.root + edge.roots; ++i) {
+      const RootRecord& root = context.stated.roots[i];
+      // At an end of the part exactly that number: roots next to one vertex have the same place.
+      const auto at = [&](double t) -> Number {
+        return t == 0 ? low : t == 1 ? high : Number(low + Number(t) * (high - low));
+      };
+      roots.push_back({i, 0, at(root.low), at(root.high)});
+    }
+    return;
+  }
+  const unsigned n = context.field.parts(context.trees.edges[edge.other].first).n;
+  const Number middle = low + (high - low) * Number(n / 64.0);
+  list_edge(context, node + 1, low, middle, roots);
+  list_edge(context, edge.other, middle, high, roots);
+}
+
+/// All roots around a face, in their order around it. Doubles are wrong by at most kPlaceError: a
+/// level of splits adds 3 u, and there are at most 64.
+constexpr double kPlaceError = 256 * kUnit;
+
+template <class Number>
+std::vector<RootOnFace<Number>> list_roots(const LevelContext& context, const FaceNode& face) {
+  std::vector<RootOnFace<Number>> all, some;
+  for (unsigned k = 0; k < 3; ++k) {
+    some.clear();
+    list_edge<Number>(context, face.edges[k].node, 0, 1, some);
+    if (face.edges[k].reversed) {
+      std::ranges::reverse(some);
+      for (auto& root : some) {
+        std::swap(root.low, root.high);
+        root.low = 1 - root.low;
+        root.high = 1 - root.high;
+      }
+    }
+    for (auto& root : some) {
+      root.edge = k;
+      all.push_back(root);
+    }
+  }
+  return all;
+}
+
+/// Orders the roots of a level in a graph face by t, which is constant along w.
+class ArcOrder {
+ public:
+  ArcOrder(const LevelContext& context, const FaceNode& face, const Direction<3>& w)
+      : context_(context),
+        face_(face),
+        t_{static_cast<double>(w[1] - w[2]), static_cast<double>(w[2] - w[0]),
+           static_cast<double>(w[0] - w[1])},
+        roots_(list_roots<double>(context, face)) {}
+
+  std::size_t size() const { return roots_.size(); }
+
+  /// The arcs of one level: roots 2 i and 2 i + 1 of the order.
+  void join(int level, std::vector<ArcPair>& arcs) {
+    std::vector<unsigned> order;
+    for (unsigned i = 0; i < roots_.size(); ++i)
+      if (context_.stated.roots[roots_[i].root].level == level) order.push_back(i);
+    const auto key = [&](unsigned i) { return std::tuple(middle(i), outward(i), along(i)); };
+    std::ranges::sort(order, {}, key);
+    for (std::size_t i = 0; i + 1 < order.size(); ++i)
+      require(in_order(order[i], order[i + 1]),
+              "face ({}, {}, {}): the enclosures do not tell the order of roots across w",
+              face_.corners[0], face_.corners[1], face_.corners[2]);
+    require(order.size() % 2 == 0, "face ({}, {}, {}): an odd number of roots", face_.corners[0],
+            face_.corners[1], face_.corners[2]);
+    for (std::size_t i = 0; i < order.size(); i += 2) {
+      const auto [first, second] = std::minmax(order[i], order[i + 1]);
+      arcs.push_back({static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)});
+    }
+  }
+
+ private:
+  double start(unsigned i) const { return t_[roots_[i].edge]; }
+  double end(unsigned i) const { return t_[(roots_[i].edge + 1) % 3]; }
+  /// Direction of t along the root's edge.
+  int rise(unsigned i) const { return end(i) > start(i) ? 1 : end(i) < start(i) ? -1 : 0; }
+
+  double middle(unsigned i) const {
+    const double s = (roots_[i].low + roots_[i].high) / 2;
+    return rise(i) == 0 ? start(i) : start(i) + s * (end(i) - start(i));
+  }
+  /// An edge along w is at an end of the order: its root comes before, or after, those next to
+  /// its vertices on the other edges.
+  int outward(unsigned i) const {
+    if (rise(i) != 0) return 0;
+    return start(i) < t_[(roots_[i].edge + 2) % 3] ? -1 : 1;
+  }
+  /// Roots next to a vertex between two edges along which t goes the same way: in their order. At
+  /// corner 0 those of edge 2 come first.
+  int along(unsigned i) const {
+    const bool after_all = roots_[i].edge == 0 && roots_[i].high == 0;
+    return rise(i) * static_cast<int>(after_all ? i + roots_.size() : i);
+  }
+
+  /// The interval of t of a root.
+  template <class Number>
+  std::array<Number, 2> interval(const RootOnFace<Number>& root) const {
+    const Number from(t_[root.edge]), to(t_[(root.edge + 1) % 3]);
+    const Number a = from + root.low * (to - from), b = from + root.high * (to - from);
+    if (b < a) return {b, a};
+    return {a, b};
+  }
+
+  /// Whether root i comes before root j, certainly; they are neighbours in the order.
+  bool in_order(unsigned i, unsigned j) {
+    if (roots_[i].edge == roots_[j].edge) return rise(i) != 0 && (rise(i) > 0) == (i < j);
+    const double size = std::fabs(t_[0]) + std::fabs(t_[1]) + std::fabs(t_[2]);
+    const double error = widened(2 * size * (kPlaceError + 8 * kUnit));
+    if (interval(roots_[i])[1] + 2 * error <= interval(roots_[j])[0]) return true;
+    if (exact_.empty()) exact_ = list_roots<Rational>(context_, face_);
+    return interval(exact_[i])[1] <= interval(exact_[j])[0];
+  }
+
+  const LevelContext& context_;
+  const FaceNode& face_;
+  std::array<double, 3> t_;
+  std::vector<RootOnFace<double>> roots_;
+  std::vector<RootOnFace<Rational>> exact_;
+};
+
+Direction<3> direction(const LevelContext& context, const FaceNode& face) {
+  const auto& w = context.stated.face_witnesses[face.witness].w;
+  return {w[0], w[1], -(w[0] + w[1])};
+}
+
+}  // namespace
+
+std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face) {
+  ArcOrder order(context, face, direction(context, face));
+  std::vector<ArcPair> arcs;
+  order.join(1, arcs);
+  if (!context.level.neutral) order.join(-1, arcs);
+  require(2 * arcs.size() == order.size(), "face ({}, {}, {}): an odd number of roots",
+          face.corners[0], face.corners[1], face.corners[2]);
+  std::ranges::sort(arcs, {}, &ArcPair::first);
+  return arcs;
+}
+
+void check_face(const LevelContext& context, u32 node, Worker& worker) {
+  const FaceNode& face = context.trees.faces[node];
+  const auto [a, b, c] = face.corners;
+  if (face.code == modes_code::kRejectedFace) {
+    check_rejected(context, face.corners, worker);
+    return;
+  }
+  const double lambda = context.stated.face_witnesses[face.witness].lambda;
+  const bool plain = face.code == modes_code::kPlainFace;
+  require(!plain || lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
+  check_witness(context, face.corners, direction(context, face),
+                plain ? std::nullopt : std::optional(lambda), worker);
+  const auto arcs = find_arcs(context, face);
+  require(arcs.size() == face.arcs, "face ({}, {}, {}): {} arcs listed, {} found", a, b, c,
+          face.arcs, arcs.size());
+  for (u32 i = 0; i < arcs.size(); ++i) {
+    const ArcPair& stated = context.stated.arcs[face.arc + i];
+    require(stated.first == arcs[i].first && stated.second == arcs[i].second,
+            "face ({}, {}, {}): roots {} and {} joined, listed are {} and {}", a, b, c,
+            arcs[i].first, arcs[i].second, stated.first, stated.second);
+  }
+}
+
+}  // namespace crest::certify::modes
