@@ -18,22 +18,6 @@ using kernel::operator+;
 using kernel::operator-;
 using kernel::operator*;
 
-/// Times a positive number, so that doubles hold the forms.
-Conic<Ball> ball(const Conic<Integer>& c, const Integer& scale) {
-  Conic<Ball> b;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto mid = static_cast<double>(kernel::Rational(c.c[k], scale));
-    b.c[k] = {mid, 0x1p-51 * std::fabs(mid) + Ball::kTiny};
-  }
-  return b;
-}
-Integer largest(std::span<const Conic<Integer>> forms) {
-  Integer most = 1;
-  for (const auto& f : forms)
-    for (const Integer& x : f.c) most = std::max<Integer>(most, abs(x));
-  return most;
-}
-
 struct TetForms {
   SimplexForms<Ball, 4> forms;
   std::optional<SpecialReason> special;
@@ -254,11 +238,11 @@ TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<V
   }
   const TetForms exact = exact_forms_of(corners);
   result.special = exact.special;
-  if (!exact.special && joined(exact)) return result;
+  if (exact.special || joined(exact)) return result;
   if (points.size() == 2)
     result.arcs.push_back({{points[0].id, points[1].id}, {}});
   else
-    result.decided = result.special.has_value();
+    result.decided = false;
   return result;
 }
 

@@ -34,8 +34,8 @@ struct TetArcs {
 };
 
 /// Requires: the four faces have no special points; points: all of theirs, distinct.
-/// Guarantees: every point ends one arc, unless special or undecided; two points are joined in any
-/// case (an arc has two ends, and each point is the end of one).
+/// Guarantees: every point ends one arc, unless special or undecided. Two points of a regular tet
+/// are joined whatever their order (an arc has two ends, and each point is the end of one).
 TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners,
                  const std::array<kernel::Vec3, 4>& positions, std::span<const TetPoint> points);
 

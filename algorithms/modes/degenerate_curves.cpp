@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
@@ -122,18 +123,29 @@ class Extraction {
     FacePoint p;
     p.face = static_cast<std::uint32_t>(result_.faces.size() - 1);
     p.type = root.type;
-    p.weights = root.weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Ball& w = root.weights[k];
+      p.weights[k] = w.mid;
+      if (k == 2) continue;
+      p.low[k] = std::max(0.0, std::nextafter(w.mid - w.rad, -1.0));
+      p.high[k] = std::min(1.0, std::nextafter(w.mid + w.rad, 2.0));
+    }
     p.direction = {root.v[0].mid, root.v[1].mid, root.v[2].mid};
     p.direction = (1 / kernel::norm(p.direction)) * p.direction;
-    p.point = root.weights[0] * points_[f[0]] + root.weights[1] * points_[f[1]] +
-              root.weights[2] * points_[f[2]];
+    p.point =
+        p.weights[0] * points_[f[0]] + p.weights[1] * points_[f[1]] + p.weights[2] * points_[f[2]];
     result_.points.push_back(p);
   }
 
   void join_in_tets() {
     std::vector<TetArcs> found(active_.size());
+    at_special_.assign(result_.points.size(), false);
     in_parallel(active_.size(), [&](std::size_t i) { found[i] = join(i); });
     for (std::size_t i = 0; i < active_.size(); ++i) {
+      if (found[i].special || !found[i].decided)
+        for (const std::uint32_t f : faces_of_tet_[i])
+          for (std::uint32_t k = 0; k < roots_[f].count; ++k)
+            at_special_[first_point_[f] + k] = true;
       if (found[i].special) result_.special_tets.push_back({active_[i], *found[i].special});
       if (!found[i].decided) result_.undecided.push_back(active_[i]);
       for (TetArc& arc : found[i].arcs) {
@@ -198,6 +210,7 @@ class Extraction {
       }
       curve.face_points.push_back(p);
     }
+    curve.at_special = at_special_[curve.face_points.front()] || at_special_[p];
     for (std::size_t k = 1; k < curve.polyline.size(); ++k)
       curve.length += kernel::distance(curve.polyline[k - 1], curve.polyline[k]);
     result_.curves.push_back(std::move(curve));
@@ -225,7 +238,7 @@ class Extraction {
   std::vector<std::uint32_t> first_point_;
   std::vector<std::vector<std::array<double, 4>>> interiors_;
   std::vector<std::array<std::uint32_t, 2>> arcs_at_;
-  std::vector<bool> used_;
+  std::vector<bool> used_, at_special_;
 };
 
 }  // namespace

@@ -4,10 +4,13 @@
 // The forms of a simplex in integers: Cramer's rule instead of elimination, each form times a
 // positive number.
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "algorithms/modes/degenerate_conic.hpp"
+#include "kernel/arithmetic/rational.hpp"
 #include "kernel/polynomial/dyadic.hpp"
 #include "kernel/polynomial/integer_polynomial.hpp"
 
@@ -95,6 +98,22 @@ std::optional<SimplexForms<Integer, K>> exact_forms(const std::array<const Tenso
     return f;
   } while (std::prev_permutation(pivots.begin(), pivots.end()));
   return std::nullopt;
+}
+
+/// Times a positive number, so that doubles hold the forms.
+inline Conic<Ball> ball(const Conic<Integer>& c, const Integer& scale) {
+  Conic<Ball> b;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto mid = static_cast<double>(kernel::Rational(c.c[k], scale));
+    b.c[k] = {mid, 0x1p-51 * std::fabs(mid) + Ball::kTiny};
+  }
+  return b;
+}
+inline Integer largest(std::span<const Conic<Integer>> forms) {
+  Integer most = 1;
+  for (const auto& f : forms)
+    for (const Integer& x : f.c) most = std::max<Integer>(most, abs(x));
+  return most;
 }
 
 }  // namespace crest::modes

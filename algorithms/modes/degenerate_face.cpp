@@ -201,18 +201,18 @@ std::optional<FaceRoots> triage_face_roots(const std::array<const Tensor*, 3>& c
     kernel::Vector3<Ball> v;
     for (std::size_t k = 0; k < 3; ++k) v[(axis + 1 + k) % 3] = w[k];
     std::array<MaybeSign, 3> sign;
-    std::array<double, 3> b;
+    std::array<Ball, 3> b;
     bool up = false, down = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Ball value = forms->coordinates[k].at(v);
       sign[k] = certain_sign(value);
-      b[k] = value.mid;
+      b[k] = value;
       up = up || sign[k] == Sign::positive;
       down = down || sign[k] == Sign::negative;
     }
     if (up && down) continue;
     if (!sign[0] || !sign[1] || !sign[2] || !(up || down)) return std::nullopt;
-    const double sum = b[0] + b[1] + b[2];
+    const Ball sum = b[0] + b[1] + b[2];
     result.root[result.count++] = {up ? DegenerateType::linear : DegenerateType::planar,
                                    v,
                                    {b[0] / sum, b[1] / sum, b[2] / sum}};

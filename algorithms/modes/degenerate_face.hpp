@@ -37,7 +37,7 @@ bool cones_exclude(std::span<const Direction> u, int depth);
 struct FaceRoot {
   DegenerateType type;
   kernel::Vector3<Ball> v;
-  std::array<double, 3> weights;
+  std::array<Ball, 3> weights;  ///< barycentric
 };
 
 enum class FaceStage : std::uint8_t { cone, triage, exact };

@@ -186,17 +186,13 @@ class RootPlace {
     }
     FaceRoot r{
         up ? DegenerateType::linear : DegenerateType::planar, enclose(curve_, root.value), {}};
-    kernel::Vector3<Rational> v;
-    for (std::size_t i = 0; i < 3; ++i) v[i] = r.v[i].mid;
-    std::array<Rational, 3> b;
+    const Integer scale = largest(forms_.coordinates);
+    Ball sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      Conic<Rational> form;
-      for (std::size_t i = 0; i < 6; ++i) form.c[i] = forms_.coordinates[k].c[i];
-      b[k] = form.at(v);
+      r.weights[k] = ball(forms_.coordinates[k], scale).at(r.v);
+      sum = sum + r.weights[k];
     }
-    const Rational sum = b[0] + b[1] + b[2];
-    for (std::size_t k = 0; k < 3; ++k)
-      r.weights[k] = sum.is_zero() ? 1.0 / 3 : static_cast<double>(Rational(b[k] / sum));
+    for (Ball& w : r.weights) w = w / sum;
     result.root[result.count++] = r;
   }
 

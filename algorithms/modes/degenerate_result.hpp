@@ -26,7 +26,9 @@ struct FacePoint {
   std::uint32_t face;  ///< of DegenerateCurves::faces
   DegenerateType type;
   std::array<double, 3> weights;  ///< barycentric in the face
-  kernel::Vec3 direction;         ///< v, with unit norm
+  std::array<double, 2> low,
+      high;                ///< enclosures of the first two, no other point of the face there
+  kernel::Vec3 direction;  ///< v, with unit norm
   kernel::Vec3 point;
 };
 
@@ -53,6 +55,7 @@ struct SpecialTet {
 struct DegenerateCurve {
   DegenerateType type;
   bool closed = false;
+  bool at_special = false;                 ///< an end is on a face of a special or undecided tet
   std::vector<std::uint32_t> face_points;  ///< in order; a closed curve's first is not repeated
   std::vector<kernel::Vec3> polyline;
   double length = 0;
@@ -71,7 +74,7 @@ struct DegenerateCurves {
   std::vector<DegenerateCurve> curves;
   std::vector<SpecialFace> special_faces;
   std::vector<SpecialTet> special_tets;
-  std::vector<std::uint32_t> undecided;  ///< tets
+  std::vector<std::uint32_t> undecided;  ///< tets; none of their arcs is listed
 
   /// Where the work went.
   struct Counts {

@@ -75,7 +75,8 @@ void Extraction::decide_all() {
     }
     std::array<Tensor, 4> tensors;
     for (std::size_t i = 0; i < 4; ++i) tensors[i] = vertices_.tensor(v[i]);
-    const Finding sign = cell_sign(tensors, [&] { return vertices_.exact(v); }, level_);
+    const Finding sign = cell_sign(
+        tensors, [&] { return vertices_.exact(v); }, level_);
     if (sign != Finding::none) {
       ++counts_.rejected_bernstein;
       counts_.uniform += sign == Finding::uniform ? 1 : 0;
@@ -126,7 +127,8 @@ void Extraction::close_again() {
   counts_.max_depth = std::max(cells_.counters().depth, faces_.counters().depth);
 }
 
-/// Of a tree's root: its corners ascending; parts keep it, a corner being replaced by one beside it.
+/// Of a tree's root: its corners ascending; parts keep it, a corner being replaced by one beside
+/// it.
 int Extraction::orientation(const Cell& cell) const {
   const auto given = field_.mesh.tets()[cell.tet];
   int sign = field_.mesh.orientation(cell.tet) < 0 ? -1 : 1;

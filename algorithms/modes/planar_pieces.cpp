@@ -127,7 +127,8 @@ PlanarPiece laid_out(const PlanarPiece& piece) {
   r.points.assign(piece.points.size(), {0, 0});
   const auto circle = [&](const std::vector<std::size_t>& loop, double x, double y, double radius) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const double a = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(loop.size());
+      const double a =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(loop.size());
       r.points[loop[i]] = {x + radius * std::cos(a), y + radius * std::sin(a)};
     }
   };
