@@ -167,8 +167,38 @@ class Extraction {
             {first_point_[f] + static_cast<std::uint32_t>(k), r.root[k].type, r.root[k].v});
     }
     if (special) return {{}, special, true};
-    return tet_arcs({&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]], &tensors_[c[3]]},
-                    {points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]}, points);
+    const std::array<const Tensor*, 4> corners{&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]],
+                                               &tensors_[c[3]]};
+    const std::array<Vec3, 4> places{points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]};
+    TetArcs arcs = tet_arcs(corners, places, points);
+    if (!arcs.decided) {
+      sharpen(faces_of_tet_[i], points);
+      arcs = tet_arcs(corners, places, points);
+    }
+    return arcs;
+  }
+
+  /// Exact enclosures for the points of triage: of each face's exact roots the one that no other point
+  /// of the face can be.
+  void sharpen(const std::array<std::uint32_t, 4>& faces, std::vector<TetPoint>& points) const {
+    for (const std::uint32_t f : faces) {
+      if (roots_[f].stage != FaceStage::triage) continue;
+      const FaceCorners& corners = faces_[f];
+      const FaceRoots exact =
+          exact_face_roots({&tensors_[corners[0]], &tensors_[corners[1]], &tensors_[corners[2]]});
+      for (TetPoint& p : points) {
+        if (p.id < first_point_[f] || p.id >= first_point_[f] + roots_[f].count) continue;
+        const FaceRoot* match = nullptr;
+        int matches = 0;
+        for (std::size_t k = 0; k < exact.count; ++k)
+          if (!certainly_different(exact.root[k].v, p.v)) match = &exact.root[k], ++matches;
+        if (matches == 1) p.v = match->v;
+      }
+    }
+  }
+  static bool certainly_different(const Vector3<Ball>& a, const Vector3<Ball>& b) {
+    const Vector3<Ball> c = kernel::cross(a, b);
+    return certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2]);
   }
 
   void trace() {
