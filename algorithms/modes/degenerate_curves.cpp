@@ -178,8 +178,8 @@ class Extraction {
     return arcs;
   }
 
-  /// Exact enclosures for the points of triage: of each face's exact roots the one that no other point
-  /// of the face can be.
+  /// Exact enclosures for the points of triage: of each face's exact roots the one that no other
+  /// point of the face can be.
   void sharpen(const std::array<std::uint32_t, 4>& faces, std::vector<TetPoint>& points) const {
     for (const std::uint32_t f : faces) {
       if (roots_[f].stage != FaceStage::triage) continue;

@@ -54,6 +54,12 @@ Eigen::Matrix<double, 24, 1> gather(const Eigen::VectorXd& x,
         x.segment<3>(static_cast<Eigen::Index>(3 * node[c]));
   return local;
 }
+/// Whether the split of the cube in place i of n is mirrored along an axis. Faces between cubes do
+/// not depend on their own axis, so any rule fits: neighbours and both halves are mirror images.
+int mirrored(int i, int n) {
+  return 2 * i < n ? i % 2 : 1 - (n - 1 - i) % 2;
+}
+
 }  // namespace
 
 ElasticBlock::ElasticBlock(int nx, int ny, int nz) : n_{nx, ny, nz}, stiffness_(cube_stiffness()) {
@@ -152,16 +158,19 @@ std::vector<std::array<std::uint32_t, 4>> ElasticBlock::tets() const {
       for (int i = 0; i < n_[0]; ++i)
         for (std::size_t order = 0; order < 6; ++order) {
           const std::array<int, 3> cube{i, j, k};
+          const std::array<int, 3> turned{mirrored(i, n_[0]), mirrored(j, n_[1]),
+                                          mirrored(k, n_[2])};
           std::array<int, 3> step{};
           std::array<std::uint32_t, 4> tet{};
           for (std::size_t s = 0; s < 4; ++s) {
             std::array<int, 3> c{};
             for (std::size_t d = 0; d < 3; ++d)
-              c[d] = cube[d] + (cube[d] % 2 ? 1 - step[d] : step[d]);
+              c[d] = cube[d] + (turned[d] ? 1 - step[d] : step[d]);
             tet[s] = static_cast<std::uint32_t>(index(c[0], c[1], c[2]));
             if (s < 3) step[kOrders[order][s]] = 1;
           }
-          if ((order >= 3) != ((i + j + k) % 2 == 1)) std::swap(tet[2], tet[3]);
+          if ((order >= 3) != ((turned[0] + turned[1] + turned[2]) % 2 == 1))
+            std::swap(tet[2], tet[3]);
           tets.push_back(tet);
         }
   return tets;
