@@ -99,10 +99,12 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
   io::TensorFile file = read_input(run, o);
-  const modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  const modes::ZeroSet zeros =
+      run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
   io::ModeScene scene;
   scene.min_magnitude = o.min_magnitude;
-  ModesReport report(run.report(), field, file);
+  ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
@@ -125,7 +127,7 @@ Outcome work(Run& run, const ModesOptions& o) {
              "those of the whole field");
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
-      const auto bytes = certify::encode(modes::make_certificate(field, std::move(records)));
+      const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
       scene.data_digest = certify::hex(certify::data_digest(bytes));
       run.write_certificate("modes", bytes);
     });

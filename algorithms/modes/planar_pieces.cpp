@@ -80,6 +80,28 @@ bool mend_diagonal(Triangulation& t, PlanarPiece& piece) {
   return false;
 }
 
+/// A diagonal that has not both ends on one facet and is inside: the sums of angles at its ends stay
+/// below a full turn, so two positive triangles make a simple polygon.
+std::optional<Triangles> quadrangle(const PlanarPiece& piece) {
+  const auto& loop = piece.loops[0];
+  const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto point = [&](std::size_t i) {
+      return Kernel::Point_2(piece.points[loop[i]][0], piece.points[loop[i]][1]);
+    };
+    return CGAL::orientation(point(a), point(b), point(c));
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t a = k, b = k + 1, c = k + 2, d = (k + 3) % 4;
+    if ((piece.facets[loop[a]] & piece.facets[loop[c]]) != 0) continue;
+    const auto first = turn(a, b, c);
+    if (first == CGAL::COLLINEAR || first != turn(a, c, d)) continue;
+    if (first == CGAL::LEFT_TURN)
+      return Triangles{{loop[a], loop[b], loop[c]}, {loop[a], loop[c], loop[d]}};
+    return Triangles{{loop[a], loop[c], loop[b]}, {loop[a], loop[d], loop[c]}};
+  }
+  return std::nullopt;
+}
+
 Triangles domain(const Triangulation& t) {
   Triangles r;
   for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
@@ -102,6 +124,8 @@ std::optional<Triangles> triangulate(PlanarPiece& piece) {
     if (turn == CGAL::LEFT_TURN) return Triangles{{0, 1, 2}};
     return Triangles{{0, 2, 1}};
   }
+  if (given == 4 && piece.loops.size() == 1)
+    if (const auto r = quadrangle(piece)) return r;
   Triangulation t;
   try {
     if (!insert_loops(t, piece)) return std::nullopt;

@@ -170,7 +170,7 @@ void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Pie
   for (Piece& piece : pieces) {
     for (const Loop& loop : piece)
       for (const LoopArc& a : loop) bend(a.arc);
-    jobs_.push_back({cell, orientation, std::move(piece)});
+    jobs_.push_back({cell, orientation, std::move(piece), false, {}, {}});
   }
 }
 
@@ -308,13 +308,12 @@ void SurfaceBuilder::mesh(const Job& job) {
 
 void SurfaceBuilder::mesh_piece(const Job& job) {
   Layout layout = lay_out(job);
-  PlanarPiece planar = layout.planar;
-  if (const auto triangles = triangulate(planar)) {
-    if (!lifts(job, layout, planar)) ++surface_.unproven_pieces;
-    return emit(job, layout, planar, *triangles, true);
-  }
+  if (job.done) return emit(job, layout, job.planar, job.triangles, true);
   // As its loops say, but not proven to project injectively.
   ++surface_.unproven_pieces;
+  PlanarPiece planar = layout.planar;
+  if (const auto triangles = triangulate(planar))
+    return emit(job, layout, planar, *triangles, true);
   planar = laid_out(layout.planar);
   if (const auto triangles = triangulate(planar)) emit(job, layout, planar, *triangles, false);
 }
@@ -380,18 +379,25 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
 void SurfaceBuilder::refine_all() {
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
-    std::vector<Index> crossing;
-    for (const Job& job : jobs_) {
+    std::unordered_set<Index> crossing;
+    for (Job& job : jobs_) {
+      if (job.done) continue;
       const Layout layout = lay_out(job);
-      PlanarPiece planar = layout.planar;
-      if (triangulate(planar) && lifts(job, layout, planar)) continue;
+      job.planar = layout.planar;
+      auto triangles = triangulate(job.planar);
+      job.done = triangles && lifts(job, layout, job.planar);
+      if (job.done) {
+        job.triangles = std::move(*triangles);
+        continue;
+      }
       for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) crossing.push_back(a.arc);
+        for (const LoopArc& a : loop) crossing.insert(a.arc);
     }
-    std::sort(crossing.begin(), crossing.end());
-    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+    if (crossing.empty() || round + 1 == rounds) return;
     for (const Index a : crossing) refine(a);
-    if (crossing.empty()) return;
+    for (Job& job : jobs_)
+      for (const Loop& loop : job.piece)
+        for (const LoopArc& a : loop) job.done = job.done && !crossing.contains(a.arc);
   }
 }
 
