@@ -81,8 +81,7 @@ std::vector<Wanted> parse_modes(const ModesOptions& o) {
   if (wanted.empty()) throw UsageError("give --mode MU or --neutral");
   std::vector<Wanted> different;
   for (const Wanted& w : wanted)
-    if (std::find(different.begin(), different.end(), w) == different.end())
-      different.push_back(w);
+    if (std::find(different.begin(), different.end(), w) == different.end()) different.push_back(w);
   return different;
 }
 
@@ -108,9 +107,8 @@ Outcome work(Run& run, const ModesOptions& o) {
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
-    auto result = run.step("extract", fmt::format("mode {}", w.level.value()), [&] {
-      return modes::extract(field, w.level, o.extraction, record);
-    });
+    auto result = run.step("extract", fmt::format("mode {}", w.level.value()),
+                           [&] { return modes::extract(field, w.level, o.extraction, record); });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;
     });
@@ -123,8 +121,9 @@ Outcome work(Run& run, const ModesOptions& o) {
   report.finish();
   for (const std::string& warning : report.warnings()) run.warn(warning);
   if (o.min_magnitude > 0)
-    run.warn("--min-magnitude leaves triangles out of the file only: counts and certificate are "
-             "those of the whole field");
+    run.warn(
+        "--min-magnitude leaves triangles out of the file only: counts and certificate are "
+        "those of the whole field");
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
@@ -135,12 +134,16 @@ Outcome work(Run& run, const ModesOptions& o) {
     run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
     const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                                    [](const auto& s) { return s.triangles.empty(); });
-    if (run.wanted("--picture") && empty) throw kernel::InputError(o.common.input + ": surfaces: there are none; choose another mode for --picture");
+    if (run.wanted("--picture") && empty)
+      throw kernel::InputError(o.common.input +
+                               ": surfaces: there are none; choose another mode for --picture");
     run.write("--picture", [&](const std::string& path) { io::write_mode_picture(path, scene); });
   });
   return {report.summary(),
-          {"004"},
-          report.exhausted() ? kExhausted : report.undecided() > 0 ? kNotCertified : kDone};
+          {"qu2020mode"},
+          report.exhausted()       ? kExhausted
+          : report.undecided() > 0 ? kNotCertified
+                                   : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {

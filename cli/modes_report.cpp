@@ -37,10 +37,10 @@ Json to_json(const modes::ModeSurface& s) {
 std::string summary_line(const modes::ModeSurface& s) {
   std::size_t loops = 0;
   for (const auto& c : s.components) loops += c.boundary_loops;
-  return fmt::format("mode {}: {} triangles, {} components, Euler characteristic {}, {} boundary loops{}\n",
-                     s.sign == 0 ? "0" : fmt::format("{:+}", s.mode), s.triangles.size(),
-                     s.components.size(), s.euler_characteristic, loops,
-                     s.watertight ? "" : ", open at undecided cells");
+  return fmt::format(
+      "mode {}: {} triangles, {} components, Euler characteristic {}, {} boundary loops{}\n",
+      s.sign == 0 ? "0" : fmt::format("{:+}", s.mode), s.triangles.size(), s.components.size(),
+      s.euler_characteristic, loops, s.watertight ? "" : ", open at undecided cells");
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ ModesReport::ModesReport(Report& report, const modes::ModeField& field, const io
                       {"constant_tets", constant},
                       {"max_asymmetry", file.max_asymmetry}};
   if (!zeros.simplices.empty())
-    warnings_.push_back(fmt::format("vertices were put where the tensor is zero: {}",
-                                    zeros.simplices.size()));
+    warnings_.push_back(
+        fmt::format("vertices were put where the tensor is zero: {}", zeros.simplices.size()));
   if (flat > 0) warnings_.push_back(fmt::format("{} tetrahedra are flat", flat));
 }
 
@@ -102,19 +102,19 @@ void ModesReport::add(const modes::ModeResult& r) {
   counts_.exact_tests += c.exact_tests;
   counts_.max_depth = std::max(counts_.max_depth, c.max_depth);
   if (c.uniform > 0)
-    warnings_.push_back(fmt::format(
-        "mode {}: {} tetrahedra have this mode everywhere and carry no surface",
-        r.level.value(), c.uniform));
+    warnings_.push_back(
+        fmt::format("mode {}: {} tetrahedra have this mode everywhere and carry no surface",
+                    r.level.value(), c.uniform));
   undecided_ += r.undecided.size();
   exhausted_ = exhausted_ || r.exhausted;
   if (!r.undecided.empty()) {
     std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(r.undecided.size(), 5); ++i)
       names += fmt::format("{}{}", i == 0 ? "" : ", ", cell(r.undecided[i]));
-    warnings_.push_back(fmt::format(
-        "mode {}: {} tetrahedra are not decided ({}{}){}", r.level.value(), r.undecided.size(),
-        names, r.undecided.size() > 5 ? ", .." : "",
-        r.level.neutral() ? "; a small mode that is not 0 may be, --mode 1/1000" : ""));
+    warnings_.push_back(
+        fmt::format("mode {}: {} tetrahedra are not decided ({}{}){}", r.level.value(),
+                    r.undecided.size(), names, r.undecided.size() > 5 ? ", .." : "",
+                    r.level.neutral() ? "; a small mode that is not 0 may be, --mode 1/1000" : ""));
   }
 }
 

@@ -28,8 +28,7 @@ bool strictly_positive(const kernel::Form<Integer, B>& f) {
   }
   for (unsigned face = 1; face < carries.size(); ++face) {
     bool found = false;
-    for (unsigned part = face; part != 0 && !found; part = (part - 1) & face)
-      found = carries[part];
+    for (unsigned part = face; part != 0 && !found; part = (part - 1) & face) found = carries[part];
     if (!found) return false;
   }
   return true;

@@ -70,7 +70,8 @@ Index CellTopology::interval(Side side, Index line, std::size_t number) {
 }
 
 Index CellTopology::find(Index i) {
-  while (intervals_[i].parent != i) i = intervals_[i].parent = intervals_[intervals_[i].parent].parent;
+  while (intervals_[i].parent != i)
+    i = intervals_[i].parent = intervals_[intervals_[i].parent].parent;
   return i;
 }
 

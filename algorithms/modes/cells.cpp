@@ -40,8 +40,8 @@ void Cells::test(Index c) {
   const auto corners = cells_[c].corners;
   std::array<Tensor, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = faces_.vertices().tensor(corners[i]);
-  const auto r =
-      test_cell<3>(tensors, [&] { return faces_.vertices().exact(corners); }, level_);
+  const auto r = test_cell<3>(
+      tensors, [&] { return faces_.vertices().exact(corners); }, level_);
   counters_.exact_tests += r.exact ? 1 : 0;
   uniform_ += r.finding == Finding::uniform ? 1 : 0;
   if (r.finding == Finding::graph) {
@@ -99,10 +99,10 @@ void Cells::split(Index c) {
   faces_.split(cell.faces[l]);
   faces_.split(cell.faces[k]);
   const Index m = faces_.edge(cut).middle;
-  const Index inner = faces_.add_face({cell.corners[k], cell.corners[l], m},
-                                      {opposite, faces_.face(cell.faces[k]).inner,
-                                       faces_.face(cell.faces[l]).inner},
-                                      cell.depth + 1);
+  const Index inner = faces_.add_face(
+      {cell.corners[k], cell.corners[l], m},
+      {opposite, faces_.face(cell.faces[k]).inner, faces_.face(cell.faces[l]).inner},
+      cell.depth + 1);
   Cell near = cell, far = cell;
   near.depth = far.depth = static_cast<std::uint8_t>(cell.depth + 1);
   near.corners[j] = m;

@@ -34,8 +34,8 @@ class Recorder {
         edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
     for (const Cone& c : extraction_.cones())
       if (c.zeros.size() == 2)
-        edges.push_back({{c.others[0], c.others[1]},
-                         extraction_.edge_between(c.others[0], c.others[1])});
+        edges.push_back(
+            {{c.others[0], c.others[1]}, extraction_.edge_between(c.others[0], c.others[1])});
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [corners, e] : edges) {
@@ -188,13 +188,12 @@ class Recorder {
 
 certify::SurfaceCounts counts_of(const ModeSurface& surface) {
   certify::SurfaceCounts counts;
-  for (const SurfaceComponent& c : surface.components) {
+  for (const SurfaceComponent& c : surface.components)
     if (c.complete)
       counts.components.push_back({static_cast<std::int32_t>(c.euler_characteristic),
                                    static_cast<std::uint32_t>(c.boundary_loops)});
     else
       ++counts.touched;
-  }
   std::sort(counts.components.begin(), counts.components.end());
   return counts;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/extraction.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "algorithms/modes/surface_counts.hpp"
 
@@ -75,8 +75,7 @@ std::vector<Extraction::Scanned> Extraction::scan() const {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 1024), [&](const auto& range) {
     for (std::size_t t = range.begin(); t < range.end(); ++t) {
       bool bound = false;
-      const auto found =
-          certain_cell_sign(tensors_at(field_.mesh.tets()[t]), level_, bound);
+      const auto found = certain_cell_sign(tensors_at(field_.mesh.tets()[t]), level_, bound);
       if (found) r[t] = {*found, true, bound};
     }
   });
@@ -98,7 +97,8 @@ void Extraction::decide_all() {
     }
     Finding sign = signs[t].finding;
     if (!signs[t].decided)
-      sign = cell_sign(tensors_at(v), [&] { return vertices_.exact(v); }, level_);
+      sign = cell_sign(
+          tensors_at(v), [&] { return vertices_.exact(v); }, level_);
     if (sign != Finding::none) {
       ++(signs[t].bound ? counts_.rejected_bound : counts_.rejected_bernstein);
       counts_.uniform += sign == Finding::uniform ? 1 : 0;
@@ -149,7 +149,8 @@ void Extraction::close_again() {
   counts_.max_depth = std::max(cells_.counters().depth, faces_.counters().depth);
 }
 
-/// Of a tree's root: its corners ascending; parts keep it, a corner being replaced by one beside it.
+/// Of a tree's root: its corners ascending; parts keep it, a corner being replaced by one beside
+/// it.
 int Extraction::orientation(const Cell& cell) const {
   const auto given = field_.mesh.tets()[cell.tet];
   int sign = field_.mesh.orientation(cell.tet) < 0 ? -1 : 1;

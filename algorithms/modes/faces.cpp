@@ -127,9 +127,9 @@ void Faces::test(Index f) {
   ++counters_.tests;
   counters_.depth = std::max<int>(counters_.depth, faces_[f].depth);
   const auto corners = faces_[f].corners;
-  const auto r = test_cell<2>({vertices_.tensor(corners[0]), vertices_.tensor(corners[1]),
-                               vertices_.tensor(corners[2])},
-                              [&] { return vertices_.exact(corners); }, level_);
+  const auto r = test_cell<2>(
+      {vertices_.tensor(corners[0]), vertices_.tensor(corners[1]), vertices_.tensor(corners[2])},
+      [&] { return vertices_.exact(corners); }, level_);
   counters_.exact_tests += r.exact ? 1 : 0;
   switch (r.finding) {
     case Finding::positive:

@@ -68,8 +68,8 @@ class Faces {
 
   /// An edge of the mesh, or the inner one of a face.
   Index add_edge(Index first, Index second);
-  Index add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges,
-                 int depth, Index whole = kNone);
+  Index add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges, int depth,
+                 Index whole = kNone);
 
   const Edge& edge(Index e) const { return edges_[e]; }
   const Face& face(Index f) const { return faces_[f]; }

@@ -56,8 +56,8 @@ struct TensorNets {
   }
   /// Of degree one less: the net's difference along W_k.
   template <class B, int Degree>
-  static kernel::SimplexNet<T, D, Degree - 1> along(
-      const kernel::SimplexNet<T, D, Degree>& net, std::size_t k) {
+  static kernel::SimplexNet<T, D, Degree - 1> along(const kernel::SimplexNet<T, D, Degree>& net,
+                                                    std::size_t k) {
     kernel::SimplexNet<T, D, Degree - 1> r;
     for (std::size_t i = 0; i < r.c.size(); ++i) {
       auto to = B::indices[i], from = B::indices[i];
@@ -88,7 +88,8 @@ TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
   }
   m += e;
   constexpr double u = kernel::kUnitRoundoff;
-  const double n_error = 19 * m * e + 60 * u * m * m, c_error = 170 * m * m * e + 800 * u * m * m * m;
+  const double n_error = 19 * m * e + 60 * u * m * m,
+               c_error = 170 * m * m * e + 800 * u * m * m * m;
   const TensorNets<double, D> nets(entries);
   const auto bounded = [](const auto& net, double error) {
     using Basis = typename std::decay_t<decltype(net)>::Basis;
@@ -104,12 +105,12 @@ TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
   r.n = bounded(nets.n, n_error);
   r.c = bounded(nets.c, c_error);
   for (std::size_t k = 1; k <= D; ++k) {
-    r.nk[k - 1] = bounded(
-        TensorNets<double, D>::template along<kernel::SimplexBasis<D, 1>, 2>(nets.n, k),
-        2.1 * n_error + 20 * u * m * m);
-    r.ck[k - 1] = bounded(
-        TensorNets<double, D>::template along<kernel::SimplexBasis<D, 2>, 3>(nets.c, k),
-        2.1 * c_error + 120 * u * m * m * m);
+    r.nk[k - 1] =
+        bounded(TensorNets<double, D>::template along<kernel::SimplexBasis<D, 1>, 2>(nets.n, k),
+                2.1 * n_error + 20 * u * m * m);
+    r.ck[k - 1] =
+        bounded(TensorNets<double, D>::template along<kernel::SimplexBasis<D, 2>, 3>(nets.c, k),
+                2.1 * c_error + 120 * u * m * m * m);
   }
   return r;
 }

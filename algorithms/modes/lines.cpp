@@ -202,8 +202,7 @@ void Lines::separate(Index line) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     Root& r = roots_[list[i]];
     if (r.number && r.number->rational()) {
-      const bool alone = r.t > 0 && r.t < 1 &&
-                         (i == 0 || roots_[list[i - 1]].t < r.t) &&
+      const bool alone = r.t > 0 && r.t < 1 && (i == 0 || roots_[list[i - 1]].t < r.t) &&
                          (i + 1 == list.size() || roots_[list[i + 1]].t > r.t);
       if (!alone) r.t += r.shift * room;
     }

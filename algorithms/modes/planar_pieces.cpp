@@ -80,8 +80,47 @@ bool mend_diagonal(Triangulation& t, PlanarPiece& piece) {
   return false;
 }
 
-/// A diagonal that has not both ends on one facet and is inside: the sums of angles at its ends stay
-/// below a full turn, so two positive triangles make a simple polygon.
+/// From the centroid, if it sees the whole loop. All triangles turn alike and the loop goes round
+/// once: it crosses the ray to the right once upwards.
+std::optional<Triangles> star(PlanarPiece& piece) {
+  const auto& loop = piece.loops[0];
+  const std::size_t n = loop.size();
+  const auto at = [&](std::size_t i) { return piece.points[loop[i % n]]; };
+  const auto origin = at(0);
+  double area = 0, x = 0, y = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto p = at(i), q = at(i + 1);
+    const double a =
+        (p[0] - origin[0]) * (q[1] - origin[1]) - (p[1] - origin[1]) * (q[0] - origin[0]);
+    area += a;
+    x += a * (p[0] + q[0] - 2 * origin[0]);
+    y += a * (p[1] + q[1] - 2 * origin[1]);
+  }
+  if (area == 0) return std::nullopt;
+  const std::array<double, 2> centre = {origin[0] + x / (3 * area), origin[1] + y / (3 * area)};
+  const auto point = [](const std::array<double, 2>& p) { return Kernel::Point_2(p[0], p[1]); };
+  const auto turn = area > 0 ? CGAL::LEFT_TURN : CGAL::RIGHT_TURN;
+  const std::size_t c = piece.points.size();
+  Triangles triangles;
+  std::size_t upwards = 0, downwards = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto p = at(i), q = at(i + 1);
+    if (CGAL::orientation(point(centre), point(p), point(q)) != turn) return std::nullopt;
+    upwards += p[1] <= centre[1] && q[1] > centre[1] ? 1 : 0;
+    downwards += q[1] <= centre[1] && p[1] > centre[1] ? 1 : 0;
+    if (area > 0)
+      triangles.push_back({c, loop[i], loop[(i + 1) % n]});
+    else
+      triangles.push_back({c, loop[(i + 1) % n], loop[i]});
+  }
+  if (upwards != 1 || downwards != 1) return std::nullopt;
+  piece.points.push_back(centre);
+  piece.facets.push_back(0);
+  return triangles;
+}
+
+/// A diagonal that has not both ends on one facet and is inside: the sums of angles at its ends
+/// stay below a full turn, so two positive triangles make a simple polygon.
 std::optional<Triangles> quadrangle(const PlanarPiece& piece) {
   const auto& loop = piece.loops[0];
   const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -126,6 +165,8 @@ std::optional<Triangles> triangulate(PlanarPiece& piece) {
   }
   if (given == 4 && piece.loops.size() == 1)
     if (const auto r = quadrangle(piece)) return r;
+  if (piece.loops.size() == 1)
+    if (const auto r = star(piece)) return r;
   Triangulation t;
   try {
     if (!insert_loops(t, piece)) return std::nullopt;
@@ -151,7 +192,8 @@ PlanarPiece laid_out(const PlanarPiece& piece) {
   r.points.assign(piece.points.size(), {0, 0});
   const auto circle = [&](const std::vector<std::size_t>& loop, double x, double y, double radius) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const double a = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(loop.size());
+      const double a =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(loop.size());
       r.points[loop[i]] = {x + radius * std::cos(a), y + radius * std::sin(a)};
     }
   };

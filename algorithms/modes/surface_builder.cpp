@@ -71,8 +71,7 @@ Index SurfaceBuilder::root_point(Index root) {
     const Vec3 a = place(line.a), b = place(line.b);
     Vec3 p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = (1 - r.t) * a[k] + r.t * b[k];
-    at->second = add_point(
-        p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
+    at->second = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
   }
   return at->second;
 }
@@ -109,8 +108,11 @@ std::array<double, N> SurfaceBuilder::lifted(const std::array<Index, N>& corners
     return b;
   };
   if (crosses) {
-    *crosses = function_.height(interpolated(faces_.vertices(), corners, at(low))) <= 0 &&
-               function_.height(interpolated(faces_.vertices(), corners, at(high))) >= 0;
+    const Symmetric a = interpolated(faces_.vertices(), corners, at(low)),
+                    b = interpolated(faces_.vertices(), corners, at(high));
+    constexpr double slack = 1e-13;  // of the mode: where the line only touches the cell's edge
+    *crosses = function_.height(a) <= slack * std::pow(product(a, a), 1.5) &&
+               function_.height(b) >= -slack * std::pow(product(b, b), 1.5);
   }
   for (int i = 0; i < 80 && low < high; ++i) {
     const double x = 0.5 * (low + high);
@@ -174,8 +176,9 @@ void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Pie
   }
 }
 
-SurfaceBuilder::Barycentric SurfaceBuilder::in_cell(
-    const Cell& cell, std::unordered_map<Index, Barycentric>& known, Index vertex) const {
+SurfaceBuilder::Barycentric SurfaceBuilder::in_cell(const Cell& cell,
+                                                    std::unordered_map<Index, Barycentric>& known,
+                                                    Index vertex) const {
   for (std::size_t i = 0; i < 4; ++i)
     if (cell.corners[i] == vertex) {
       Barycentric b{};
@@ -233,7 +236,8 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
   r.order[3] = drop;
   for (const Barycentric& b : r.at) {
     const double k = b[drop] / w[drop];
-    r.planar.points.push_back({b[r.order[0]] - k * w[r.order[0]], b[r.order[1]] - k * w[r.order[1]]});
+    r.planar.points.push_back(
+        {b[r.order[0]] - k * w[r.order[0]], b[r.order[1]] - k * w[r.order[1]]});
   }
   return r;
 }

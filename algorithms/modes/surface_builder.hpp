@@ -67,7 +67,7 @@ class SurfaceBuilder {
   struct Layout {
     PlanarPiece planar;
     std::vector<Barycentric> at;
-    std::vector<Index> points;  ///< of the surface
+    std::vector<Index> points;           ///< of the surface
     std::array<std::size_t, 4> order{};  ///< the two kept coordinates, the two others
   };
 

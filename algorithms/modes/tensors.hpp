@@ -76,8 +76,7 @@ inline bool is_isotropic(const Symmetric& t) {
 /// <A, B> = tr(A B).
 template <class T>
 T product(const Entries<T>& a, const Entries<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-         T(2) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + T(2) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
 /// A B + B A.

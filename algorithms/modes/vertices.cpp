@@ -19,7 +19,10 @@ MaybeSign certain(double x, double error) {
 }  // namespace
 
 Vertices::Vertices(std::span<const Symmetric> tensors, int scale, const Level& level)
-    : given_(tensors), scale_(scale), level_(level), mesh_size_(static_cast<Index>(tensors.size())) {
+    : given_(tensors),
+      scale_(scale),
+      level_(level),
+      mesh_size_(static_cast<Index>(tensors.size())) {
   tensors_.reserve(tensors.size());
   for (const Symmetric& t : tensors) tensors_.push_back(deviator(t, scale));
   signs_.resize(tensors.size());
@@ -70,9 +73,9 @@ PointSigns Vertices::signs(Index v) {
   const double nm = n + ne, cm = std::fabs(c) + ce;
   // 2 F, whose two terms take at most 8 roundings.
   const double f = q * c * c - p * n * n * n;
-  const double fe = 1.01 * (2 * q * cm * ce + 3 * p * nm * nm * ne +
-                            10 * u * (q * cm * cm + p * nm * nm * nm)) +
-                    0x1p-1000;
+  const double fe =
+      1.01 * (2 * q * cm * ce + 3 * p * nm * nm * ne + 10 * u * (q * cm * cm + p * nm * nm * nm)) +
+      0x1p-1000;
   MaybeSign det = certain(c, ce + 0x1p-1000), level = certain(f, fe);
   if (level_.neutral()) level = det;
   if (!det || !level) {

@@ -47,7 +47,8 @@ std::optional<std::vector<Rational>> positive_dependency(const std::vector<Entri
   if (free == n) return std::nullopt;
   std::vector<Rational> b(n, Rational(0));
   b[free] = 1;
-  for (std::size_t k = 0; k < pivots.size(); ++k) b[pivots[k]] = -rows[k][free] / rows[k][pivots[k]];
+  for (std::size_t k = 0; k < pivots.size(); ++k)
+    b[pivots[k]] = -rows[k][free] / rows[k][pivots[k]];
   Rational sum = 0;
   for (const Rational& x : b) {
     if (x <= 0) return std::nullopt;
@@ -157,7 +158,9 @@ class Inserter {
     bool used = false;
     for (std::size_t t = 0; t < count; ++t) {
       const auto whole = tets_[t];
-      const auto has = [&](Index v) { return std::find(whole.begin(), whole.end(), v) != whole.end(); };
+      const auto has = [&](Index v) {
+        return std::find(whole.begin(), whole.end(), v) != whole.end();
+      };
       if (!std::all_of(s.begin(), s.end(), has)) continue;
       for (std::size_t i = 0; i < s.size(); ++i) {
         auto part = whole;

@@ -26,12 +26,10 @@ const Solid* solid(CellType type) {
   static const Solid tet{4, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
   static const Solid pyramid{5, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
   static const Solid wedge{6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
-  static const Solid hexahedron{8,
-                                {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5},
-                                 {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  static const Solid voxel{8,
-                           {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7},
-                            {2, 0, 4, 6}}};
+  static const Solid hexahedron{
+      8, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  static const Solid voxel{
+      8, {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
   switch (type) {
     case CellType::tetrahedron:
     case CellType::quadratic_tetrahedron:
@@ -85,7 +83,8 @@ class Tetrahedra {
     if (tets.empty()) fail("cells", "none is a solid", "give tetrahedra");
   }
   void warn(std::vector<std::string>& warnings) const {
-    if (left_out_ > 0) warnings.push_back(fmt::format("{} cells that are no solids left out", left_out_));
+    if (left_out_ > 0)
+      warnings.push_back(fmt::format("{} cells that are no solids left out", left_out_));
     if (split_ > 0)
       warnings.push_back(fmt::format("{} other solids split into tetrahedra", split_));
     if (curved_ > 0)
@@ -98,9 +97,7 @@ class Tetrahedra {
   std::vector<std::int64_t> cell_of;
 
  private:
-  std::string name(std::size_t c) const {
-    return fmt::format("cell {}", soup_.cell_tag(c));
-  }
+  std::string name(std::size_t c) const { return fmt::format("cell {}", soup_.cell_tag(c)); }
   void add(std::size_t c, const std::array<Node, 4>& t) {
     tets.push_back(t);
     cell_of.push_back(soup_.cell_tag(c));
@@ -108,7 +105,8 @@ class Tetrahedra {
   /// From the lowest corner to the triangles of the faces without it.
   void split(std::size_t c, const Solid& s, std::span<const Node> nodes) {
     ++split_;
-    const Node apex = *std::min_element(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(s.corners));
+    const Node apex =
+        *std::min_element(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(s.corners));
     for (const auto& face : s.faces) {
       std::vector<Node> v;
       for (const std::size_t i : face) v.push_back(nodes[i]);
@@ -161,9 +159,9 @@ const Field& tensor_field(const Soup& soup, const std::string& wanted) {
 
 /// Where each of xx yy zz xy yz xz stands.
 std::array<std::size_t, 6> places(const std::string& order) {
-  static const std::map<std::string, std::size_t> words = {
-      {"xx", 0}, {"yy", 1}, {"zz", 2}, {"xy", 3}, {"yx", 3},
-      {"yz", 4}, {"zy", 4}, {"xz", 5}, {"zx", 5}};
+  static const std::map<std::string, std::size_t> words = {{"xx", 0}, {"yy", 1}, {"zz", 2},
+                                                           {"xy", 3}, {"yx", 3}, {"yz", 4},
+                                                           {"zy", 4}, {"xz", 5}, {"zx", 5}};
   std::array<std::size_t, 6> r;
   r.fill(6);
   std::string text = order;
@@ -176,10 +174,13 @@ std::array<std::size_t, 6> places(const std::string& order) {
     if (word.empty()) continue;
     const auto found = words.find(word);
     if (found == words.end() || r[found->second] != 6 || count == 6)
-      fail("order", fmt::format("'{}' is none", order.substr(0, 60)), "name xx yy zz xy yz xz once each");
+      fail("order", fmt::format("'{}' is none", order.substr(0, 60)),
+           "name xx yy zz xy yz xz once each");
     r[found->second] = count++;
   }
-  if (count != 6) fail("order", fmt::format("'{}' is none", order.substr(0, 60)), "name xx yy zz xy yz xz once each");
+  if (count != 6)
+    fail("order", fmt::format("'{}' is none", order.substr(0, 60)),
+         "name xx yy zz xy yz xz once each");
   return r;
 }
 
@@ -226,9 +227,10 @@ TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
     const bool missing = !field.missing.empty() && field.missing[v];
     for (const double x : file.tensors.back())
       if (missing || !std::isfinite(x))
-        fail(soup.point_name(v), fmt::format("its tensor of '{}' is {}", field.name,
-                                             missing ? "missing" : "not finite"),
-             "repair the field");
+        fail(
+            soup.point_name(v),
+            fmt::format("its tensor of '{}' is {}", field.name, missing ? "missing" : "not finite"),
+            "repair the field");
   }
   if (points.size() < soup.points.size())
     file.warnings.push_back(

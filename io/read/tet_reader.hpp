@@ -12,7 +12,7 @@
 namespace crest::io {
 
 struct TensorRequest {
-  std::string field;                      ///< of points; empty: the only one of 6 or 9 components
+  std::string field;                        ///< of points; empty: the only one of 6 or 9 components
   std::string order = "xx yy zz xy yz xz";  ///< of 6 components; VTK's
 };
 
@@ -20,8 +20,8 @@ struct TensorFile {
   kernel::TetMesh mesh;                        ///< without points that no cell uses
   std::vector<std::array<double, 6>> tensors;  ///< xx yy zz xy yz xz
   std::string field;
-  double max_asymmetry = 0;              ///< of 9 components: the largest |T_ij - T_ji|
-  std::vector<std::int64_t> cell_of;     ///< each tetrahedron's, as the file numbers cells
+  double max_asymmetry = 0;           ///< of 9 components: the largest |T_ij - T_ji|
+  std::vector<std::int64_t> cell_of;  ///< each tetrahedron's, as the file numbers cells
   std::vector<std::string> warnings;
 };
 

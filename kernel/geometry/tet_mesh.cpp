@@ -45,8 +45,7 @@ TetMesh::TetMesh(std::vector<Vec3> points, std::vector<Tet> tets)
   for (Index c = 0; c < tets_.size(); ++c) {
     const Tet t = sorted(c);
     if (std::adjacent_find(t.begin(), t.end()) != t.end())
-      throw InputError("tetrahedron " + std::to_string(c) +
-                       ": has a corner twice; leave it out");
+      throw InputError("tetrahedron " + std::to_string(c) + ": has a corner twice; leave it out");
     for (std::uint8_t i = 0; i < 4; ++i) {
       Side s{{}, c, i};
       for (std::size_t k = 0, n = 0; k < 4; ++k)
@@ -62,8 +61,8 @@ TetMesh::TetMesh(std::vector<Vec3> points, std::vector<Tet> tets)
     std::size_t end = i;
     while (end < sides.size() && sides[end].corners == sides[i].corners) ++end;
     const auto& v = sides[i].corners;
-    const std::string face = "face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
-                             std::to_string(v[2]);
+    const std::string face =
+        "face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]);
     if (end - i > 2)
       throw InputError(face + ": is in " + std::to_string(end - i) +
                        " tetrahedra; a face may have two at most");

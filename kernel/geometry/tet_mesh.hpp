@@ -21,8 +21,8 @@ class TetMesh {
   };
 
   TetMesh() = default;
-  /// Throws: InputError naming a tetrahedron with a repeated corner, one that is there twice, a face
-  /// of three tetrahedra. Positions are not looked at. Cost: O(C log C).
+  /// Throws: InputError naming a tetrahedron with a repeated corner, one that is there twice, a
+  /// face of three tetrahedra. Positions are not looked at. Cost: O(C log C).
   TetMesh(std::vector<Vec3> points, std::vector<Tet> tets);
 
   const std::vector<Vec3>& points() const { return points_; }

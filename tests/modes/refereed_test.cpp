@@ -14,7 +14,8 @@ namespace {
 
 /// Tetrahedra over a triangle: the corners' rows (deviators), one apex or two.
 modes::ModeField over_triangle(const Rows& rows) {
-  std::vector<kernel::Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1}, {0.3, 0.3, -1}};
+  std::vector<kernel::Vec3> points = {
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1}, {0.3, 0.3, -1}};
   points.resize(rows.size());
   std::vector<std::array<double, 6>> tensors;
   for (const auto& r : rows) {
@@ -81,8 +82,9 @@ TEST_CASE("refereed 3: det touches 0 from below at an edge's midpoint: a cap is 
 TEST_CASE("refereed 4: tangent edges have two roots or none") {
   // Along the first edge det = t^2 (none), then -t^2 (two).
   for (const int sign : {1, -1}) {
-    const Rows rows = sign > 0 ? Rows{{1, -1, 0, -1, 0}, {1, -1, 0, 1, 0}, {1, -3, 0, 0, 0}, {1, -3, 1, 0, 0}}
-                               : Rows{{1, -1, 0, 0, -1}, {1, -1, 0, 0, 1}, {2, -1, 1, 0, 0}, {1, 2, 0, 1, 0}};
+    const Rows rows =
+        sign > 0 ? Rows{{1, -1, 0, -1, 0}, {1, -1, 0, 1, 0}, {1, -3, 0, 0, 0}, {1, -3, 1, 0, 0}}
+                 : Rows{{1, -1, 0, 0, -1}, {1, -1, 0, 0, 1}, {2, -1, 1, 0, 0}, {1, 2, 0, 1, 0}};
     const auto r = modes::extract(over_triangle(rows), {0, 1});
     for (const auto& s : r.surfaces) CHECK(s.watertight == r.undecided.empty());
   }
