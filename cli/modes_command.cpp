@@ -9,7 +9,9 @@
 #include <numeric>
 
 #include "algorithms/modes/certificate.hpp"
+#include "algorithms/modes/degenerate_curves.hpp"
 #include "certify/certificate.hpp"
+#include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
 #include "io/modes/mode_writer.hpp"
@@ -22,7 +24,7 @@ struct ModesOptions {
   CommonOptions common;
   io::TensorRequest tensor;
   std::vector<std::string> modes;
-  bool neutral = false, keep_sign = false;
+  bool neutral = false, degenerate = false, keep_sign = false;
   modes::ModeOptions extraction;
   double min_magnitude = 0;
 };
@@ -78,7 +80,8 @@ std::vector<Wanted> parse_modes(const ModesOptions& o) {
   std::vector<Wanted> wanted;
   for (const std::string& text : o.modes) wanted.push_back(parse_mode(text, o.keep_sign));
   if (o.neutral) wanted.push_back({{0, 1}, 0});
-  if (wanted.empty()) throw UsageError("give --mode MU or --neutral");
+  if (wanted.empty() && !o.degenerate)
+    throw UsageError("give --mode MU, --neutral or --degenerate");
   std::vector<Wanted> different;
   for (const Wanted& w : wanted)
     if (std::find(different.begin(), different.end(), w) == different.end()) different.push_back(w);
@@ -95,8 +98,23 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
   return file;
 }
 
+/// Degenerate curves into the scene, the report and the summary. Returns whether all are decided.
+bool add_curves(Run& run, const modes::ModeField& field, const modes::ZeroSet& zeros,
+                io::ModeScene& scene, std::string& summary) {
+  const modes::DegenerateCurves curves = run.step("curves", "degenerate curves", [&] {
+    return modes::degenerate_curves(field.mesh.points(), zeros.tets, field.tensors);
+  });
+  run.report()["degenerate_curves"] = curves_to_json(curves);
+  if (const std::string warning = curves_warning(curves); !warning.empty()) run.warn(warning);
+  summary += curves_summary(curves);
+  scene.curves = curves.curves;
+  return curves.undecided.empty();
+}
+
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
+  if (wanted.empty() && run.wanted("--certificate"))
+    throw UsageError("--certificate: is about surfaces; give --mode or --neutral, too");
   io::TensorFile file = read_input(run, o);
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
   const modes::ZeroSet zeros =
@@ -119,6 +137,8 @@ Outcome work(Run& run, const ModesOptions& o) {
     std::move(result.surfaces.begin(), result.surfaces.end(), std::back_inserter(scene.surfaces));
   }
   report.finish();
+  std::string summary = report.summary();
+  const bool curves_decided = !o.degenerate || add_curves(run, field, zeros, scene, summary);
   for (const std::string& warning : report.warnings()) run.warn(warning);
   if (o.min_magnitude > 0)
     run.warn(
@@ -133,17 +153,18 @@ Outcome work(Run& run, const ModesOptions& o) {
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
     const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                   [](const auto& s) { return s.triangles.empty(); });
+                                   [](const auto& s) { return s.triangles.empty(); }) &&
+                       scene.curves.empty();
     if (run.wanted("--picture") && empty)
       throw kernel::InputError(o.common.input +
                                ": surfaces: there are none; choose another mode for --picture");
     run.write("--picture", [&](const std::string& path) { io::write_mode_picture(path, scene); });
   });
-  return {report.summary(),
+  return {summary,
           {"qu2020mode"},
-          report.exhausted()       ? kExhausted
-          : report.undecided() > 0 ? kNotCertified
-                                   : kDone};
+          report.exhausted()                          ? kExhausted
+          : report.undecided() > 0 || !curves_decided ? kNotCertified
+                                                      : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {
@@ -159,6 +180,8 @@ std::function<int()> add(CLI::App& app) {
       ->delimiter(',')
       ->type_name("MU");
   app.add_flag("--neutral", o.neutral, "the neutral surface, mode 0");
+  app.add_flag("--degenerate", o.degenerate,
+               "the degenerate curves, mode 1 (linear) and -1 (planar)");
   app.add_flag("--signed", o.keep_sign, "of each MU the level of its sign alone");
   app.add_option("--max-depth", o.extraction.max_depth, "bisections of a tetrahedron (default: 40)")
       ->check(CLI::Range(0, 200))

@@ -100,11 +100,21 @@ std::string vtp(const ModeScene& scene) {
     row.add("tet", static_cast<int>(all.rows[i].surface->tets[all.rows[i].triangle]));
     row.add("component", static_cast<int>(all.rows[i].surface->component_of[all.rows[i].triangle]));
   }
+  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+    const modes::DegenerateCurve& curve = scene.curves[i];
+    std::vector<PolyData::Id> line;
+    for (const Vec3& x : curve.polyline) line.push_back(data.add_point(x));
+    Columns& row = data.add_line(line);
+    row.add("mode", curve.type == modes::DegenerateType::linear ? 1.0 : -1.0);
+    row.add("tet", -1);
+    row.add("component", static_cast<int>(i));
+  }
   const auto column = [&](const char* name, int components) {
     auto a = vtkSmartPointer<vtkDoubleArray>::New();
     a->SetName(name);
     a->SetNumberOfComponents(components);
-    a->SetNumberOfTuples(static_cast<vtkIdType>(all.points.size()));
+    a->SetNumberOfTuples(data.point_count());
+    a->Fill(0);
     return a;
   };
   const auto normals = column("normal", 3), minor = column("minor", 3),
@@ -139,20 +149,33 @@ void write_modes(const std::string& path, const ModeScene& scene) {
 void write_mode_picture(const std::string& path, const ModeScene& scene) {
   check_picture_path(path);
   const Joined all(scene);
-  const SurfaceView view(all.points, all.triangles);
-  const auto normals = vertex_normals(view);
-  const Camera camera = fit_camera(view, tilted_view(view), 1200);
-  std::vector<Vec3> tints(all.points.size(), {1, 1, 1});
-  for (std::size_t i = 0; i < all.triangles.size(); ++i) {
-    const int sign = all.rows[i].surface->sign;
-    const Vec3 tint = sign > 0   ? Vec3{0.2, 0.75, 0.75}
-                      : sign < 0 ? Vec3{1, 0.82, 0.2}
-                                 : Vec3{0.6, 1, 0.25};
-    for (const Index v : {all.triangles[i][0], all.triangles[i][1], all.triangles[i][2]})
-      tints[v] = tint;
-  }
+  // The camera fits the curves, too.
+  std::vector<Vec3> places = all.points;
+  for (const auto& curve : scene.curves)
+    places.insert(places.end(), curve.polyline.begin(), curve.polyline.end());
+  const SurfaceView everything(places, all.triangles), view(all.points, all.triangles);
+  const Camera camera = fit_camera(everything, tilted_view(everything), 1200);
   Canvas canvas(camera.width, camera.height);
-  canvas.draw_surface(camera, view, normals, &tints);
+  if (!all.triangles.empty()) {
+    std::vector<Vec3> tints(all.points.size(), {1, 1, 1});
+    for (std::size_t i = 0; i < all.triangles.size(); ++i) {
+      const int sign = all.rows[i].surface->sign;
+      const Vec3 tint = sign > 0   ? Vec3{0.2, 0.75, 0.75}
+                        : sign < 0 ? Vec3{1, 0.82, 0.2}
+                                   : Vec3{0.6, 1, 0.25};
+      for (const Index v : {all.triangles[i][0], all.triangles[i][1], all.triangles[i][2]})
+        tints[v] = tint;
+    }
+    canvas.draw_surface(camera, view, vertex_normals(view), &tints);
+  }
+  // Curves lie inside the surfaces around them: they are drawn in front of everything.
+  for (const auto& curve : scene.curves) {
+    const Rgb colour =
+        curve.type == modes::DegenerateType::linear ? Rgb{0, 140, 60} : Rgb{215, 170, 0};
+    for (std::size_t k = 0; k + 1 < curve.polyline.size(); ++k)
+      canvas.draw_stroke(camera.project(curve.polyline[k]), camera.project(curve.polyline[k + 1]),
+                         2.5, colour);
+  }
   write_canvas(path, canvas, camera.width, camera.height);
 }
 
