@@ -99,10 +99,10 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
 }
 
 /// Degenerate curves into the scene, the report and the summary. Returns whether all are decided.
-bool add_curves(Run& run, const modes::ModeField& field, io::ModeScene& scene,
-                std::string& summary) {
+bool add_curves(Run& run, const modes::ModeField& field, const modes::ZeroSet& zeros,
+                io::ModeScene& scene, std::string& summary) {
   const modes::DegenerateCurves curves = run.step("curves", "degenerate curves", [&] {
-    return modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors);
+    return modes::degenerate_curves(field.mesh.points(), zeros.tets, field.tensors);
   });
   run.report()["degenerate_curves"] = curves_to_json(curves);
   if (const std::string warning = curves_warning(curves); !warning.empty()) run.warn(warning);
@@ -116,10 +116,12 @@ Outcome work(Run& run, const ModesOptions& o) {
   if (wanted.empty() && run.wanted("--certificate"))
     throw UsageError("--certificate: is about surfaces; give --mode or --neutral, too");
   io::TensorFile file = read_input(run, o);
-  const modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  const modes::ZeroSet zeros =
+      run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
   io::ModeScene scene;
   scene.min_magnitude = o.min_magnitude;
-  ModesReport report(run.report(), field, file);
+  ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
@@ -136,7 +138,7 @@ Outcome work(Run& run, const ModesOptions& o) {
   }
   report.finish();
   std::string summary = report.summary();
-  const bool curves_decided = !o.degenerate || add_curves(run, field, scene, summary);
+  const bool curves_decided = !o.degenerate || add_curves(run, field, zeros, scene, summary);
   for (const std::string& warning : report.warnings()) run.warn(warning);
   if (o.min_magnitude > 0)
     run.warn(
@@ -144,7 +146,7 @@ Outcome work(Run& run, const ModesOptions& o) {
         "those of the whole field");
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
-      const auto bytes = certify::encode(modes::make_certificate(field, std::move(records)));
+      const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
       scene.data_digest = certify::hex(certify::data_digest(bytes));
       run.write_certificate("modes", bytes);
     });
@@ -159,7 +161,7 @@ Outcome work(Run& run, const ModesOptions& o) {
     run.write("--picture", [&](const std::string& path) { io::write_mode_picture(path, scene); });
   });
   return {summary,
-          {"004"},
+          {"qu2020mode"},
           report.exhausted()                          ? kExhausted
           : report.undecided() > 0 || !curves_decided ? kNotCertified
                                                       : kDone};

@@ -45,8 +45,9 @@ std::string summary_line(const modes::ModeSurface& s) {
 
 }  // namespace
 
-ModesReport::ModesReport(Report& report, const modes::ModeField& field, const io::TensorFile& file)
-    : report_(report), file_(file) {
+ModesReport::ModesReport(Report& report, const modes::ModeField& field, const io::TensorFile& file,
+                         const modes::ZeroSet& zeros)
+    : report_(report), file_(file), zeros_(zeros) {
   std::size_t flat = 0, inverted = 0, zero = 0;
   for (kernel::Index t = 0; t < field.mesh.tets().size(); ++t) {
     const int s = field.mesh.orientation(t);
@@ -62,25 +63,35 @@ ModesReport::ModesReport(Report& report, const modes::ModeField& field, const io
   }
   report_["tensor"] = file.field;
   report_["vertices"] = field.mesh.points().size();
-  report_["field"] = {{"zero_vertices", zero},
+  report_["field"] = {{"zero_vertices", zero - zeros.simplices.size()},
+                      {"inner_zeros", zeros.simplices.size()},
                       {"flat_tets", flat},
                       {"negative_tets", inverted},
                       {"constant_tets", constant},
                       {"max_asymmetry", file.max_asymmetry}};
+  if (!zeros.simplices.empty())
+    warnings_.push_back(
+        fmt::format("vertices were put where the tensor is zero: {}", zeros.simplices.size()));
   if (flat > 0) warnings_.push_back(fmt::format("{} tetrahedra are flat", flat));
+}
+
+/// As the file numbers cells.
+std::int64_t ModesReport::cell(kernel::Index tet) const {
+  return file_.cell_of[zeros_.tet_of[tet]];
 }
 
 void ModesReport::add(const modes::ModeResult& r) {
   for (const auto& s : r.surfaces) {
     Json surface = to_json(s);
     Json undecided = Json::array();
-    for (const kernel::Index t : r.undecided) undecided.push_back(t);
+    for (const kernel::Index t : r.undecided) undecided.push_back(cell(t));
     surface["undecided"] = undecided;
     surfaces_.push_back(std::move(surface));
     summary_ += summary_line(s);
   }
   const auto& c = r.counts;
   counts_.total = c.total;
+  counts_.rejected_bound += c.rejected_bound;
   counts_.rejected_bernstein += c.rejected_bernstein;
   counts_.active += c.active;
   counts_.cones += c.cones;
@@ -99,7 +110,7 @@ void ModesReport::add(const modes::ModeResult& r) {
   if (!r.undecided.empty()) {
     std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(r.undecided.size(), 5); ++i)
-      names += fmt::format("{}{}", i == 0 ? "" : ", ", r.undecided[i]);
+      names += fmt::format("{}{}", i == 0 ? "" : ", ", cell(r.undecided[i]));
     warnings_.push_back(
         fmt::format("mode {}: {} tetrahedra are not decided ({}{}){}", r.level.value(),
                     r.undecided.size(), names, r.undecided.size() > 5 ? ", .." : "",
@@ -110,6 +121,7 @@ void ModesReport::add(const modes::ModeResult& r) {
 void ModesReport::finish() {
   report_["surfaces"] = surfaces_;
   report_["tets"] = {{"total", counts_.total},
+                     {"rejected_bound", counts_.rejected_bound},
                      {"rejected_bernstein", counts_.rejected_bernstein},
                      {"active", counts_.active},
                      {"cones", counts_.cones},

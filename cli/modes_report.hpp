@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/modes/modes.hpp"
+#include "algorithms/modes/zero_set.hpp"
 #include "cli/report.hpp"
 #include "io/read/tet_reader.hpp"
 
@@ -13,7 +13,8 @@ namespace crest::cli {
 
 class ModesReport {
  public:
-  ModesReport(Report& report, const modes::ModeField& field, const io::TensorFile& file);
+  ModesReport(Report& report, const modes::ModeField& field, const io::TensorFile& file,
+              const modes::ZeroSet& zeros);
   void add(const modes::ModeResult& result);
   void finish();
 
@@ -23,8 +24,10 @@ class ModesReport {
   bool exhausted() const { return exhausted_; }
 
  private:
+  std::int64_t cell(kernel::Index tet) const;
   Report& report_;
   const io::TensorFile& file_;
+  const modes::ZeroSet& zeros_;
   Json surfaces_ = Json::array();
   modes::ModeCounts counts_;
   std::vector<std::string> warnings_;

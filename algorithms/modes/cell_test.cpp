@@ -224,6 +224,49 @@ CellResult<D> test_cell(const std::array<Tensor, D + 1>& corners, const ExactCor
   return level.neutral() ? run<D, Neutral>(forms) : run<D, General>(forms);
 }
 
+std::optional<Finding> certain_cell_sign(const std::array<Tensor, 4>& corners, const Level& level,
+                                         bool& bound) {
+  const auto forms = real_forms<3>(corners);
+  using C = kernel::SimplexBasis<3, 3>;
+  using N = kernel::SimplexBasis<3, 2>;
+  // Ranges of the nets of c and n; the factor covers the divisions' roundings.
+  double c_low = HUGE_VAL, c_high = -HUGE_VAL, n_low = HUGE_VAL, n_high = 0;
+  for (std::size_t i = 0; i < C::count; ++i) {
+    const double c = forms.c.s[i] / C::weights[i];
+    c_low = std::fmin(c_low, c);
+    c_high = std::fmax(c_high, c);
+  }
+  for (std::size_t i = 0; i < N::count; ++i) {
+    const double n = forms.n.s[i] / N::weights[i];
+    n_low = std::fmin(n_low, n);
+    n_high = std::fmax(n_high, n);
+  }
+  const double ce = 1.01 * forms.c.error + 0x1p-50 * std::fmax(std::fabs(c_low), std::fabs(c_high)),
+               ne = 1.01 * forms.n.error + 0x1p-50 * n_high;
+  bound = true;
+  if (level.neutral()) {
+    if (c_low > ce) return Finding::positive;
+    if (c_high < -ce) return Finding::negative;
+  } else {
+    constexpr double slack = 1 + 0x1p-40;  // for the roundings below
+    const double q = 3.0 * static_cast<double>(level.q) * static_cast<double>(level.q),
+                 p = 2.0 * static_cast<double>(level.p) * static_cast<double>(level.p);
+    const auto cube = [](double x) { return x * x * x; };
+    const double most = std::fmax(std::fabs(c_low), std::fabs(c_high)) + ce;
+    const double least = std::fmax(c_low, -c_high) - ce;
+    if (n_low > ne && q * most * most * slack < p * cube(n_low - ne)) return Finding::negative;
+    if (least > 0 && n_low > ne && q * least * least > p * cube(n_high + ne) * slack)
+      return Finding::positive;
+  }
+  bound = false;
+  const auto hull = level.neutral() ? kernel::certain_hull(forms.c)
+                                    : kernel::certain_hull(level_form(forms, level));
+  if (!hull) return std::nullopt;
+  return *hull == Hull::positive   ? Finding::positive
+         : *hull == Hull::negative ? Finding::negative
+                                   : Finding::none;
+}
+
 Finding cell_sign(const std::array<Tensor, 4>& corners, const ExactCorners<3>& exact,
                   const Level& level) {
   Forms<3> forms(corners, exact, level);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "algorithms/modes/level.hpp"
 #include "algorithms/modes/tensors.hpp"
@@ -43,6 +44,10 @@ using ExactCorners = std::function<std::array<Entries<kernel::Integer>, D + 1>()
 template <int D>
 CellResult<D> test_cell(const std::array<Tensor, D + 1>& corners, const ExactCorners<D>& exact,
                         const Level& level);
+/// The sign alone, as far as doubles tell: positive, negative, none (both signs), or not decided.
+/// `bound`: the sizes of det and |T|^2 were enough. Pure: for parallel loops.
+std::optional<Finding> certain_cell_sign(const std::array<Tensor, 4>& corners, const Level& level,
+                                         bool& bound);
 /// The sign alone: no witness is looked for.
 Finding cell_sign(const std::array<Tensor, 4>& corners, const ExactCorners<3>& exact,
                   const Level& level);

@@ -212,12 +212,15 @@ ModeResult extract(const ModeField& field, const Level& level, const ModeOptions
   return r;
 }
 
-certify::ModesCertificate make_certificate(const ModeField& field,
+certify::ModesCertificate make_certificate(const ModeField& field, const ZeroSet& zeros,
                                            std::vector<certify::ModeLevel> levels) {
   certify::ModesCertificate c;
-  c.points = field.mesh.points();
-  c.tets = field.mesh.tets();
-  c.tensors = field.tensors;
+  const std::size_t given = field.tensors.size() - zeros.simplices.size();
+  const auto end = static_cast<std::ptrdiff_t>(given);
+  c.points.assign(field.mesh.points().begin(), field.mesh.points().begin() + end);
+  c.tensors.assign(field.tensors.begin(), field.tensors.begin() + end);
+  c.tets = zeros.tets;
+  for (const auto& s : zeros.simplices) c.zeros.push_back({s});
   c.levels = std::move(levels);
   return c;
 }

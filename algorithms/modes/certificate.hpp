@@ -3,6 +3,7 @@
 
 // Claim 6 (certify/modes/SPEC.md): the trees of a level, as they were decided.
 #include "algorithms/modes/modes.hpp"
+#include "algorithms/modes/zero_set.hpp"
 #include "certify/modes/encode.hpp"
 
 namespace crest::modes {
@@ -11,8 +12,8 @@ namespace crest::modes {
 ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
                    certify::ModeLevel& record);
 
-/// The field with its levels' records.
-certify::ModesCertificate make_certificate(const ModeField& field,
+/// The field before the zeros' insertion, these, and the levels' records.
+certify::ModesCertificate make_certificate(const ModeField& field, const ZeroSet& zeros,
                                            std::vector<certify::ModeLevel> levels);
 
 }  // namespace crest::modes

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/extraction.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,9 +64,28 @@ Index Extraction::face(Index mesh_face) {
   return at->second;
 }
 
+std::array<Tensor, 4> Extraction::tensors_at(const std::array<Index, 4>& v) const {
+  return {vertices_.tensor(v[0]), vertices_.tensor(v[1]), vertices_.tensor(v[2]),
+          vertices_.tensor(v[3])};
+}
+
+/// What doubles tell of every tetrahedron.
+std::vector<Extraction::Scanned> Extraction::scan() const {
+  std::vector<Scanned> r(field_.mesh.tets().size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 1024), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      bool bound = false;
+      const auto found = certain_cell_sign(tensors_at(field_.mesh.tets()[t]), level_, bound);
+      if (found) r[t] = {*found, true, bound};
+    }
+  });
+  return r;
+}
+
 void Extraction::decide_all() {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
+  const auto signs = scan();
   for (Index t = 0; t < count; ++t) {
     const auto v = field_.mesh.sorted(t);
     Cone cone{t, {}, {}};
@@ -73,12 +95,12 @@ void Extraction::decide_all() {
       ++counts_.cones;
       continue;
     }
-    std::array<Tensor, 4> tensors;
-    for (std::size_t i = 0; i < 4; ++i) tensors[i] = vertices_.tensor(v[i]);
-    const Finding sign = cell_sign(
-        tensors, [&] { return vertices_.exact(v); }, level_);
+    Finding sign = signs[t].finding;
+    if (!signs[t].decided)
+      sign = cell_sign(
+          tensors_at(v), [&] { return vertices_.exact(v); }, level_);
     if (sign != Finding::none) {
-      ++counts_.rejected_bernstein;
+      ++(signs[t].bound ? counts_.rejected_bound : counts_.rejected_bernstein);
       counts_.uniform += sign == Finding::uniform ? 1 : 0;
       continue;
     }

@@ -38,6 +38,12 @@ class Extraction {
   const ModeField& field() const { return field_; }
 
  private:
+  struct Scanned {
+    Finding finding = Finding::none;
+    bool decided = false, bound = false;
+  };
+  std::vector<Scanned> scan() const;
+  std::array<Tensor, 4> tensors_at(const std::array<Index, 4>& v) const;
   void decide_all();
   Index face(Index mesh_face);
   Index edge(Index a, Index b);

@@ -114,7 +114,13 @@ void Faces::split(Index f) {
   whole.part[0] = parts[0];
   whole.part[1] = parts[1];
   whole.closed = face.state == State::rejected;
-  for (const Index p : parts) faces_[p].closed = whole.closed;
+  for (const Index p : parts) {
+    faces_[p].parent = f;
+    faces_[p].closed = whole.closed;
+  }
+  // The new leaves are undecided: so is all that they are part of.
+  if (!whole.closed)
+    for (Index p = face.parent; p != kNone; p = faces_[p].parent) faces_[p].closed = false;
 }
 
 Index Faces::part_with(Index f, Index corner) const {

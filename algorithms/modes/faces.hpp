@@ -28,6 +28,7 @@ struct Face {
   std::array<Index, 3> corners;
   std::array<Index, 3> edges;  ///< edge k joins corners k and k + 1 mod 3
   State state = State::unknown;
+  Index parent = kNone;
   Index whole = kNone;     ///< the root of its tree
   std::int8_t split = -1;  ///< the edge that is cut
   std::uint8_t depth = 0;

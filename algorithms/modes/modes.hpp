@@ -21,7 +21,7 @@ struct ModeOptions {
 };
 
 struct ModeCounts {
-  std::size_t total = 0, rejected_bernstein = 0, active = 0, cones = 0;
+  std::size_t total = 0, rejected_bound = 0, rejected_bernstein = 0, active = 0, cones = 0;
   std::size_t graph_at_once = 0, graph_cells = 0, uniform = 0;
   std::uint64_t tests = 0, exact_tests = 0;
   int max_depth = 0;

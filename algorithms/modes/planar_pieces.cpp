@@ -80,6 +80,67 @@ bool mend_diagonal(Triangulation& t, PlanarPiece& piece) {
   return false;
 }
 
+/// From the centroid, if it sees the whole loop. All triangles turn alike and the loop goes round
+/// once: it crosses the ray to the right once upwards.
+std::optional<Triangles> star(PlanarPiece& piece) {
+  const auto& loop = piece.loops[0];
+  const std::size_t n = loop.size();
+  const auto at = [&](std::size_t i) { return piece.points[loop[i % n]]; };
+  const auto origin = at(0);
+  double area = 0, x = 0, y = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto p = at(i), q = at(i + 1);
+    const double a =
+        (p[0] - origin[0]) * (q[1] - origin[1]) - (p[1] - origin[1]) * (q[0] - origin[0]);
+    area += a;
+    x += a * (p[0] + q[0] - 2 * origin[0]);
+    y += a * (p[1] + q[1] - 2 * origin[1]);
+  }
+  if (area == 0) return std::nullopt;
+  const std::array<double, 2> centre = {origin[0] + x / (3 * area), origin[1] + y / (3 * area)};
+  const auto point = [](const std::array<double, 2>& p) { return Kernel::Point_2(p[0], p[1]); };
+  const auto turn = area > 0 ? CGAL::LEFT_TURN : CGAL::RIGHT_TURN;
+  const std::size_t c = piece.points.size();
+  Triangles triangles;
+  std::size_t upwards = 0, downwards = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto p = at(i), q = at(i + 1);
+    if (CGAL::orientation(point(centre), point(p), point(q)) != turn) return std::nullopt;
+    upwards += p[1] <= centre[1] && q[1] > centre[1] ? 1 : 0;
+    downwards += q[1] <= centre[1] && p[1] > centre[1] ? 1 : 0;
+    if (area > 0)
+      triangles.push_back({c, loop[i], loop[(i + 1) % n]});
+    else
+      triangles.push_back({c, loop[(i + 1) % n], loop[i]});
+  }
+  if (upwards != 1 || downwards != 1) return std::nullopt;
+  piece.points.push_back(centre);
+  piece.facets.push_back(0);
+  return triangles;
+}
+
+/// A diagonal that has not both ends on one facet and is inside: the sums of angles at its ends
+/// stay below a full turn, so two positive triangles make a simple polygon.
+std::optional<Triangles> quadrangle(const PlanarPiece& piece) {
+  const auto& loop = piece.loops[0];
+  const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto point = [&](std::size_t i) {
+      return Kernel::Point_2(piece.points[loop[i]][0], piece.points[loop[i]][1]);
+    };
+    return CGAL::orientation(point(a), point(b), point(c));
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t a = k, b = k + 1, c = k + 2, d = (k + 3) % 4;
+    if ((piece.facets[loop[a]] & piece.facets[loop[c]]) != 0) continue;
+    const auto first = turn(a, b, c);
+    if (first == CGAL::COLLINEAR || first != turn(a, c, d)) continue;
+    if (first == CGAL::LEFT_TURN)
+      return Triangles{{loop[a], loop[b], loop[c]}, {loop[a], loop[c], loop[d]}};
+    return Triangles{{loop[a], loop[c], loop[b]}, {loop[a], loop[d], loop[c]}};
+  }
+  return std::nullopt;
+}
+
 Triangles domain(const Triangulation& t) {
   Triangles r;
   for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
@@ -102,6 +163,10 @@ std::optional<Triangles> triangulate(PlanarPiece& piece) {
     if (turn == CGAL::LEFT_TURN) return Triangles{{0, 1, 2}};
     return Triangles{{0, 2, 1}};
   }
+  if (given == 4 && piece.loops.size() == 1)
+    if (const auto r = quadrangle(piece)) return r;
+  if (piece.loops.size() == 1)
+    if (const auto r = star(piece)) return r;
   Triangulation t;
   try {
     if (!insert_loops(t, piece)) return std::nullopt;

@@ -108,8 +108,11 @@ std::array<double, N> SurfaceBuilder::lifted(const std::array<Index, N>& corners
     return b;
   };
   if (crosses) {
-    *crosses = function_.height(interpolated(faces_.vertices(), corners, at(low))) <= 0 &&
-               function_.height(interpolated(faces_.vertices(), corners, at(high))) >= 0;
+    const Symmetric a = interpolated(faces_.vertices(), corners, at(low)),
+                    b = interpolated(faces_.vertices(), corners, at(high));
+    constexpr double slack = 1e-13;  // of the mode: where the line only touches the cell's edge
+    *crosses = function_.height(a) <= slack * std::pow(product(a, a), 1.5) &&
+               function_.height(b) >= -slack * std::pow(product(b, b), 1.5);
   }
   for (int i = 0; i < 80 && low < high; ++i) {
     const double x = 0.5 * (low + high);
@@ -169,7 +172,7 @@ void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Pie
   for (Piece& piece : pieces) {
     for (const Loop& loop : piece)
       for (const LoopArc& a : loop) bend(a.arc);
-    jobs_.push_back({cell, orientation, std::move(piece)});
+    jobs_.push_back({cell, orientation, std::move(piece), false, {}, {}});
   }
 }
 
@@ -309,13 +312,12 @@ void SurfaceBuilder::mesh(const Job& job) {
 
 void SurfaceBuilder::mesh_piece(const Job& job) {
   Layout layout = lay_out(job);
-  PlanarPiece planar = layout.planar;
-  if (const auto triangles = triangulate(planar)) {
-    if (!lifts(job, layout, planar)) ++surface_.unproven_pieces;
-    return emit(job, layout, planar, *triangles, true);
-  }
+  if (job.done) return emit(job, layout, job.planar, job.triangles, true);
   // As its loops say, but not proven to project injectively.
   ++surface_.unproven_pieces;
+  PlanarPiece planar = layout.planar;
+  if (const auto triangles = triangulate(planar))
+    return emit(job, layout, planar, *triangles, true);
   planar = laid_out(layout.planar);
   if (const auto triangles = triangulate(planar)) emit(job, layout, planar, *triangles, false);
 }
@@ -381,18 +383,25 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
 void SurfaceBuilder::refine_all() {
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
-    std::vector<Index> crossing;
-    for (const Job& job : jobs_) {
+    std::unordered_set<Index> crossing;
+    for (Job& job : jobs_) {
+      if (job.done) continue;
       const Layout layout = lay_out(job);
-      PlanarPiece planar = layout.planar;
-      if (triangulate(planar) && lifts(job, layout, planar)) continue;
+      job.planar = layout.planar;
+      auto triangles = triangulate(job.planar);
+      job.done = triangles && lifts(job, layout, job.planar);
+      if (job.done) {
+        job.triangles = std::move(*triangles);
+        continue;
+      }
       for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) crossing.push_back(a.arc);
+        for (const LoopArc& a : loop) crossing.insert(a.arc);
     }
-    std::sort(crossing.begin(), crossing.end());
-    crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+    if (crossing.empty() || round + 1 == rounds) return;
     for (const Index a : crossing) refine(a);
-    if (crossing.empty()) return;
+    for (Job& job : jobs_)
+      for (const Loop& loop : job.piece)
+        for (const LoopArc& a : loop) job.done = job.done && !crossing.contains(a.arc);
   }
 }
 

@@ -60,6 +60,9 @@ class SurfaceBuilder {
     Cell cell;
     int orientation;
     Piece piece;
+    bool done;  ///< the triangulation stands
+    PlanarPiece planar;
+    std::vector<std::array<std::size_t, 3>> triangles;
   };
   struct Layout {
     PlanarPiece planar;

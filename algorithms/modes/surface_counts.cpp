@@ -33,10 +33,18 @@ std::vector<TriangleSide> sides_of(const ModeSurface& s) {
   return sides;
 }
 
+/// Calls use(begin, end) with the sides of each edge. On an edge where the tensor is zero the
+/// surface ends: each of its sides is an edge of its own.
 template <class Use>
-void for_each_edge(const std::vector<TriangleSide>& sides, Use&& use) {
+void for_each_edge(const ModeSurface& s, const std::vector<TriangleSide>& sides, Use&& use) {
+  const std::array<double, 6> zero{};
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i;
+    if (s.tensors[sides[i].a] == zero && s.tensors[sides[i].b] == zero) {
+      use(i, i + 1);
+      ++i;
+      continue;
+    }
     while (end < sides.size() && sides[end].a == sides[i].a && sides[end].b == sides[i].b) ++end;
     use(i, end);
     i = end;
@@ -52,7 +60,7 @@ void split_fans(ModeSurface& s) {
     while (s.triangles[t][k] != v) ++k;
     return 3 * t + k;
   };
-  for_each_edge(sides, [&](std::size_t i, std::size_t end) {
+  for_each_edge(s, sides, [&](std::size_t i, std::size_t end) {
     if (end - i > 2) throw std::logic_error("modes: an edge has three triangles");
     if (end - i < 2) return;
     for (const Index v : {sides[i].a, sides[i].b})
@@ -104,7 +112,7 @@ void orient(ModeSurface& s, const std::vector<TriangleSide>& sides) {
   const auto n = s.triangles.size();
   std::vector<std::array<std::pair<Index, bool>, 3>> next(n);
   std::vector<std::uint8_t> used(n, 0);
-  for_each_edge(sides, [&](std::size_t i, std::size_t end) {
+  for_each_edge(s, sides, [&](std::size_t i, std::size_t end) {
     if (end - i < 2) return;
     const bool alike = sides[i].forward != sides[i + 1].forward;
     const Index a = sides[i].triangle, b = sides[i + 1].triangle;
@@ -156,7 +164,7 @@ std::vector<std::array<Index, 2>> count(ModeSurface& s) {
     for (const Index v : s.triangles[t]) component_of_point[v] = s.component_of[t];
   }
   for (const Index c : component_of_point) ++s.components[c].euler_characteristic;
-  for_each_edge(sides, [&](std::size_t i, std::size_t end) {
+  for_each_edge(s, sides, [&](std::size_t i, std::size_t end) {
     --s.components[s.component_of[sides[i].triangle]].euler_characteristic;
     if (end - i != 1) return;
     boundary.push_back({sides[i].a, sides[i].b});
