@@ -34,36 +34,147 @@ FaceCorners face_of(const TetCorners& tet, std::size_t k) {
   return f;
 }
 
+using Interior = std::vector<std::array<double, 4>>;
+
+/// Arcs to curves.
+class Tracer {
+ public:
+  Tracer(std::span<const Vec3> vertices, std::span<const TetCorners> tets, DegenerateCurves& result,
+         const std::vector<Interior>& interiors, const std::vector<bool>& at_special)
+      : vertices_(vertices),
+        tets_(tets),
+        result_(result),
+        interiors_(interiors),
+        at_special_(at_special) {}
+
+  void trace() {
+    arcs_at_.assign(result_.points.size(), {kNone, kNone});
+    for (std::size_t a = 0; a < result_.arcs.size(); ++a)
+      for (const std::uint32_t p : result_.arcs[a].ends) {
+        auto& at = arcs_at_[p];
+        at[at[0] != kNone] = static_cast<std::uint32_t>(a);
+      }
+    used_.assign(result_.arcs.size(), false);
+    // From loose ends first; what is left are loops. A point without arcs is a piece of its own.
+    for (const bool ends : {true, false})
+      for (std::uint32_t p = 0; p < arcs_at_.size(); ++p) {
+        const auto& at = arcs_at_[p];
+        if (ends && at[1] != kNone) continue;
+        if (at[0] == kNone ? ends : !used_[at[0]]) follow(p);
+      }
+  }
+
+ private:
+  void follow(std::uint32_t start) {
+    DegenerateCurve curve;
+    curve.type = result_.points[start].type;
+    curve.face_points.push_back(start);
+    curve.polyline.push_back(result_.points[start].point);
+    std::uint32_t p = start;
+    for (;;) {
+      std::uint32_t a = arcs_at_[p][0];
+      if (a != kNone && used_[a]) a = arcs_at_[p][1];
+      if (a == kNone || used_[a]) break;
+      used_[a] = true;
+      const auto& ends = result_.arcs[a].ends;
+      const bool forward = ends[0] == p;
+      append(a, forward, curve.polyline);
+      p = forward ? ends[1] : ends[0];
+      curve.polyline.push_back(result_.points[p].point);
+      if (p == start) {
+        curve.closed = true;
+        break;
+      }
+      curve.face_points.push_back(p);
+    }
+    curve.at_special = at_special_[curve.face_points.front()] || at_special_[p];
+    for (std::size_t k = 1; k < curve.polyline.size(); ++k)
+      curve.length += kernel::distance(curve.polyline[k - 1], curve.polyline[k]);
+    result_.curves.push_back(std::move(curve));
+  }
+
+  void append(std::uint32_t arc, bool forward, std::vector<Vec3>& polyline) const {
+    const TetCorners& c = tets_[result_.arcs[arc].tet];
+    const auto& interior = interiors_[arc];
+    for (std::size_t k = 0; k < interior.size(); ++k) {
+      const auto& w = interior[forward ? k : interior.size() - 1 - k];
+      polyline.push_back(w[0] * vertices_[c[0]] + w[1] * vertices_[c[1]] + w[2] * vertices_[c[2]] +
+                         w[3] * vertices_[c[3]]);
+    }
+  }
+
+  std::span<const Vec3> vertices_;
+  std::span<const TetCorners> tets_;
+  DegenerateCurves& result_;
+  const std::vector<Interior>& interiors_;
+  const std::vector<bool>& at_special_;
+  std::vector<std::array<std::uint32_t, 2>> arcs_at_;
+  std::vector<bool> used_;
+};
+
+/// The exact root that no other point of the face can be.
+void sharpen_point(const FaceRoots& exact, Vector3<Ball>& v) {
+  const FaceRoot* match = nullptr;
+  int matches = 0;
+  for (std::size_t k = 0; k < exact.count; ++k) {
+    const Vector3<Ball> c = kernel::cross(exact.root[k].v, v);
+    if (certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2])) continue;  // another point
+    match = &exact.root[k];
+    ++matches;
+  }
+  if (matches == 1) v = match->v;
+}
+
+/// Faces of excluded tets have no points.
+void drop_excluded(std::span<const TetCorners> tets, const std::vector<char>& excluded,
+                   const std::vector<FaceCorners>& faces, std::vector<FaceRoots>& roots) {
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (!excluded[t]) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FaceCorners face = face_of(tets[t], k);
+      const auto at = std::lower_bound(faces.begin(), faces.end(), face);
+      if (at != faces.end() && *at == face)
+        roots[static_cast<std::size_t>(at - faces.begin())] = {{}, 0, FaceStage::cone, {}};
+    }
+  }
+}
+
+/// 1: a cone excludes degenerate tensors.
+std::vector<char> tets_without_degenerate(std::span<const TetCorners> tets,
+                                          std::span<const Tensor> tensors) {
+  std::vector<Direction> u(tensors.size());
+  in_parallel(u.size(), [&](std::size_t i) { u[i] = direction(tensors[i]); });
+  std::vector<char> excluded(tets.size());
+  in_parallel(tets.size(), [&](std::size_t t) {
+    const TetCorners& c = tets[t];
+    const std::array<Direction, 4> corners{u[c[0]], u[c[1]], u[c[2]], u[c[3]]};
+    excluded[t] = cone_excludes(corners);
+  });
+  return excluded;
+}
+
 class Extraction {
  public:
   Extraction(std::span<const Vec3> points, std::span<const TetCorners> tets,
              std::span<const Tensor> tensors)
-      : points_(points), tets_(tets), tensors_(tensors) {}
+      : points_(points),
+        tets_(tets),
+        tensors_(tensors),
+        excluded_(tets_without_degenerate(tets, tensors)) {
+    for (std::uint32_t t = 0; t < tets_.size(); ++t)
+      if (!excluded_[t]) active_.push_back(t);
+    result_.counts.rejected_tets = tets_.size() - active_.size();
+  }
 
   DegenerateCurves run() {
-    find_active_tets();
     find_faces();
     solve_faces();
     join_in_tets();
-    trace();
+    Tracer(points_, tets_, result_, interiors_, at_special_).trace();
     return std::move(result_);
   }
 
  private:
-  void find_active_tets() {
-    std::vector<Direction> u(tensors_.size());
-    in_parallel(u.size(), [&](std::size_t i) { u[i] = direction(tensors_[i]); });
-    excluded_.resize(tets_.size());
-    in_parallel(tets_.size(), [&](std::size_t t) {
-      const TetCorners& c = tets_[t];
-      const std::array<Direction, 4> corners{u[c[0]], u[c[1]], u[c[2]], u[c[3]]};
-      excluded_[t] = cone_excludes(corners);
-    });
-    for (std::size_t t = 0; t < tets_.size(); ++t)
-      if (!excluded_[t]) active_.push_back(static_cast<std::uint32_t>(t));
-    result_.counts.rejected_tets = tets_.size() - active_.size();
-  }
-
   void find_faces() {
     std::vector<FaceCorners> all(4 * active_.size());
     in_parallel(active_.size(), [&](std::size_t i) {
@@ -108,15 +219,7 @@ class Extraction {
     bool any = false;
     for (std::size_t i = 0; i < faces_.size(); ++i)
       any = any || (roots_[i].special && uses[i] == 1);
-    for (std::size_t t = 0; any && t < tets_.size(); ++t) {
-      if (!excluded_[t]) continue;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const FaceCorners face = face_of(tets_[t], k);
-        const auto at = std::lower_bound(faces_.begin(), faces_.end(), face);
-        if (at != faces_.end() && *at == face)
-          roots_[static_cast<std::size_t>(at - faces_.begin())] = {{}, 0, FaceStage::cone, {}};
-      }
-    }
+    if (any) drop_excluded(tets_, excluded_, faces_, roots_);
   }
 
   void add_point(const FaceCorners& f, const FaceRoot& root) {
@@ -178,81 +281,15 @@ class Extraction {
     return arcs;
   }
 
-  /// Exact enclosures for the points of triage: of each face's exact roots the one that no other
-  /// point of the face can be.
+  /// Exact enclosures for the points of triage.
   void sharpen(const std::array<std::uint32_t, 4>& faces, std::vector<TetPoint>& points) const {
     for (const std::uint32_t f : faces) {
       if (roots_[f].stage != FaceStage::triage) continue;
-      const FaceCorners& corners = faces_[f];
-      const FaceRoots exact =
-          exact_face_roots({&tensors_[corners[0]], &tensors_[corners[1]], &tensors_[corners[2]]});
-      for (TetPoint& p : points) {
-        if (p.id < first_point_[f] || p.id >= first_point_[f] + roots_[f].count) continue;
-        const FaceRoot* match = nullptr;
-        int matches = 0;
-        for (std::size_t k = 0; k < exact.count; ++k)
-          if (!certainly_different(exact.root[k].v, p.v)) match = &exact.root[k], ++matches;
-        if (matches == 1) p.v = match->v;
-      }
-    }
-  }
-  static bool certainly_different(const Vector3<Ball>& a, const Vector3<Ball>& b) {
-    const Vector3<Ball> c = kernel::cross(a, b);
-    return certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2]);
-  }
-
-  void trace() {
-    arcs_at_.assign(result_.points.size(), {kNone, kNone});
-    for (std::size_t a = 0; a < result_.arcs.size(); ++a)
-      for (const std::uint32_t p : result_.arcs[a].ends) {
-        auto& at = arcs_at_[p];
-        at[at[0] != kNone] = static_cast<std::uint32_t>(a);
-      }
-    used_.assign(result_.arcs.size(), false);
-    // From loose ends first; what is left are loops. A point without arcs is a piece of its own.
-    for (const bool ends : {true, false})
-      for (std::uint32_t p = 0; p < arcs_at_.size(); ++p) {
-        const auto& at = arcs_at_[p];
-        if (ends && at[1] != kNone) continue;
-        if (at[0] == kNone ? ends : !used_[at[0]]) follow(p);
-      }
-  }
-
-  void follow(std::uint32_t start) {
-    DegenerateCurve curve;
-    curve.type = result_.points[start].type;
-    curve.face_points.push_back(start);
-    curve.polyline.push_back(result_.points[start].point);
-    std::uint32_t p = start;
-    for (;;) {
-      std::uint32_t a = arcs_at_[p][0];
-      if (a != kNone && used_[a]) a = arcs_at_[p][1];
-      if (a == kNone || used_[a]) break;
-      used_[a] = true;
-      const auto& ends = result_.arcs[a].ends;
-      const bool forward = ends[0] == p;
-      append(a, forward, curve.polyline);
-      p = forward ? ends[1] : ends[0];
-      curve.polyline.push_back(result_.points[p].point);
-      if (p == start) {
-        curve.closed = true;
-        break;
-      }
-      curve.face_points.push_back(p);
-    }
-    curve.at_special = at_special_[curve.face_points.front()] || at_special_[p];
-    for (std::size_t k = 1; k < curve.polyline.size(); ++k)
-      curve.length += kernel::distance(curve.polyline[k - 1], curve.polyline[k]);
-    result_.curves.push_back(std::move(curve));
-  }
-
-  void append(std::uint32_t arc, bool forward, std::vector<Vec3>& polyline) const {
-    const TetCorners& c = tets_[result_.arcs[arc].tet];
-    const auto& interior = interiors_[arc];
-    for (std::size_t k = 0; k < interior.size(); ++k) {
-      const auto& w = interior[forward ? k : interior.size() - 1 - k];
-      polyline.push_back(w[0] * points_[c[0]] + w[1] * points_[c[1]] + w[2] * points_[c[2]] +
-                         w[3] * points_[c[3]]);
+      const FaceCorners& c = faces_[f];
+      const FaceRoots exact = exact_face_roots({&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]]});
+      for (TetPoint& p : points)
+        if (p.id >= first_point_[f] && p.id < first_point_[f] + roots_[f].count)
+          sharpen_point(exact, p.v);
     }
   }
 
@@ -266,9 +303,8 @@ class Extraction {
   std::vector<std::array<std::uint32_t, 4>> faces_of_tet_;
   std::vector<FaceRoots> roots_;
   std::vector<std::uint32_t> first_point_;
-  std::vector<std::vector<std::array<double, 4>>> interiors_;
-  std::vector<std::array<std::uint32_t, 2>> arcs_at_;
-  std::vector<bool> used_, at_special_;
+  std::vector<Interior> interiors_;
+  std::vector<bool> at_special_;
 };
 
 }  // namespace
