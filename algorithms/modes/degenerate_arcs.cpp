@@ -2,6 +2,7 @@
 #include "algorithms/modes/degenerate_arcs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "algorithms/modes/degenerate_exact.hpp"
@@ -188,6 +189,7 @@ class TetConic {
               std::vector<Weights>& interior) const {
     const double middle = (from + to) / 2;
     const Weights w = weights(middle);
+    if (!std::isfinite(w[0] + w[1] + w[2] + w[3])) return;  // a chord will do
     const Vec3 m = place(w), chord = b - a;
     const double length = kernel::norm(chord);
     const bool flat = depth < 7 &&

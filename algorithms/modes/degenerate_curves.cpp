@@ -226,10 +226,9 @@ class Extraction {
     FacePoint p;
     p.face = static_cast<std::uint32_t>(result_.faces.size() - 1);
     p.type = root.type;
-    for (std::size_t k = 0; k < 3; ++k) {
+    p.weights = {root.weights[0].mid, root.weights[1].mid, root.weights[2].mid};
+    for (std::size_t k = 0; k < 2; ++k) {
       const Ball& w = root.weights[k];
-      p.weights[k] = w.mid;
-      if (k == 2) continue;
       p.low[k] = std::max(0.0, std::nextafter(w.mid - w.rad, -1.0));
       p.high[k] = std::min(1.0, std::nextafter(w.mid + w.rad, 2.0));
     }

@@ -134,7 +134,8 @@ std::optional<Seen> see(const SimplexForms<Integer, 3>& forms, int number) {
   return Seen{PencilQuartic<Integer>(p, q), v};
 }
 
-/// v at the root, to about 60 digits, then doubles that hold it.
+/// Three polynomials at the root, to about 60 digits, then doubles that hold them, times a positive
+/// number.
 kernel::Vector3<Ball> enclose(const Curve& curve, AlgebraicNumber t) {
   Rational low, high;
   if (!t.rational()) t.refine(240);
@@ -186,22 +187,21 @@ class RootPlace {
     }
     FaceRoot r{
         up ? DegenerateType::linear : DegenerateType::planar, enclose(curve_, root.value), {}};
-    const Integer scale = largest(forms_.coordinates);
-    Ball sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      r.weights[k] = ball(forms_.coordinates[k], scale).at(r.v);
-      sum = sum + r.weights[k];
-    }
-    for (Ball& w : r.weights) w = w / sum;
+    const kernel::Vector3<Ball> b = enclose(coordinates(curve_), root.value);
+    const Ball sum = b[0] + b[1] + b[2];
+    for (std::size_t k = 0; k < 3; ++k) r.weights[k] = b[k] / sum;
     result.root[result.count++] = r;
   }
 
  private:
   using Signs = std::array<IntegerPolynomial, 3>;
+  Curve coordinates(const Curve& v) const {
+    return {lifted(forms_.coordinates[0]).at(v), lifted(forms_.coordinates[1]).at(v),
+            lifted(forms_.coordinates[2]).at(v)};
+  }
   Signs along(const Curve& v) const {
-    Signs b;
-    for (std::size_t k = 0; k < 3; ++k) b[k] = lifted(forms_.coordinates[k]).at(v).integer();
-    return b;
+    const Curve b = coordinates(v);
+    return {b[0].integer(), b[1].integer(), b[2].integer()};
   }
   static std::pair<int, int> signs(const Signs& b, const kernel::RealRoot& root) {
     int up = 0, down = 0;
