@@ -139,24 +139,31 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
   return {1 / 3.0, 1 / 3.0, 1 / 3.0};
 }
 
-/// Halves the polyline's parts.
-void SurfaceBuilder::refine(Index a) {
+/// A point on the arc over the middle of part k of its polyline.
+SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) const {
   const Arc& arc = faces_.arcs()[a];
   const Face& face = faces_.face(arc.face);
   const auto from = root_in_face(arc.roots[0], arc.face), to = root_in_face(arc.roots[1], arc.face);
-  std::array<double, 3> w;
-  for (std::size_t i = 0; i < 3; ++i) w[i] = face.witness.w[i];
-  const auto& old = inside_[a];
+  const auto inside = inside_.find(a);
+  const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+  const double last = k == 0 ? 0 : inside->second[k - 1].place,
+               next = k < n ? inside->second[k].place : 1;
+  const double place = 0.5 * (last + next);
+  std::array<double, 3> base, w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    base[i] = (1 - place) * from[i] + place * to[i];
+    w[i] = face.witness.w[i];
+  }
+  return {place, lifted(face.corners, base, w)};
+}
+
+/// Halves these parts of a polyline, given in ascending order.
+void SurfaceBuilder::refine(Index a, const std::set<std::size_t>& parts) {
   std::vector<ArcPoint> points;
-  double last = 0;
+  const std::vector<ArcPoint> old = inside_[a];
   for (std::size_t k = 0; k <= old.size(); ++k) {
-    const double next = k < old.size() ? old[k].place : 1;
-    const double place = 0.5 * (last + next);
-    std::array<double, 3> base;
-    for (std::size_t i = 0; i < 3; ++i) base[i] = (1 - place) * from[i] + place * to[i];
-    points.push_back({place, lifted(face.corners, base, w)});
+    if (parts.contains(k)) points.push_back(middle(a, k));
     if (k < old.size()) points.push_back(old[k]);
-    last = next;
   }
   inside_[a] = std::move(points);
 }
@@ -165,7 +172,7 @@ void SurfaceBuilder::refine(Index a) {
 void SurfaceBuilder::bend(Index arc) {
   const auto& [from, to] = faces_.arcs()[arc].roots;
   const auto& lines = faces_.lines();
-  if (lines.root(from).line == lines.root(to).line && !inside_.contains(arc)) refine(arc);
+  if (lines.root(from).line == lines.root(to).line && !inside_.contains(arc)) refine(arc, {0});
 }
 
 void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces) {
@@ -218,8 +225,8 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
       const Index root = arc.roots[a.forward ? 0 : 1];
       add(arc.face, root_in_face(root, arc.face), root_point(root));
       const auto inside = inside_.find(a.arc);
-      if (inside == inside_.end()) continue;
-      const std::size_t n = inside->second.size();
+      const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+      for (std::size_t k = 0; k <= n; ++k) r.parts.emplace_back(a.arc, a.forward ? k : n - k);
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t k = a.forward ? i : n - 1 - i;
         add(arc.face, inside->second[k].at, arc_point(a.arc, k));
@@ -379,29 +386,69 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
+/// The parts of polylines that cross in the projection; all of them, if none do and still the piece
+/// is not meshed.
+void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts) {
+  const auto& loops = layout.planar.loops;
+  struct Segment {
+    std::array<double, 2> from, to;
+    std::size_t first, second;
+    double low, high;  ///< in x
+  };
+  std::vector<Segment> segments;
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
+      const auto &p = layout.planar.points[a], &q = layout.planar.points[b];
+      segments.push_back({p, q, a, b, std::fmin(p[0], q[0]), std::fmax(p[0], q[0])});
+    }
+  const auto turn = [](const auto& p, const auto& q, const auto& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  std::sort(segments.begin(), segments.end(),
+            [](const Segment& a, const Segment& b) { return a.low < b.low; });
+  const auto add = [&](std::size_t point) {
+    parts[layout.parts[point].first].insert(layout.parts[point].second);
+  };
+  bool found = false;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t k = i + 1; k < segments.size() && segments[k].low <= segments[i].high; ++k) {
+      const Segment &s = segments[i], &t = segments[k];
+      if (s.first == t.second || s.second == t.first) continue;
+      if (turn(s.from, s.to, t.from) * turn(s.from, s.to, t.to) > 0 ||
+          turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) > 0)
+        continue;
+      found = true;
+      add(s.first);
+      add(t.first);
+    }
+  if (found) return;
+  for (const auto& loop : loops)
+    for (const std::size_t point : loop) add(point);
+}
+
 /// Polylines are shared: all are fine enough before any piece is meshed.
 void SurfaceBuilder::refine_all() {
-  constexpr int rounds = 6;
+  constexpr int rounds = 30;
+  constexpr std::size_t most_points = 2000;
   for (int round = 0; round < rounds; ++round) {
-    std::unordered_set<Index> crossing;
+    Parts parts;
     for (Job& job : jobs_) {
       if (job.done) continue;
       const Layout layout = lay_out(job);
       job.planar = layout.planar;
       auto triangles = triangulate(job.planar);
       job.done = triangles && lifts(job, layout, job.planar);
-      if (job.done) {
+      if (job.done)
         job.triangles = std::move(*triangles);
-        continue;
-      }
-      for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) crossing.insert(a.arc);
+      else if (layout.at.size() < most_points)
+        add_faults(layout, parts);
     }
-    if (crossing.empty() || round + 1 == rounds) return;
-    for (const Index a : crossing) refine(a);
+    if (parts.empty() || round + 1 == rounds) return;
+    for (const auto& [arc, which] : parts) refine(arc, which);
     for (Job& job : jobs_)
       for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) job.done = job.done && !crossing.contains(a.arc);
+        for (const LoopArc& a : loop) job.done = job.done && !parts.contains(a.arc);
   }
 }
 

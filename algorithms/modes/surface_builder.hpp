@@ -3,6 +3,7 @@
 
 // Triangles of the pieces: their loops' polylines, shared with the cells next door, projected along
 // the witness, triangulated and lifted to where the mode is right.
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -64,21 +65,26 @@ class SurfaceBuilder {
     PlanarPiece planar;
     std::vector<std::array<std::size_t, 3>> triangles;
   };
+  /// Of polylines, by arc.
+  using Parts = std::unordered_map<Index, std::set<std::size_t>>;
   struct Layout {
     PlanarPiece planar;
     std::vector<Barycentric> at;
-    std::vector<Index> points;           ///< of the surface
-    std::array<std::size_t, 4> order{};  ///< the two kept coordinates, the two others
+    std::vector<Index> points;                         ///< of the surface
+    std::vector<std::pair<Index, std::size_t>> parts;  ///< of arcs, from each point on
+    std::array<std::size_t, 4> order{};                ///< the two kept coordinates, the two others
   };
 
   Barycentric in_cell(const Cell& cell, std::unordered_map<Index, Barycentric>& known,
                       Index vertex) const;
   std::array<double, 3> root_in_face(Index root, Index face) const;
-  void refine(Index arc);
+  ArcPoint middle(Index arc, std::size_t part) const;
+  void refine(Index arc, const std::set<std::size_t>& parts);
   void bend(Index arc);
   Layout lay_out(const Job& job);
   static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
   bool lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const;
+  static void add_faults(const Layout& layout, Parts& parts);
   void refine_all();
   void mesh(const Job& job);
   void mesh_piece(const Job& job);
