@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
@@ -305,4 +306,36 @@ TEST_CASE("degenerate points: large and small numbers, isotropic parts") {
   for (auto& t : pressed.tensors)
     for (std::size_t k = 0; k < 3; ++k) t[k] += 0x1p+40;
   CHECK(Summary(curves_of(pressed)).pieces == expected.pieces);
+}
+
+TEST_CASE(
+    "degenerate curves as records: boxes hold their points, counts, what touches special places") {
+  const SampledField s = sampled(reference_fields()[1], 3, 2);
+  const DegenerateCurves r = curves_of(s);
+  const auto c = curves_certificate(s.points, s.tets, s.tensors, r);
+  REQUIRE(c.face_points.size() == r.points.size());
+  for (std::size_t i = 0; i < r.points.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& p = c.face_points[i];
+      CHECK(p.low[k] <= r.points[i].weights[k]);
+      CHECK(p.high[k] >= r.points[i].weights[k]);
+      CHECK(p.low[k] >= 0);
+      CHECK(p.high[k] <= 1);
+      CHECK(p.high[k] - p.low[k] < 1e-8);
+    }
+  CHECK(std::is_sorted(c.faces.begin(), c.faces.end()));
+  CHECK(c.arcs.size() == r.arcs.size());
+  CHECK(c.linear.open == 2);
+  CHECK(c.planar.open == 1);
+  CHECK(c.linear.touched + c.planar.touched + c.linear.closed + c.planar.closed == 0);
+  // A zero tensor on a curve's way: its pieces end there.
+  SampledField broken = s;
+  const TetCorners& tet = s.tets[r.arcs[r.arcs.size() / 2].tet];
+  broken.tensors[tet[0]] = {1, 1, 1, 0, 0, 0};
+  const DegenerateCurves b = curves_of(broken);
+  const auto d = curves_certificate(broken.points, broken.tets, broken.tensors, b);
+  CHECK(d.special_faces.size() == b.special_faces.size());
+  CHECK(d.special_tets.size() >= d.special_faces.size() / 4);
+  CHECK(std::is_sorted(d.special_tets.begin(), d.special_tets.end()));
+  CHECK(d.special_tets.size() > 0);
 }
