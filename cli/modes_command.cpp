@@ -1,67 +1,200 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crest modes: in the table through this file's name (cli/CMakeLists.txt).
+// crest modes: mode and neutral surfaces of symmetric tensor fields (paper 004).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <memory>
+#include <numeric>
 
 #include "algorithms/modes/certificate.hpp"
+#include "algorithms/modes/degenerate_curves.hpp"
+#include "certify/certificate.hpp"
+#include "cli/modes_curves_report.hpp"
+#include "cli/modes_report.hpp"
 #include "cli/run.hpp"
-#include "io/formats/files.hpp"
-#include "io/formats/readers.hpp"
+#include "io/modes/mode_writer.hpp"
+#include "io/read/tet_reader.hpp"
 
 namespace crest::cli {
 namespace {
 
-struct Options {
+struct ModesOptions {
   CommonOptions common;
+  io::TensorRequest tensor;
+  std::vector<std::string> modes;
+  bool neutral = false, degenerate = false, keep_sign = false;
+  modes::ModeOptions extraction;
+  double min_magnitude = 0;
 };
 
-modes::Input read_input(Run& run, const Options& o) {
-  return run.step("read", "reading " + o.common.input, [&] {
-    modes::Input input;
-    io::read_named(o.common.input, [&] {
-      const io::Soup soup = io::read_vtu(io::load(o.common.input), {});
-      input.points = soup.points;
-      for (std::size_t c = 0; c < soup.cells.size(); ++c) {
-        const auto nodes = soup.cells.nodes(c);
-        if (soup.cells.type(c) != io::CellType::tetrahedron || nodes.size() != 4)
-          io::fail("cell " + std::to_string(soup.cell_tag(c)), "is no tetrahedron", "leave it out");
-        auto& cell = input.cells.emplace_back();
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-          if (nodes[k] < 0 || static_cast<std::size_t>(nodes[k]) >= soup.points.size())
-            io::fail("cell " + std::to_string(soup.cell_tag(c)), "has a node that does not exist",
-                     "export the file again");
-          cell[k] = static_cast<std::uint32_t>(nodes[k]);
-        }
-      }
-    });
-    return input;
-  });
+/// A level and, with --signed, the sign that is kept.
+struct Wanted {
+  modes::Level level;
+  int sign = 0;
+  friend bool operator==(const Wanted& a, const Wanted& b) {
+    return a.level.p == b.level.p && a.level.q == b.level.q && a.sign == b.sign;
+  }
+};
+
+[[noreturn]] void bad_mode(const std::string& text, const char* why) {
+  throw UsageError(fmt::format("--mode {}: {}", text, why));
 }
 
-Outcome work(Run& run, const Options& o) {
-  const modes::Input input = read_input(run, o);
-  const auto census = run.step("count", "counting", [&] { return modes::take_census(input); });
-  Report& report = run.report();
-  report["points"] = input.points.size();
-  report["cells"] = input.cells.size();
-  report["places"] = census.distinct;
-  report["used_points"] = census.used;
-  run.write_certificate("modes", certify::encode(modes::make_certificate(input, census)));
-  return {fmt::format("{} points at {} places, {} of them corners of {} tetrahedra\n",
-                      input.points.size(), census.distinct, census.used, input.cells.size())};
+/// Digits as an integer below 10^15.
+std::int64_t integer(const std::string& text, const std::string& digits) {
+  std::int64_t x = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
+  if (error != std::errc() || end != digits.data() + digits.size() || x < 0 || digits[0] == '+' ||
+      digits.size() > 15)
+    bad_mode(text, "is neither a decimal nor a fraction p/q (at most 15 digits)");
+  return x;
+}
+
+Wanted parse_mode(const std::string& text, bool keep_sign) {
+  std::string rest = text;
+  const bool negative = !rest.empty() && rest[0] == '-';
+  if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.erase(0, 1);
+  std::int64_t p = 0, q = 1;
+  if (const auto slash = rest.find('/'); slash != std::string::npos) {
+    p = integer(text, rest.substr(0, slash));
+    q = integer(text, rest.substr(slash + 1));
+  } else {
+    const auto dot = rest.find('.');
+    const std::string fraction = dot == std::string::npos ? "" : rest.substr(dot + 1);
+    p = integer(text, rest.substr(0, dot) + fraction);
+    for (std::size_t i = 0; i < fraction.size(); ++i) q *= 10;
+  }
+  if (q == 0) bad_mode(text, "has the denominator 0");
+  if (p == q) bad_mode(text, "degenerate tensors are curves: use --degenerate");
+  if (p > q) bad_mode(text, "modes lie between -1 and 1");
+  const std::int64_t divisor = std::gcd(p, q);
+  p /= divisor;
+  q /= divisor;
+  if (q > modes::Level::kLargest) bad_mode(text, "its denominator in lowest terms exceeds 10^7");
+  return {{p, q}, keep_sign && p > 0 ? (negative ? -1 : 1) : 0};
+}
+
+std::vector<Wanted> parse_modes(const ModesOptions& o) {
+  std::vector<Wanted> wanted;
+  for (const std::string& text : o.modes) wanted.push_back(parse_mode(text, o.keep_sign));
+  if (o.neutral) wanted.push_back({{0, 1}, 0});
+  if (wanted.empty() && !o.degenerate)
+    throw UsageError("give --mode MU, --neutral or --degenerate");
+  std::vector<Wanted> different;
+  for (const Wanted& w : wanted)
+    if (std::find(different.begin(), different.end(), w) == different.end()) different.push_back(w);
+  return different;
+}
+
+io::TensorFile read_input(Run& run, const ModesOptions& o) {
+  auto file = run.step("read", "reading " + o.common.input,
+                       [&] { return io::read_tensors(o.common.input, o.tensor); });
+  for (const std::string& warning : file.warnings) run.warn(warning);
+  if (file.max_asymmetry > 0)
+    run.warn(fmt::format("'{}' is not symmetric (by up to {:.3g}): its symmetric part is taken",
+                         file.field, file.max_asymmetry));
+  return file;
+}
+
+/// Degenerate curves into the scene, the report and the summary. Returns whether all are decided.
+bool add_curves(Run& run, const modes::ModeField& field, const modes::ZeroSet& zeros,
+                io::ModeScene& scene, std::string& summary) {
+  const modes::DegenerateCurves curves = run.step("curves", "degenerate curves", [&] {
+    return modes::degenerate_curves(field.mesh.points(), zeros.tets, field.tensors);
+  });
+  run.report()["degenerate_curves"] = curves_to_json(curves);
+  if (const std::string warning = curves_warning(curves); !warning.empty()) run.warn(warning);
+  summary += curves_summary(curves);
+  scene.curves = curves.curves;
+  return curves.undecided.empty();
+}
+
+Outcome work(Run& run, const ModesOptions& o) {
+  const auto wanted = parse_modes(o);
+  if (wanted.empty() && run.wanted("--certificate"))
+    throw UsageError("--certificate: is about surfaces; give --mode or --neutral, too");
+  io::TensorFile file = read_input(run, o);
+  modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  const modes::ZeroSet zeros =
+      run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
+  io::ModeScene scene;
+  scene.min_magnitude = o.min_magnitude;
+  ModesReport report(run.report(), field, file, zeros);
+  std::vector<certify::ModeLevel> records;
+  for (const Wanted& w : wanted) {
+    certify::ModeLevel record;
+    auto result = run.step("extract", fmt::format("mode {}", w.level.value()),
+                           [&] { return modes::extract(field, w.level, o.extraction, record); });
+    const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
+      return r.numerator == record.numerator && r.denominator == record.denominator;
+    });
+    if (!known) records.push_back(std::move(record));
+    if (w.sign != 0)
+      std::erase_if(result.surfaces, [&](const auto& s) { return s.sign != w.sign; });
+    report.add(result);
+    std::move(result.surfaces.begin(), result.surfaces.end(), std::back_inserter(scene.surfaces));
+  }
+  report.finish();
+  std::string summary = report.summary();
+  const bool curves_decided = !o.degenerate || add_curves(run, field, zeros, scene, summary);
+  for (const std::string& warning : report.warnings()) run.warn(warning);
+  if (o.min_magnitude > 0)
+    run.warn(
+        "--min-magnitude leaves triangles out of the file only: counts and certificate are "
+        "those of the whole field");
+  if (run.wanted("--certificate"))
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
+      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      run.write_certificate("modes", bytes);
+    });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
+    const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                   [](const auto& s) { return s.triangles.empty(); }) &&
+                       scene.curves.empty();
+    if (run.wanted("--picture") && empty)
+      throw kernel::InputError(o.common.input +
+                               ": surfaces: there are none; choose another mode for --picture");
+    run.write("--picture", [&](const std::string& path) { io::write_mode_picture(path, scene); });
+  });
+  return {summary,
+          {"qu2020mode"},
+          report.exhausted()                          ? kExhausted
+          : report.undecided() > 0 || !curves_decided ? kNotCertified
+                                                      : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CommonOptions& common = options->common;
-  app.add_option("INPUT", common.input, "tetrahedra (.vtu)")->required();
-  app.add_option("--report", common.report, "counts and times (.json)")->type_name("FILE");
-  app.add_option("--certificate", common.certificate, "the counts' proof")->type_name("FILE");
-  add_run_options(app, common);
+  auto options = std::make_shared<ModesOptions>();
+  ModesOptions& o = *options;
+  add_common_options(app, o.common, "solids with a tensor at each point (.vtu .vtk .msh)",
+                     "surfaces (.vtp .ply .obj)");
+  app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
+      ->type_name("NAME");
+  app.add_option("--order", o.tensor.order, "of 6 numbers (default: xx,yy,zz,xy,yz,xz, as VTK's)")
+      ->type_name("WORDS");
+  app.add_option("--mode", o.modes, "levels: decimals or fractions p/q; each gives +MU and -MU")
+      ->delimiter(',')
+      ->type_name("MU");
+  app.add_flag("--neutral", o.neutral, "the neutral surface, mode 0");
+  app.add_flag("--degenerate", o.degenerate,
+               "the degenerate curves, mode 1 (linear) and -1 (planar)");
+  app.add_flag("--signed", o.keep_sign, "of each MU the level of its sign alone");
+  app.add_option("--max-depth", o.extraction.max_depth, "bisections of a tetrahedron (default: 40)")
+      ->check(CLI::Range(0, 200))
+      ->type_name("N");
+  app.add_option("--budget", o.extraction.budget, "tests a tetrahedron (default: 100000)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->type_name("N");
+  app.add_option("--min-magnitude", o.min_magnitude,
+                 "leave triangles with a smaller |T| out of the file")
+      ->check(finite_number(0))
+      ->type_name("M");
   return [options] {
-    return run_command({"modes", options->common, {}},
+    return run_command({"modes", options->common, {".vtp", ".ply", ".obj"}},
                        [&](Run& run) { return work(run, *options); });
   };
 }
@@ -71,8 +204,9 @@ std::function<int()> add(CLI::App& app) {
 extern const Command modes_command;
 const Command modes_command = {
     "modes",
-    "the points of tetrahedra, counted",
+    "mode and neutral surfaces of a symmetric tensor field on tetrahedra",
     add,
-    {"crest modes cells.vtu", "crest modes cells.vtu --quiet --certificate census.crest"}};
+    {"crest modes stress.vtu --tensor stress --mode 0.5 -o modes.vtp --report report.json",
+     "crest modes stress.vtu --neutral --certificate neutral.crest"}};
 
 }  // namespace crest::cli

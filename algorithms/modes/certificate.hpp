@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A census as claim modes (certify/modes/SPEC.md).
+// Claim 6 (certify/modes/SPEC.md): the trees of a level, as they were decided.
 #include "algorithms/modes/modes.hpp"
+#include "algorithms/modes/zero_set.hpp"
 #include "certify/modes/encode.hpp"
 
 namespace crest::modes {
 
-certify::ModesCertificate make_certificate(const Input& input, const Census& census);
+/// extract(), with the record of its trees and counts.
+ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
+                   certify::ModeLevel& record);
+
+/// The field before the zeros' insertion, these, and the levels' records.
+certify::ModesCertificate make_certificate(const ModeField& field, const ZeroSet& zeros,
+                                           std::vector<certify::ModeLevel> levels);
 
 }  // namespace crest::modes

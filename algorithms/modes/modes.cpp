@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/modes.hpp"
 
-#include <set>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <unordered_map>
+
+#include "algorithms/modes/extraction.hpp"
 
 namespace crest::modes {
 
-Census take_census(const Input& input) {
-  const std::set<kernel::Vec3> places(input.points.begin(), input.points.end());
-  std::set<std::uint32_t> corners;
-  for (const auto& cell : input.cells) corners.insert(cell.begin(), cell.end());
-  return {static_cast<std::uint32_t>(places.size()), static_cast<std::uint32_t>(corners.size())};
+ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options) {
+  Extraction e(field, level, options);
+  return e.result();
 }
 
 }  // namespace crest::modes

@@ -1,28 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The public calls of this system (theory and limits: README.md beside this file).
-#include <array>
-#include <cstdint>
+// The public call of mode and neutral surfaces (theory and limits: README.md beside this file).
 #include <vector>
 
-#include "kernel/arithmetic/vec3.hpp"
+#include "algorithms/modes/level.hpp"
+#include "algorithms/modes/mode_surface.hpp"
+#include "kernel/geometry/tet_mesh.hpp"
 
 namespace crest::modes {
 
-/// What the system computes from: tetrahedra.
-struct Input {
-  std::vector<kernel::Vec3> points;
-  std::vector<std::array<std::uint32_t, 4>> cells;  ///< by their corners
+struct ModeField {
+  kernel::TetMesh mesh;
+  std::vector<std::array<double, 6>> tensors;  ///< a vertex: xx yy zz xy yz xz, finite
 };
 
-struct Census {
-  std::uint32_t distinct = 0;  ///< places with a point
-  std::uint32_t used = 0;      ///< points that are corners of cells
+struct ModeOptions {
+  int max_depth = 40;              ///< of the bisection of a tetrahedron, at most 255
+  std::uint64_t budget = 100'000;  ///< tests a tetrahedron
 };
 
-/// Counts the input's points. Requires: finite points, corners below their number.
-/// Cost: O(V log V + C).
-Census take_census(const Input& input);
+struct ModeCounts {
+  std::size_t total = 0, rejected_bound = 0, rejected_bernstein = 0, active = 0, cones = 0;
+  std::size_t graph_at_once = 0, graph_cells = 0, uniform = 0;
+  std::uint64_t tests = 0, exact_tests = 0;
+  int max_depth = 0;
+};
+
+struct ModeResult {
+  Level level;
+  std::vector<ModeSurface> surfaces;  ///< plus, minus; or the neutral one
+  ModeCounts counts;
+  std::vector<kernel::Index> undecided;  ///< tetrahedra with open cells, ascending
+  bool exhausted = false;                ///< some of them because the budget was spent
+};
+
+/// The two surfaces of mode +mu and -mu, or the neutral one.
+/// Guarantees: the same result whatever else is asked for; topology as README.md states, for all
+///   tetrahedra but the undecided ones.
+ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options = {});
 
 }  // namespace crest::modes

@@ -1,19 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The reference table: Euler characteristic, components, boundary loops on several meshes.
 #include "algorithms/modes/modes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "tests/modes/samples.hpp"
 
+using namespace crest;
 using namespace crest::tests;
+using modes::Level;
 
-TEST_CASE("points are counted by place, and those that are corners of cells") {
-  const auto census = crest::modes::take_census(one_cell());
-  CHECK(census.distinct == 4);
-  CHECK(census.used == 4);
-  auto twice = one_cell();
-  twice.points.push_back(twice.points.front());
-  CHECK(crest::modes::take_census(twice).distinct == 4);
-  CHECK(crest::modes::take_census(twice).used == 4);
-  CHECK(crest::modes::take_census({}).distinct == 0);
+namespace {
+
+constexpr Level kLevels[] = {{0, 1}, {3, 10}, {3, 5}, {9, 10}};
+
+void check_level(const modes::ModeField& field, const Level& level, const Counts& plus,
+                 const Counts& minus) {
+  INFO("mode " << level.p << "/" << level.q);
+  const auto r = modes::extract(field, level);
+  CHECK(r.undecided.empty());
+  REQUIRE(r.surfaces.size() == (level.neutral() ? 1U : 2U));
+  const Counts* expected[] = {&plus, &minus};
+  for (std::size_t k = 0; k < r.surfaces.size(); ++k) {
+    const auto& s = r.surfaces[k];
+    INFO("sign " << s.sign);
+    CHECK(counts_of(s) == *expected[k]);
+    CHECK(s.watertight);
+    for (const auto& c : s.components) CHECK(c.orientable);
+    if (s.unproven_pieces == 0) CHECK(s.max_mode_error < 1e-12);
+  }
+}
+
+void check_row(const Row& row, const modes::ModeField& field) {
+  check_level(field, kLevels[0], row.neutral, {});
+  for (std::size_t k = 0; k < 3; ++k)
+    check_level(field, kLevels[k + 1], row.pairs[k][0], row.pairs[k][1]);
+}
+
+}  // namespace
+
+TEST_CASE("the reference fields have their counts on a grid of 3") {
+  for (const Row& row : small_boxes()) {
+    INFO("field " << row.name);
+    check_row(row, box(row.rows, 2, 3, Cut::diagonal));
+  }
+}
+
+TEST_CASE("the reference fields have their counts on mirrored grids of 5 and 8") {
+  for (const Row& row : small_boxes()) {
+    INFO("field " << row.name);
+    check_row(row, box(row.rows, 2, 5, Cut::mirrored));
+  }
+  check_row(small_boxes()[2], box(small_boxes()[2].rows, 2, 8, Cut::mirrored));
+}
+
+TEST_CASE("the reference fields have their counts in a large box") {
+  for (const Row& row : large_boxes()) {
+    INFO("field " << row.name);
+    check_row(row, box(row.rows, 60, 5, Cut::diagonal));
+  }
+}
+
+TEST_CASE("the piecewise linear fields have their counts") {
+  const auto& f = piecewise_linear();
+  const auto one = box(f[0], 1.5, 5, Cut::diagonal), two = box(f[1], 1.5, 5, Cut::diagonal);
+  check_level(one, {0, 1}, {0, 1, 2}, {});
+  check_level(one, {1, 2}, {0, 1, 2}, {1, 2, 3});
+  check_level(one, {4, 5}, {-3, 1, 3}, {2, 2, 2});
+  check_level(two, {0, 1}, {1, 2, 3}, {});
+  check_level(two, {1, 2}, {2, 2, 2}, {0, 2, 2});
+  check_level(two, {4, 5}, {-1, 1, 3}, {0, 1, 2});
+}
+
+TEST_CASE("the levels at both sides of a node are surfaces") {
+  const auto field = box(node_field(), 400, 5, Cut::diagonal);
+  check_level(field, {41, 100}, {0, 2, 4}, {-2, 1, 4});
+  check_level(field, {42, 100}, {0, 2, 4}, {0, 2, 4});
+}
+
+TEST_CASE("thin tubes and small modes are surfaces") {
+  const auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  for (const Level& level : {Level{999, 1000}, Level{1, 1'000'000}}) {
+    const auto r = modes::extract(field, level);
+    CHECK(r.undecided.empty());
+    for (const auto& s : r.surfaces) CHECK(s.watertight);
+  }
 }

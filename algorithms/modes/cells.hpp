@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The trees of tetrahedra of one level: leaves are rejected, graphs along a witness whose pieces
+// are known, or open.
+#include <vector>
+
+#include "algorithms/modes/cell_topology.hpp"
+
+namespace crest::modes {
+
+struct Cell {
+  std::array<Index, 4> corners;
+  std::array<Index, 4> faces;  ///< face i lies opposite corner i
+  Index tet;
+  State state = State::unknown;
+  std::uint8_t depth = 0;
+  std::array<std::uint8_t, 2> split{};  ///< the corners whose edge is cut, if there are parts
+  Index inner = kNone;                  ///< the face between the parts
+  Index part[2] = {kNone, kNone};
+  Witness<3> witness{};
+  std::array<std::uint8_t, 3> pieces{};  ///< of the minus, the neutral, the plus side
+};
+
+class Cells {
+ public:
+  Cells(Faces& faces, const Level& level, const Limits& limits)
+      : faces_(faces), level_(level), limits_(limits) {}
+
+  /// Decides the tetrahedron, cutting where needed. Requires: no zero corner. Returns the tree's
+  /// root.
+  Index decide(Index tet, const std::array<Index, 4>& corners, const std::array<Index, 4>& faces);
+
+  const Cell& cell(Index c) const { return cells_[c]; }
+  Index size() const { return static_cast<Index>(cells_.size()); }
+  /// Gives up a leaf whose facets do not close.
+  void open(Index cell) { cells_[cell].state = State::open; }
+  const Counters& counters() const { return counters_; }
+  /// Whether `tests` ran out in some tetrahedron.
+  bool exhausted() const { return exhausted_; }
+  std::uint64_t uniform() const { return uniform_; }
+
+ private:
+  void decide(Index cell);
+  void test(Index cell);
+  bool settle(Index cell);
+  void split(Index cell);
+  Index edge(const Cell& cell, std::size_t i, std::size_t j) const;
+
+  Faces& faces_;
+  Level level_;
+  Limits limits_;
+  std::vector<Cell> cells_;
+  Counters counters_;
+  std::uint64_t budget_ = 0, uniform_ = 0;
+  bool exhausted_ = false;
+};
+
+}  // namespace crest::modes

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/modes/degenerate_curves.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/modes/degenerate_arcs.hpp"
+#include "algorithms/modes/degenerate_face.hpp"
+
+namespace crest::modes {
+
+namespace {
+
+using kernel::Vec3;
+using kernel::operator+;
+using kernel::operator*;
+
+constexpr std::uint32_t kNone = 0xffffffff;
+
+template <class F>
+void in_parallel(std::size_t n, const F& f) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+  });
+}
+
+/// The face opposite corner k, ascending.
+FaceCorners face_of(const TetCorners& tet, std::size_t k) {
+  FaceCorners f{tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+  std::sort(f.begin(), f.end());
+  return f;
+}
+
+using Interior = std::vector<std::array<double, 4>>;
+
+/// Arcs to curves.
+class Tracer {
+ public:
+  Tracer(std::span<const Vec3> vertices, std::span<const TetCorners> tets, DegenerateCurves& result,
+         const std::vector<Interior>& interiors, const std::vector<bool>& at_special)
+      : vertices_(vertices),
+        tets_(tets),
+        result_(result),
+        interiors_(interiors),
+        at_special_(at_special) {}
+
+  void trace() {
+    arcs_at_.assign(result_.points.size(), {kNone, kNone});
+    for (std::size_t a = 0; a < result_.arcs.size(); ++a)
+      for (const std::uint32_t p : result_.arcs[a].ends) {
+        auto& at = arcs_at_[p];
+        at[at[0] != kNone] = static_cast<std::uint32_t>(a);
+      }
+    used_.assign(result_.arcs.size(), false);
+    // From loose ends first; what is left are loops. A point without arcs is a piece of its own.
+    for (const bool ends : {true, false})
+      for (std::uint32_t p = 0; p < arcs_at_.size(); ++p) {
+        const auto& at = arcs_at_[p];
+        if (ends && at[1] != kNone) continue;
+        if (at[0] == kNone ? ends : !used_[at[0]]) follow(p);
+      }
+  }
+
+ private:
+  void follow(std::uint32_t start) {
+    DegenerateCurve curve;
+    curve.type = result_.points[start].type;
+    curve.face_points.push_back(start);
+    curve.polyline.push_back(result_.points[start].point);
+    std::uint32_t p = start;
+    for (;;) {
+      std::uint32_t a = arcs_at_[p][0];
+      if (a != kNone && used_[a]) a = arcs_at_[p][1];
+      if (a == kNone || used_[a]) break;
+      used_[a] = true;
+      const auto& ends = result_.arcs[a].ends;
+      const bool forward = ends[0] == p;
+      append(a, forward, curve.polyline);
+      p = forward ? ends[1] : ends[0];
+      curve.polyline.push_back(result_.points[p].point);
+      if (p == start) {
+        curve.closed = true;
+        break;
+      }
+      curve.face_points.push_back(p);
+    }
+    curve.at_special = at_special_[curve.face_points.front()] || at_special_[p];
+    for (std::size_t k = 1; k < curve.polyline.size(); ++k)
+      curve.length += kernel::distance(curve.polyline[k - 1], curve.polyline[k]);
+    result_.curves.push_back(std::move(curve));
+  }
+
+  void append(std::uint32_t arc, bool forward, std::vector<Vec3>& polyline) const {
+    const TetCorners& c = tets_[result_.arcs[arc].tet];
+    const auto& interior = interiors_[arc];
+    for (std::size_t k = 0; k < interior.size(); ++k) {
+      const auto& w = interior[forward ? k : interior.size() - 1 - k];
+      polyline.push_back(w[0] * vertices_[c[0]] + w[1] * vertices_[c[1]] + w[2] * vertices_[c[2]] +
+                         w[3] * vertices_[c[3]]);
+    }
+  }
+
+  std::span<const Vec3> vertices_;
+  std::span<const TetCorners> tets_;
+  DegenerateCurves& result_;
+  const std::vector<Interior>& interiors_;
+  const std::vector<bool>& at_special_;
+  std::vector<std::array<std::uint32_t, 2>> arcs_at_;
+  std::vector<bool> used_;
+};
+
+/// The exact root that no other point of the face can be.
+void sharpen_point(const FaceRoots& exact, Vector3<Ball>& v) {
+  const FaceRoot* match = nullptr;
+  int matches = 0;
+  for (std::size_t k = 0; k < exact.count; ++k) {
+    const Vector3<Ball> c = kernel::cross(exact.root[k].v, v);
+    if (certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2])) continue;  // another point
+    match = &exact.root[k];
+    ++matches;
+  }
+  if (matches == 1) v = match->v;
+}
+
+/// Faces of excluded tets have no points.
+void drop_excluded(std::span<const TetCorners> tets, const std::vector<char>& excluded,
+                   const std::vector<FaceCorners>& faces, std::vector<FaceRoots>& roots) {
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (!excluded[t]) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FaceCorners face = face_of(tets[t], k);
+      const auto at = std::lower_bound(faces.begin(), faces.end(), face);
+      if (at != faces.end() && *at == face)
+        roots[static_cast<std::size_t>(at - faces.begin())] = {{}, 0, FaceStage::cone, {}};
+    }
+  }
+}
+
+/// 1: a cone excludes degenerate tensors.
+std::vector<char> tets_without_degenerate(std::span<const TetCorners> tets,
+                                          std::span<const Tensor> tensors) {
+  std::vector<Direction> u(tensors.size());
+  in_parallel(u.size(), [&](std::size_t i) { u[i] = direction(tensors[i]); });
+  std::vector<char> excluded(tets.size());
+  in_parallel(tets.size(), [&](std::size_t t) {
+    const TetCorners& c = tets[t];
+    const std::array<Direction, 4> corners{u[c[0]], u[c[1]], u[c[2]], u[c[3]]};
+    excluded[t] = cone_excludes(corners);
+  });
+  return excluded;
+}
+
+class Extraction {
+ public:
+  Extraction(std::span<const Vec3> points, std::span<const TetCorners> tets,
+             std::span<const Tensor> tensors)
+      : points_(points),
+        tets_(tets),
+        tensors_(tensors),
+        excluded_(tets_without_degenerate(tets, tensors)) {
+    for (std::uint32_t t = 0; t < tets_.size(); ++t)
+      if (!excluded_[t]) active_.push_back(t);
+    result_.counts.rejected_tets = tets_.size() - active_.size();
+  }
+
+  DegenerateCurves run() {
+    find_faces();
+    solve_faces();
+    join_in_tets();
+    Tracer(points_, tets_, result_, interiors_, at_special_).trace();
+    return std::move(result_);
+  }
+
+ private:
+  void find_faces() {
+    std::vector<FaceCorners> all(4 * active_.size());
+    in_parallel(active_.size(), [&](std::size_t i) {
+      for (std::size_t k = 0; k < 4; ++k) all[4 * i + k] = face_of(tets_[active_[i]], k);
+    });
+    faces_ = all;
+    std::sort(faces_.begin(), faces_.end());
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    faces_of_tet_.resize(active_.size());
+    in_parallel(all.size(), [&](std::size_t i) {
+      const auto place = std::lower_bound(faces_.begin(), faces_.end(), all[i]);
+      faces_of_tet_[i / 4][i % 4] = static_cast<std::uint32_t>(place - faces_.begin());
+    });
+  }
+
+  void solve_faces() {
+    roots_.resize(faces_.size());
+    in_parallel(faces_.size(), [&](std::size_t i) {
+      const FaceCorners& f = faces_[i];
+      roots_[i] = face_roots({&tensors_[f[0]], &tensors_[f[1]], &tensors_[f[2]]});
+    });
+    drop_excluded_faces();
+    first_point_.resize(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const FaceRoots& r = roots_[i];
+      auto& counts = result_.counts;
+      ++(r.stage == FaceStage::cone     ? counts.rejected_faces
+         : r.stage == FaceStage::triage ? counts.triage_faces
+                                        : counts.exact_faces);
+      if (r.special) result_.special_faces.push_back({faces_[i], *r.special});
+      first_point_[i] = static_cast<std::uint32_t>(result_.points.size());
+      if (r.count) result_.faces.push_back(faces_[i]);
+      for (std::size_t k = 0; k < r.count; ++k) add_point(faces_[i], r.root[k]);
+    }
+  }
+
+  /// A face that is not decided by itself, but is one of a tet that a cone excludes, has no points.
+  void drop_excluded_faces() {
+    std::vector<int> uses(faces_.size(), 0);
+    for (const auto& faces : faces_of_tet_)
+      for (const std::uint32_t f : faces) ++uses[f];
+    bool any = false;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      any = any || (roots_[i].special && uses[i] == 1);
+    if (any) drop_excluded(tets_, excluded_, faces_, roots_);
+  }
+
+  void add_point(const FaceCorners& f, const FaceRoot& root) {
+    FacePoint p;
+    p.face = static_cast<std::uint32_t>(result_.faces.size() - 1);
+    p.type = root.type;
+    p.weights = {root.weights[0].mid, root.weights[1].mid, root.weights[2].mid};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Ball& w = root.weights[k];
+      p.low[k] = std::max(0.0, std::nextafter(w.mid - w.rad, -1.0));
+      p.high[k] = std::min(1.0, std::nextafter(w.mid + w.rad, 2.0));
+    }
+    p.direction = {root.v[0].mid, root.v[1].mid, root.v[2].mid};
+    p.direction = (1 / kernel::norm(p.direction)) * p.direction;
+    p.point =
+        p.weights[0] * points_[f[0]] + p.weights[1] * points_[f[1]] + p.weights[2] * points_[f[2]];
+    result_.points.push_back(p);
+  }
+
+  void join_in_tets() {
+    std::vector<TetArcs> found(active_.size());
+    at_special_.assign(result_.points.size(), false);
+    in_parallel(active_.size(), [&](std::size_t i) { found[i] = join(i); });
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      if (found[i].special || !found[i].decided)
+        for (const std::uint32_t f : faces_of_tet_[i])
+          for (std::uint32_t k = 0; k < roots_[f].count; ++k)
+            at_special_[first_point_[f] + k] = true;
+      if (found[i].special) result_.special_tets.push_back({active_[i], *found[i].special});
+      if (!found[i].decided) result_.undecided.push_back(active_[i]);
+      for (TetArc& arc : found[i].arcs) {
+        result_.arcs.push_back({active_[i], arc.ends});
+        interiors_.push_back(std::move(arc.interior));
+      }
+    }
+  }
+
+  TetArcs join(std::size_t i) const {
+    const TetCorners& c = tets_[active_[i]];
+    std::vector<TetPoint> points;
+    std::optional<SpecialReason> special;
+    for (const std::uint32_t f : faces_of_tet_[i]) {
+      const FaceRoots& r = roots_[f];
+      if (r.special) special = r.special;
+      for (std::size_t k = 0; k < r.count; ++k)
+        points.push_back(
+            {first_point_[f] + static_cast<std::uint32_t>(k), r.root[k].type, r.root[k].v});
+    }
+    if (special) return {{}, special, true};
+    const std::array<const Tensor*, 4> corners{&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]],
+                                               &tensors_[c[3]]};
+    const std::array<Vec3, 4> places{points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]};
+    TetArcs arcs = tet_arcs(corners, places, points);
+    if (!arcs.decided) {
+      sharpen(faces_of_tet_[i], points);
+      arcs = tet_arcs(corners, places, points);
+    }
+    return arcs;
+  }
+
+  /// Exact enclosures for the points of triage.
+  void sharpen(const std::array<std::uint32_t, 4>& faces, std::vector<TetPoint>& points) const {
+    for (const std::uint32_t f : faces) {
+      if (roots_[f].stage != FaceStage::triage) continue;
+      const FaceCorners& c = faces_[f];
+      const FaceRoots exact = exact_face_roots({&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]]});
+      for (TetPoint& p : points)
+        if (p.id >= first_point_[f] && p.id < first_point_[f] + roots_[f].count)
+          sharpen_point(exact, p.v);
+    }
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const TetCorners> tets_;
+  std::span<const Tensor> tensors_;
+  DegenerateCurves result_;
+  std::vector<char> excluded_;
+  std::vector<std::uint32_t> active_;
+  std::vector<FaceCorners> faces_;
+  std::vector<std::array<std::uint32_t, 4>> faces_of_tet_;
+  std::vector<FaceRoots> roots_;
+  std::vector<std::uint32_t> first_point_;
+  std::vector<Interior> interiors_;
+  std::vector<bool> at_special_;
+};
+
+}  // namespace
+
+DegenerateCurves degenerate_curves(std::span<const Vec3> points, std::span<const TetCorners> tets,
+                                   std::span<const Tensor> tensors) {
+  return Extraction(points, tets, tensors).run();
+}
+
+}  // namespace crest::modes

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/modes/extraction.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/modes/surface_counts.hpp"
+
+namespace crest::modes {
+namespace {
+
+/// Tensors times 2^-scale are at most 1.
+int scale_of(const std::vector<Symmetric>& tensors) {
+  double largest = 0;
+  for (const Symmetric& t : tensors)
+    for (const double x : t) largest = std::fmax(largest, std::fabs(x));
+  return largest > 0 ? std::ilogb(largest) + 1 : 0;
+}
+
+std::uint64_t key(Index a, Index b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+}  // namespace
+
+Extraction::Extraction(const ModeField& field, const Level& level, const ModeOptions& options)
+    : field_(field),
+      scale_(scale_of(field.tensors)),
+      level_(level),
+      limits_{options.max_depth, options.budget},
+      vertices_(field.tensors, scale_, level),
+      lines_(vertices_, level),
+      faces_(vertices_, lines_, level, limits_),
+      cells_(faces_, level, limits_) {
+  decide_all();
+  close_cones();
+  close_again();
+}
+
+Index Extraction::edge(Index a, Index b) {
+  const auto [at, fresh] = mesh_edges_.try_emplace(key(a, b), kNone);
+  if (fresh) at->second = faces_.add_edge(std::min(a, b), std::max(a, b));
+  return at->second;
+}
+
+Index Extraction::edge_between(Index a, Index b) const {
+  const auto found = mesh_edges_.find(key(a, b));
+  return found == mesh_edges_.end() ? kNone : found->second;
+}
+
+Index Extraction::face(Index mesh_face) {
+  const auto [at, fresh] = mesh_faces_.try_emplace(mesh_face, kNone);
+  if (fresh) {
+    const auto& v = field_.mesh.faces()[mesh_face].corners;
+    const std::array<Index, 3> edges = {edge(v[0], v[1]), edge(v[1], v[2]), edge(v[2], v[0])};
+    mesh_faces_[mesh_face] = faces_.add_face(v, edges, 0);
+    if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet)
+      boundary_faces_.insert(mesh_faces_[mesh_face]);
+    return mesh_faces_[mesh_face];
+  }
+  return at->second;
+}
+
+std::array<Tensor, 4> Extraction::tensors_at(const std::array<Index, 4>& v) const {
+  return {vertices_.tensor(v[0]), vertices_.tensor(v[1]), vertices_.tensor(v[2]),
+          vertices_.tensor(v[3])};
+}
+
+/// What doubles tell of every tetrahedron.
+std::vector<Extraction::Scanned> Extraction::scan() const {
+  std::vector<Scanned> r(field_.mesh.tets().size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 1024), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      bool bound = false;
+      const auto found = certain_cell_sign(tensors_at(field_.mesh.tets()[t]), level_, bound);
+      if (found) r[t] = {*found, true, bound};
+    }
+  });
+  return r;
+}
+
+void Extraction::decide_all() {
+  const auto count = static_cast<Index>(field_.mesh.tets().size());
+  counts_.total = count;
+  const auto signs = scan();
+  for (Index t = 0; t < count; ++t) {
+    const auto v = field_.mesh.sorted(t);
+    Cone cone{t, {}, {}};
+    for (const Index x : v) (vertices_.is_zero(x) ? cone.zeros : cone.others).push_back(x);
+    if (!cone.zeros.empty()) {
+      if (cone.others.size() >= 2) cones_.push_back(std::move(cone));
+      ++counts_.cones;
+      continue;
+    }
+    Finding sign = signs[t].finding;
+    if (!signs[t].decided)
+      sign = cell_sign(
+          tensors_at(v), [&] { return vertices_.exact(v); }, level_);
+    if (sign != Finding::none) {
+      ++(signs[t].bound ? counts_.rejected_bound : counts_.rejected_bernstein);
+      counts_.uniform += sign == Finding::uniform ? 1 : 0;
+      continue;
+    }
+    ++counts_.active;
+    std::array<Index, 4> faces;
+    for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(t)[i]);
+    const Index cell = cells_.decide(t, v, faces);
+    counts_.graph_at_once += cells_.cell(cell).state == State::graph ? 1 : 0;
+    trees_.push_back({t, cell});
+  }
+}
+
+/// The curves on faces that cones stand on; the roots of edges come by themselves.
+void Extraction::close_cones() {
+  for (const Cone& c : cones_) {
+    if (c.zeros.size() == 2) edge(c.others[0], c.others[1]);
+    if (c.zeros.size() != 1) continue;
+    faces_.allow(limits_.tests);
+    if (!faces_.close(face(opposite_face(c)))) open_.push_back(c.tet);
+  }
+}
+
+/// Faces that a neighbour has cut after a cell was decided have leaves that are not.
+void Extraction::close_again() {
+  for (Index c = 0; c < cells_.size(); ++c) {
+    if (cells_.cell(c).state != State::graph) continue;
+    faces_.allow(limits_.tests);
+    bool closed = true;
+    for (const Index f : cells_.cell(c).faces) closed = faces_.close(f) && closed;
+    if (!closed) cells_.open(c);
+  }
+  for (Index c = 0; c < cells_.size(); ++c) {
+    counts_.graph_cells += cells_.cell(c).state == State::graph ? 1 : 0;
+    if (cells_.cell(c).state != State::open) continue;
+    open_.push_back(cells_.cell(c).tet);
+    for (const Index f : cells_.cell(c).faces) {
+      std::vector<Index> leaves;
+      faces_.leaves(f, leaves);
+      open_faces_.insert(leaves.begin(), leaves.end());
+    }
+  }
+  std::sort(open_.begin(), open_.end());
+  open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+  counts_.tests = cells_.counters().tests + faces_.counters().tests + counts_.total;
+  counts_.exact_tests = cells_.counters().exact_tests + faces_.counters().exact_tests;
+  counts_.max_depth = std::max(cells_.counters().depth, faces_.counters().depth);
+}
+
+/// Of a tree's root: its corners ascending; parts keep it, a corner being replaced by one beside
+/// it.
+int Extraction::orientation(const Cell& cell) const {
+  const auto given = field_.mesh.tets()[cell.tet];
+  int sign = field_.mesh.orientation(cell.tet) < 0 ? -1 : 1;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = i + 1; k < 4; ++k)
+      if (given[i] > given[k]) sign = -sign;
+  return sign;
+}
+
+void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int orientation) {
+  const Cell& cell = cells_.cell(c);
+  if (cell.part[0] != kNone) {
+    for (const Index part : cell.part) add_leaves(builder, side, part, orientation);
+    return;
+  }
+  if (cell.state != State::graph) return;
+  if (cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] == 0) return;
+  auto pieces = CellTopology(faces_, cell.faces, cell.witness.w).pieces(side);
+  if (pieces) builder.add_cell(cell, orientation, std::move(*pieces));
+}
+
+ModeSurface Extraction::surface(Side side) {
+  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), boundary_faces_, open_faces_);
+  for (const Tree& tree : trees_)
+    add_leaves(builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
+  for (const Cone& c : cones_) {
+    if (c.zeros.size() == 2) {
+      builder.add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
+      continue;
+    }
+    builder.add_cone(c.tet, c.zeros[0], mesh_faces_.at(opposite_face(c)));
+  }
+  ModeSurface s = builder.build();
+  const auto boundary = count(s);
+  for (const auto& [a, b] : boundary)
+    if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;
+  // Each of these is an edge of one triangle: no others, if there are as many.
+  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
+  s.face_loops = face_loops(side);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+    if (product(s.tensors[v], s.tensors[v]) > 0)
+      s.max_mode_error =
+          std::fmax(s.max_mode_error, std::fabs(ModeFunction::mode(s.tensors[v]) - s.mode));
+  return s;
+}
+
+/// Segments from a zero corner to the roots of the opposite edge, in faces on the boundary.
+std::size_t Extraction::cone_rims(Side side) {
+  std::size_t count = 0;
+  for (const Cone& c : cones_)
+    for (const Index f : field_.mesh.faces_of(c.tet)) {
+      if (field_.mesh.faces()[f].tets[1] != kernel::TetMesh::kNoTet) continue;
+      std::vector<Index> others;
+      for (const Index v : field_.mesh.faces()[f].corners)
+        if (!vertices_.is_zero(v)) others.push_back(v);
+      if (others.size() != 2) continue;
+      const Index e = edge_between(others[0], others[1]);
+      if (e == kNone) continue;
+      for (const Index r : lines_.roots(faces_.edge(e).line))
+        count += lines_.root(r).side == side ? 1 : 0;
+    }
+  return count;
+}
+
+/// Cycles of arcs in the tree of one face of the mesh.
+std::size_t Extraction::face_loops(Side side) const {
+  std::size_t count = 0;
+  for (const auto& [mesh_face, f] : mesh_faces_) {
+    if (faces_.face(f).split < 0) continue;
+    std::vector<Index> leaves;
+    faces_.leaves(f, leaves);
+    std::unordered_map<Index, std::vector<Index>> next;
+    for (const Index leaf : leaves) {
+      const Face& face = faces_.face(leaf);
+      for (Index k = 0; k < face.arc_count; ++k) {
+        const Arc& arc = faces_.arcs()[face.first_arc + k];
+        if (arc.side != side) continue;
+        next[arc.roots[0]].push_back(arc.roots[1]);
+        next[arc.roots[1]].push_back(arc.roots[0]);
+      }
+    }
+    std::unordered_set<Index> seen;
+    for (const auto& [start, ends] : next) {
+      if (seen.contains(start)) continue;
+      bool closed = true;
+      std::vector<Index> stack{start};
+      while (!stack.empty()) {
+        const Index r = stack.back();
+        stack.pop_back();
+        if (!seen.insert(r).second) continue;
+        closed = closed && next.at(r).size() == 2;
+        for (const Index n : next.at(r)) stack.push_back(n);
+      }
+      count += closed ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+Index Extraction::opposite_face(const Cone& c) const {
+  const auto v = field_.mesh.sorted(c.tet);
+  const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), c.zeros[0]) - v.begin());
+  return field_.mesh.faces_of(c.tet)[i];
+}
+
+ModeResult Extraction::result() {
+  ModeResult r;
+  r.level = level_;
+  if (level_.neutral()) {
+    r.surfaces.push_back(surface(Side::neutral));
+  } else {
+    r.surfaces.push_back(surface(Side::plus));
+    r.surfaces.push_back(surface(Side::minus));
+  }
+  r.counts = counts_;
+  r.undecided = open_;
+  r.exhausted = cells_.exhausted();
+  return r;
+}
+
+}  // namespace crest::modes

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All trees of one level over a mesh: what the surface and the certificate are made from.
+#include <unordered_map>
+#include <unordered_set>
+
+#include "algorithms/modes/cells.hpp"
+#include "algorithms/modes/modes.hpp"
+#include "algorithms/modes/surface_builder.hpp"
+
+namespace crest::modes {
+
+/// A tetrahedron with zero corners, ascending, and others.
+struct Cone {
+  Index tet;
+  std::vector<Index> zeros, others;
+};
+
+class Extraction {
+ public:
+  /// Decides all tetrahedra. The field must outlive this.
+  Extraction(const ModeField& field, const Level& level, const ModeOptions& options);
+  ModeResult result();
+
+  struct Tree {
+    Index tet, cell;
+  };
+  const std::vector<Tree>& trees() const { return trees_; }
+  const std::vector<Cone>& cones() const { return cones_; }
+  const Cells& cells() const { return cells_; }
+  Faces& faces() { return faces_; }
+  /// Faces of the mesh that are among the trees', with their numbers there.
+  const std::unordered_map<Index, Index>& mesh_faces() const { return mesh_faces_; }
+  Index edge_between(Index a, Index b) const;
+  int scale() const { return scale_; }
+  const Level& level() const { return level_; }
+  const ModeField& field() const { return field_; }
+
+ private:
+  struct Scanned {
+    Finding finding = Finding::none;
+    bool decided = false, bound = false;
+  };
+  std::vector<Scanned> scan() const;
+  std::array<Tensor, 4> tensors_at(const std::array<Index, 4>& v) const;
+  void decide_all();
+  Index face(Index mesh_face);
+  Index edge(Index a, Index b);
+  void close_cones();
+  void close_again();
+  int orientation(const Cell& cell) const;
+  Index opposite_face(const Cone& cone) const;
+  ModeSurface surface(Side side);
+  void add_leaves(SurfaceBuilder& builder, Side side, Index cell, int orientation);
+  std::size_t face_loops(Side side) const;
+  std::size_t cone_rims(Side side);
+
+  const ModeField& field_;
+  int scale_;
+  Level level_;
+  Limits limits_;
+  Vertices vertices_;
+  Lines lines_;
+  Faces faces_;
+  Cells cells_;
+  std::vector<Tree> trees_;
+  std::vector<Cone> cones_;
+  std::unordered_map<Index, Index> mesh_faces_;
+  std::unordered_set<Index> boundary_faces_;  ///< among Faces, on the domain's boundary
+  std::unordered_map<std::uint64_t, Index> mesh_edges_;
+  ModeCounts counts_;
+  std::vector<Index> open_;
+  std::unordered_set<Index> open_faces_;  ///< leaves at open cells
+};
+
+}  // namespace crest::modes

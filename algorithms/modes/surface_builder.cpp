@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/modes/surface_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crest::modes {
+
+using kernel::Vec3;
+
+double ModeFunction::height(const Symmetric& t) const {
+  const double n = product(t, t), c = product(anticommutator(t, t), t);
+  return 0.5 * std::sqrt(6.0) * c - m_ * n * std::sqrt(n);
+}
+
+double ModeFunction::mode(const Symmetric& t) {
+  const double n = product(t, t), c = product(anticommutator(t, t), t);
+  return 0.5 * std::sqrt(6.0) * c / (n * std::sqrt(n));
+}
+
+SurfaceBuilder::SurfaceBuilder(Faces& faces, const Level& level, Side side,
+                               const std::vector<Vec3>& mesh_points,
+                               const std::unordered_set<Index>& boundary_faces,
+                               const std::unordered_set<Index>& open_faces)
+    : faces_(faces),
+      level_(level),
+      side_(side),
+      function_(level, side),
+      places_(mesh_points),
+      boundary_faces_(boundary_faces),
+      open_faces_(open_faces) {
+  surface_.sign = static_cast<int>(side);
+  surface_.mode = surface_.sign * level.value();
+}
+
+namespace {
+
+template <std::size_t N>
+Symmetric interpolated(const Vertices& vertices, const std::array<Index, N>& corners,
+                       const std::array<double, N>& b) {
+  Symmetric r{};
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t k = 0; k < 6; ++k) r[k] += b[i] * vertices.tensor(corners[i]).t[k];
+  return r;
+}
+
+}  // namespace
+
+const Vec3& SurfaceBuilder::place(Index vertex) {
+  for (auto v = static_cast<Index>(places_.size()); v <= vertex; ++v) {
+    const Cut& c = faces_.vertices().cut(v);
+    Vec3 p;
+    for (std::size_t k = 0; k < 3; ++k)
+      p[k] = (64 - c.n) / 64.0 * places_[c.a][k] + c.n / 64.0 * places_[c.b][k];
+    places_.push_back(p);
+  }
+  return places_[vertex];
+}
+
+Index SurfaceBuilder::add_point(const Vec3& p, const Symmetric& t) {
+  surface_.points.push_back(p);
+  surface_.tensors.push_back(t);
+  return static_cast<Index>(surface_.points.size() - 1);
+}
+
+Index SurfaceBuilder::root_point(Index root) {
+  const auto [at, fresh] = root_points_.try_emplace(root, kNone);
+  if (fresh) {
+    const Root& r = faces_.lines().root(root);
+    const auto& line = faces_.lines().line(r.line);
+    const Vec3 a = place(line.a), b = place(line.b);
+    Vec3 p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = (1 - r.t) * a[k] + r.t * b[k];
+    at->second = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
+  }
+  return at->second;
+}
+
+Index SurfaceBuilder::arc_point(Index arc, std::size_t k) {
+  ArcPoint& a = inside_.at(arc)[k];
+  if (a.point == kNone) {
+    const auto corners = faces_.face(faces_.arcs()[arc].face).corners;
+    Vec3 p{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t c = 0; c < 3; ++c) p[c] += a.at[i] * place(corners[i])[c];
+    a.point = add_point(p, interpolated(faces_.vertices(), corners, a.at));
+  }
+  return a.point;
+}
+
+/// The point of the line base + x w, inside the simplex, where the level is crossed.
+template <std::size_t N>
+std::array<double, N> SurfaceBuilder::lifted(const std::array<Index, N>& corners,
+                                             std::array<double, N> base,
+                                             const std::array<double, N>& w, bool* crosses) const {
+  double low = -HUGE_VAL, high = HUGE_VAL;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (w[i] == 0) continue;
+    const double x = -base[i] / w[i];
+    if (w[i] > 0)
+      low = std::fmax(low, x);
+    else
+      high = std::fmin(high, x);
+  }
+  const auto at = [&](double x) {
+    std::array<double, N> b = base;
+    for (std::size_t i = 0; i < N; ++i) b[i] = std::fmax(0, b[i] + x * w[i]);
+    return b;
+  };
+  if (crosses) {
+    const Symmetric a = interpolated(faces_.vertices(), corners, at(low)),
+                    b = interpolated(faces_.vertices(), corners, at(high));
+    constexpr double slack = 1e-13;  // of the mode: where the line only touches the cell's edge
+    *crosses = function_.height(a) <= slack * std::pow(product(a, a), 1.5) &&
+               function_.height(b) >= -slack * std::pow(product(b, b), 1.5);
+  }
+  for (int i = 0; i < 80 && low < high; ++i) {
+    const double x = 0.5 * (low + high);
+    if (!(x > low && x < high)) break;
+    (function_.height(interpolated(faces_.vertices(), corners, at(x))) < 0 ? low : high) = x;
+  }
+  return at(0.5 * (low + high));
+}
+
+std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
+  const Face& face = faces_.face(f);
+  const Root& r = faces_.lines().root(root);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Edge& edge = faces_.edge(face.edges[k]);
+    if (edge.line != r.line) continue;
+    const double begin = edge.begin.lower(), end = edge.end.lower();
+    double s = std::clamp((r.t - begin) / (end - begin), 1e-9, 1 - 1e-9);
+    if (edge.first != face.corners[k]) s = 1 - s;
+    std::array<double, 3> b{};
+    b[k] = 1 - s;
+    b[(k + 1) % 3] = s;
+    return b;
+  }
+  return {1 / 3.0, 1 / 3.0, 1 / 3.0};
+}
+
+/// A point on the arc over the middle of part k of its polyline.
+SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) const {
+  const Arc& arc = faces_.arcs()[a];
+  const Face& face = faces_.face(arc.face);
+  const auto from = root_in_face(arc.roots[0], arc.face), to = root_in_face(arc.roots[1], arc.face);
+  const auto inside = inside_.find(a);
+  const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+  const double last = k == 0 ? 0 : inside->second[k - 1].place,
+               next = k < n ? inside->second[k].place : 1;
+  const double place = 0.5 * (last + next);
+  std::array<double, 3> base, w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    base[i] = (1 - place) * from[i] + place * to[i];
+    w[i] = face.witness.w[i];
+  }
+  return {place, lifted(face.corners, base, w)};
+}
+
+/// Halves these parts of a polyline, given in ascending order.
+void SurfaceBuilder::refine(Index a, const std::set<std::size_t>& parts) {
+  std::vector<ArcPoint> points;
+  const std::vector<ArcPoint> old = inside_[a];
+  for (std::size_t k = 0; k <= old.size(); ++k) {
+    if (parts.contains(k)) points.push_back(middle(a, k));
+    if (k < old.size()) points.push_back(old[k]);
+  }
+  inside_[a] = std::move(points);
+}
+
+/// Two faces at a line may both join the same two roots of it: their chords would be one edge.
+void SurfaceBuilder::bend(Index arc) {
+  const auto& [from, to] = faces_.arcs()[arc].roots;
+  const auto& lines = faces_.lines();
+  if (lines.root(from).line == lines.root(to).line && !inside_.contains(arc)) refine(arc, {0});
+}
+
+void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces) {
+  for (Piece& piece : pieces) {
+    for (const Loop& loop : piece)
+      for (const LoopArc& a : loop) bend(a.arc);
+    jobs_.push_back({cell, orientation, std::move(piece), false, {}, {}});
+  }
+}
+
+SurfaceBuilder::Barycentric SurfaceBuilder::in_cell(const Cell& cell,
+                                                    std::unordered_map<Index, Barycentric>& known,
+                                                    Index vertex) const {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (cell.corners[i] == vertex) {
+      Barycentric b{};
+      b[i] = 1;
+      return b;
+    }
+  if (const auto found = known.find(vertex); found != known.end()) return found->second;
+  const Cut& c = faces_.vertices().cut(vertex);
+  const Barycentric a = in_cell(cell, known, c.a), b = in_cell(cell, known, c.b);
+  Barycentric r;
+  for (std::size_t i = 0; i < 4; ++i) r[i] = (64 - c.n) / 64.0 * a[i] + c.n / 64.0 * b[i];
+  return known[vertex] = r;
+}
+
+/// The loops' points: in the cell's barycentrics, and projected along w.
+SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
+  Layout r;
+  std::unordered_map<Index, Barycentric> known;
+  const auto add = [&](Index f, const std::array<double, 3>& at, Index point) {
+    Barycentric b{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Barycentric c = in_cell(job.cell, known, faces_.face(f).corners[i]);
+      for (std::size_t k = 0; k < 4; ++k) b[k] += at[i] * c[k];
+    }
+    r.at.push_back(b);
+    r.points.push_back(point);
+    std::uint8_t facets = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (b[k] == 0) facets = static_cast<std::uint8_t>(facets | 1U << k);
+    r.planar.facets.push_back(facets);
+    r.planar.loops.back().push_back(r.at.size() - 1);
+  };
+  for (const Loop& loop : job.piece) {
+    r.planar.loops.emplace_back();
+    for (const LoopArc& a : loop) {
+      const Arc& arc = faces_.arcs()[a.arc];
+      const Index root = arc.roots[a.forward ? 0 : 1];
+      add(arc.face, root_in_face(root, arc.face), root_point(root));
+      const auto inside = inside_.find(a.arc);
+      const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+      for (std::size_t k = 0; k <= n; ++k) r.parts.emplace_back(a.arc, a.forward ? k : n - k);
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = a.forward ? i : n - 1 - i;
+        add(arc.face, inside->second[k].at, arc_point(a.arc, k));
+      }
+    }
+  }
+  const auto& w = job.cell.witness.w;
+  std::size_t drop = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (std::abs(w[i]) > std::abs(w[drop])) drop = i;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i != drop) r.order[n++] = i;
+  r.order[3] = drop;
+  for (const Barycentric& b : r.at) {
+    const double k = b[drop] / w[drop];
+    r.planar.points.push_back(
+        {b[r.order[0]] - k * w[r.order[0]], b[r.order[1]] - k * w[r.order[1]]});
+  }
+  return r;
+}
+
+/// A point of the line along w that the planar point stands for.
+SurfaceBuilder::Barycentric SurfaceBuilder::unfolded(const Layout& layout,
+                                                     const std::array<double, 2>& p) {
+  Barycentric b{};
+  b[layout.order[0]] = p[0];
+  b[layout.order[1]] = p[1];
+  b[layout.order[2]] = 1 - p[0] - p[1];
+  return b;
+}
+
+/// Whether the surface is met over all new points: chords may leave its projection.
+bool SurfaceBuilder::lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const {
+  Barycentric w;
+  for (std::size_t i = 0; i < 4; ++i) w[i] = job.cell.witness.w[i];
+  for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
+    bool crosses = false;
+    lifted(job.cell.corners, unfolded(layout, planar.points[i]), w, &crosses);
+    if (!crosses) return false;
+  }
+  return true;
+}
+
+/// Appends the triangles, new points lifted along w.
+void SurfaceBuilder::emit(const Job& job, Layout& layout, const PlanarPiece& planar,
+                          const std::vector<std::array<std::size_t, 3>>& triangles, bool lift) {
+  Barycentric w;
+  for (std::size_t i = 0; i < 4; ++i) w[i] = job.cell.witness.w[i];
+  const auto [x, y, other, drop] = layout.order;
+  for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
+    Barycentric b{};
+    if (lift) {
+      b = lifted(job.cell.corners, unfolded(layout, planar.points[i]), w);
+    } else {
+      for (const Barycentric& a : layout.at)
+        for (std::size_t k = 0; k < 4; ++k) b[k] += a[k] / static_cast<double>(layout.at.size());
+    }
+    Vec3 p{};
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t c = 0; c < 3; ++c) p[c] += b[k] * place(job.cell.corners[k])[c];
+    layout.points.push_back(add_point(p, interpolated(faces_.vertices(), job.cell.corners, b)));
+  }
+  // The sign of (e_x - e_other, e_y - e_other, w) in the barycentrics 1, 2, 3: whether
+  // anticlockwise in the plane is so seen from above.
+  std::array<Barycentric, 3> rows{};
+  rows[0][x] = rows[1][y] = 1;
+  rows[0][other] = rows[1][other] = -1;
+  rows[2] = w;
+  const auto& m = rows;
+  const double det = m[0][1] * (m[1][2] * m[2][3] - m[1][3] * m[2][2]) -
+                     m[0][2] * (m[1][1] * m[2][3] - m[1][3] * m[2][1]) +
+                     m[0][3] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]);
+  const bool turn = (det < 0) != (job.orientation < 0);
+  for (const auto& t : triangles) {
+    const Index a = layout.points[t[0]], b = layout.points[t[turn ? 2 : 1]],
+                c = layout.points[t[turn ? 1 : 2]];
+    surface_.triangles.push_back({a, b, c});
+    surface_.tets.push_back(job.cell.tet);
+  }
+}
+
+void SurfaceBuilder::mesh(const Job& job) {
+  bool open = false;
+  for (const Loop& loop : job.piece)
+    for (const LoopArc& a : loop) open = count_segments(a.arc) || open;
+  mesh_piece(job);
+  touches_.resize(surface_.triangles.size(), open ? 1 : 0);
+}
+
+void SurfaceBuilder::mesh_piece(const Job& job) {
+  Layout layout = lay_out(job);
+  if (job.done) return emit(job, layout, job.planar, job.triangles, true);
+  // As its loops say, but not proven to project injectively.
+  ++surface_.unproven_pieces;
+  PlanarPiece planar = layout.planar;
+  if (const auto triangles = triangulate(planar))
+    return emit(job, layout, planar, *triangles, true);
+  planar = laid_out(layout.planar);
+  if (const auto triangles = triangulate(planar)) emit(job, layout, planar, *triangles, false);
+}
+
+/// Counts the arc's segments if they are on the boundary; whether it is at an open cell.
+bool SurfaceBuilder::count_segments(Index arc) {
+  const Index f = faces_.arcs()[arc].face;
+  const auto inside = inside_.find(arc);
+  const bool open = open_faces_.contains(f);
+  if (boundary_faces_.contains(faces_.face(f).whole) && !open)
+    boundary_segments_ += 1 + (inside == inside_.end() ? 0 : inside->second.size());
+  return open;
+}
+
+Index SurfaceBuilder::zero_point(Index vertex) {
+  const auto [at, fresh] = zero_points_.try_emplace(vertex, kNone);
+  if (fresh) {
+    at->second = add_point(place(vertex), {});
+    surface_.singular_points.push_back(place(vertex));
+  }
+  return at->second;
+}
+
+void SurfaceBuilder::add_cone(Index tet, Index apex, Index f) {
+  std::vector<Index> leaves;
+  faces_.leaves(f, leaves);
+  for (const Index leaf : leaves) {
+    const Face& face = faces_.face(leaf);
+    for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
+      if (faces_.arcs()[a].side == side_) {
+        cones_.push_back({tet, apex, a});
+        bend(a);
+      }
+  }
+}
+
+void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {
+  const RootRange range = faces_.roots(e);
+  const auto& list = faces_.lines().roots(faces_.edge(e).line);
+  for (std::size_t i = 0; i < range.count; ++i) {
+    const Index root = list[range.first + i];
+    if (faces_.lines().root(root).side != side_) continue;
+    surface_.triangles.push_back({zero_point(zero_a), zero_point(zero_b), root_point(root)});
+    surface_.tets.push_back(tet);
+  }
+}
+
+void SurfaceBuilder::mesh(const ConeJob& job) {
+  const bool open = count_segments(job.arc);
+  const Arc& arc = faces_.arcs()[job.arc];
+  std::vector<Index> line{root_point(arc.roots[0])};
+  if (const auto inside = inside_.find(job.arc); inside != inside_.end())
+    for (std::size_t k = 0; k < inside->second.size(); ++k) line.push_back(arc_point(job.arc, k));
+  line.push_back(root_point(arc.roots[1]));
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    surface_.triangles.push_back({zero_point(job.apex), line[k], line[k + 1]});
+    surface_.tets.push_back(job.tet);
+  }
+  touches_.resize(surface_.triangles.size(), open ? 1 : 0);
+}
+
+/// The parts of polylines that cross in the projection; all of them, if none do and still the piece
+/// is not meshed.
+void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts) {
+  const auto& loops = layout.planar.loops;
+  struct Segment {
+    std::array<double, 2> from, to;
+    std::size_t first, second;
+    double low, high;  ///< in x
+  };
+  std::vector<Segment> segments;
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
+      const auto &p = layout.planar.points[a], &q = layout.planar.points[b];
+      segments.push_back({p, q, a, b, std::fmin(p[0], q[0]), std::fmax(p[0], q[0])});
+    }
+  const auto turn = [](const auto& p, const auto& q, const auto& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  std::sort(segments.begin(), segments.end(),
+            [](const Segment& a, const Segment& b) { return a.low < b.low; });
+  const auto add = [&](std::size_t point) {
+    parts[layout.parts[point].first].insert(layout.parts[point].second);
+  };
+  bool found = false;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t k = i + 1; k < segments.size() && segments[k].low <= segments[i].high; ++k) {
+      const Segment &s = segments[i], &t = segments[k];
+      if (s.first == t.second || s.second == t.first) continue;
+      if (turn(s.from, s.to, t.from) * turn(s.from, s.to, t.to) > 0 ||
+          turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) > 0)
+        continue;
+      found = true;
+      add(s.first);
+      add(t.first);
+    }
+  if (found) return;
+  for (const auto& loop : loops)
+    for (const std::size_t point : loop) add(point);
+}
+
+/// Polylines are shared: all are fine enough before any piece is meshed.
+void SurfaceBuilder::refine_all() {
+  constexpr int rounds = 30;
+  constexpr std::size_t most_points = 2000;
+  for (int round = 0; round < rounds; ++round) {
+    Parts parts;
+    for (Job& job : jobs_) {
+      if (job.done) continue;
+      const Layout layout = lay_out(job);
+      job.planar = layout.planar;
+      auto triangles = triangulate(job.planar);
+      job.done = triangles && lifts(job, layout, job.planar);
+      if (job.done)
+        job.triangles = std::move(*triangles);
+      else if (layout.at.size() < most_points)
+        add_faults(layout, parts);
+    }
+    if (parts.empty() || round + 1 == rounds) return;
+    for (const auto& [arc, which] : parts) refine(arc, which);
+    for (Job& job : jobs_)
+      for (const Loop& loop : job.piece)
+        for (const LoopArc& a : loop) job.done = job.done && !parts.contains(a.arc);
+  }
+}
+
+ModeSurface SurfaceBuilder::build() {
+  refine_all();
+  touches_.assign(surface_.triangles.size(), 0);
+  for (const Job& job : jobs_) mesh(job);
+  for (const ConeJob& job : cones_) mesh(job);
+  return std::move(surface_);
+}
+
+}  // namespace crest::modes

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Triangles of the pieces: their loops' polylines, shared with the cells next door, projected along
+// the witness, triangulated and lifted to where the mode is right.
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "algorithms/modes/cells.hpp"
+#include "algorithms/modes/mode_surface.hpp"
+#include "algorithms/modes/planar_pieces.hpp"
+
+namespace crest::modes {
+
+/// f and the mode on a simplex with corners' tensors, in doubles.
+class ModeFunction {
+ public:
+  ModeFunction(const Level& level, Side side)
+      : m_(static_cast<double>(static_cast<int>(side)) * level.value()) {}
+  /// Positive above the level, continuous.
+  double height(const Symmetric& t) const;
+  static double mode(const Symmetric& t);
+
+ private:
+  double m_;
+};
+
+class SurfaceBuilder {
+ public:
+  SurfaceBuilder(Faces& faces, const Level& level, Side side,
+                 const std::vector<kernel::Vec3>& mesh_points,
+                 const std::unordered_set<Index>& boundary_faces,
+                 const std::unordered_set<Index>& open_faces);
+
+  /// Prepares the pieces of a leaf cell with closed facets. `orientation`: of the cell, corners in
+  /// their order.
+  void add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces);
+  /// The cone from a zero corner (or the fan from two) over the curve on the opposite face (the
+  /// roots of the opposite edge): triangles with one or two mesh vertices.
+  void add_cone(Index tet, Index apex, Index face);
+  void add_fan(Index tet, Index zero_a, Index zero_b, Index edge);
+  /// Refines polylines until projections are simple, then triangulates.
+  ModeSurface build();
+  /// Of polylines on the domain's boundary, after build().
+  std::size_t boundary_segments() const { return boundary_segments_; }
+  /// Whether the triangle's piece ends at an open cell, after build().
+  bool touches_open(std::size_t triangle) const { return touches_[triangle] != 0; }
+
+ private:
+  using Barycentric = std::array<double, 4>;
+  struct ArcPoint {
+    double place;  ///< 0 at the arc's first root, 1 at its second
+    std::array<double, 3> at;
+    Index point = kNone;
+  };
+  struct ConeJob {
+    Index tet, apex, arc;
+  };
+  struct Job {
+    Cell cell;
+    int orientation;
+    Piece piece;
+    bool done;  ///< the triangulation stands
+    PlanarPiece planar;
+    std::vector<std::array<std::size_t, 3>> triangles;
+  };
+  /// Of polylines, by arc.
+  using Parts = std::unordered_map<Index, std::set<std::size_t>>;
+  struct Layout {
+    PlanarPiece planar;
+    std::vector<Barycentric> at;
+    std::vector<Index> points;                         ///< of the surface
+    std::vector<std::pair<Index, std::size_t>> parts;  ///< of arcs, from each point on
+    std::array<std::size_t, 4> order{};                ///< the two kept coordinates, the two others
+  };
+
+  Barycentric in_cell(const Cell& cell, std::unordered_map<Index, Barycentric>& known,
+                      Index vertex) const;
+  std::array<double, 3> root_in_face(Index root, Index face) const;
+  ArcPoint middle(Index arc, std::size_t part) const;
+  void refine(Index arc, const std::set<std::size_t>& parts);
+  void bend(Index arc);
+  Layout lay_out(const Job& job);
+  static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
+  bool lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const;
+  static void add_faults(const Layout& layout, Parts& parts);
+  void refine_all();
+  void mesh(const Job& job);
+  void mesh_piece(const Job& job);
+  void mesh(const ConeJob& job);
+  bool count_segments(Index arc);
+  Index zero_point(Index vertex);
+  void emit(const Job& job, Layout& layout, const PlanarPiece& planar,
+            const std::vector<std::array<std::size_t, 3>>& triangles, bool lift);
+  Index add_point(const kernel::Vec3& p, const Symmetric& t);
+  Index root_point(Index root);
+  Index arc_point(Index arc, std::size_t k);
+  const kernel::Vec3& place(Index vertex);
+  template <std::size_t N>
+  std::array<double, N> lifted(const std::array<Index, N>& corners, std::array<double, N> base,
+                               const std::array<double, N>& w, bool* crosses = nullptr) const;
+
+  Faces& faces_;
+  Level level_;
+  Side side_;
+  ModeFunction function_;
+  std::vector<kernel::Vec3> places_;
+  const std::unordered_set<Index>&boundary_faces_, &open_faces_;
+  std::vector<char> touches_;  ///< triangles
+  std::vector<Job> jobs_;
+  std::vector<ConeJob> cones_;
+  std::size_t boundary_segments_ = 0;
+  std::unordered_map<Index, std::vector<ArcPoint>> inside_;  ///< arcs
+  std::unordered_map<Index, Index> root_points_, zero_points_;
+  ModeSurface surface_;
+};
+
+}  // namespace crest::modes

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Vertices of a level's trees: those of the mesh, and those that cut an edge (a, b) at
+// (64 - n) / 64 a + n / 64 b, with their tensors and the signs of f and det there.
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "algorithms/modes/level.hpp"
+#include "algorithms/modes/tensors.hpp"
+#include "kernel/geometry/index.hpp"
+
+namespace crest::modes {
+
+using kernel::Index;
+
+struct Cut {
+  Index a, b;
+  std::uint8_t n;  ///< 1 .. 63
+};
+
+class Vertices {
+ public:
+  /// The mesh's vertices come first. Every tensor is scaled by 2^-scale.
+  Vertices(std::span<const Symmetric> tensors, int scale, const Level& level);
+
+  Index size() const { return static_cast<Index>(tensors_.size()); }
+  Index mesh_size() const { return mesh_size_; }
+  bool is_cut(Index v) const { return v >= mesh_size_; }
+  /// Requires: is_cut(v).
+  const Cut& cut(Index v) const { return cuts_[v - mesh_size_]; }
+  const std::vector<Cut>& cuts() const { return cuts_; }
+
+  Index add(Index a, Index b, std::uint8_t n);
+
+  const Tensor& tensor(Index v) const { return tensors_[v]; }
+  bool is_zero(Index v) const { return v < mesh_size_ && is_isotropic(given_[v]); }
+  /// Requires: not is_zero(v).
+  PointSigns signs(Index v);
+
+  /// Exactly, times one power of two for all.
+  template <std::size_t N>
+  std::array<Entries<kernel::Integer>, N> exact(const std::array<Index, N>& vertices) {
+    std::array<Entries<kernel::Integer>, N> r;
+    long low = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      const long e = exact(vertices[i]).exponent;
+      low = i == 0 ? e : std::min(low, e);
+    }
+    for (std::size_t i = 0; i < N; ++i) {
+      const ExactTensor& t = exact(vertices[i]);
+      r[i] = t.t;
+      for (auto& x : r[i]) x <<= static_cast<unsigned long>(t.exponent - low);
+    }
+    return r;
+  }
+  const ExactTensor& exact(Index v);
+
+ private:
+  std::span<const Symmetric> given_;
+  int scale_;
+  Level level_;
+  Index mesh_size_;
+  std::vector<Tensor> tensors_;
+  std::vector<Cut> cuts_;
+  struct Known {
+    PointSigns signs;
+    bool known = false;
+  };
+  std::vector<Known> signs_;
+  std::unordered_map<Index, ExactTensor> exact_;
+};
+
+}  // namespace crest::modes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Mode surfaces to files.
+#include <string>
+#include <vector>
+
+#include "algorithms/modes/degenerate_result.hpp"
+#include "algorithms/modes/mode_surface.hpp"
+
+namespace crest::io {
+
+struct ModeScene {
+  std::vector<modes::ModeSurface> surfaces;
+  std::vector<modes::DegenerateCurve> curves = {};
+  std::string data_digest = {};  ///< of the certificate; empty: none
+  /// Triangles with a smaller |T| at a corner are left out; 0: none.
+  double min_magnitude = 0;
+};
+
+/// .vtp: triangles with cell arrays mode and tet, point arrays normal, minor, medium, major
+/// (eigenvectors by eigenvalue), magnitude; degenerate curves as lines of mode 1 (linear) and -1
+/// (planar), tet -1, the point arrays 0 there. .ply, .obj: the triangles alone. Guarantees: the
+/// same bytes for the same surfaces; no half-written file. Throws: kernel::InputError for another
+/// extension or a place that cannot be written.
+void write_modes(const std::string& path, const ModeScene& scene);
+
+/// Surfaces and curves in the paper's colours. Requires: a triangle or a curve at least.
+void write_mode_picture(const std::string& path, const ModeScene& scene);
+
+}  // namespace crest::io

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is extracted is proven by a checker that knows nothing of how.
+#include "algorithms/modes/certificate.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "certify/verify.hpp"
+#include "tests/modes/samples.hpp"
+
+using namespace crest;
+using namespace crest::tests;
+
+namespace {
+
+certify::Verdict checked(modes::ModeField field, const std::vector<modes::Level>& levels,
+                         const modes::ModeOptions& options = {}) {
+  const modes::ZeroSet zeros = modes::insert_zeros(field);
+  std::vector<certify::ModeLevel> records;
+  for (const auto& level : levels) modes::extract(field, level, options, records.emplace_back());
+  return certify::verify(certify::encode(modes::make_certificate(field, zeros, records)));
+}
+
+}  // namespace
+
+TEST_CASE("certificates of the reference fields are accepted") {
+  for (const Row& row : small_boxes()) {
+    const auto verdict = checked(box(row.rows, 2, 3, Cut::mirrored), {{0, 1}, {3, 10}, {9, 10}});
+    INFO("field " << row.name << ": " << verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("certificates of piecewise linear fields are accepted") {
+  for (const Rows& rows : piecewise_linear()) {
+    const auto verdict = checked(box(rows, 1.5, 5, Cut::diagonal), {{1, 2}, {4, 5}});
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("certificates with cones, rims and undecided cells are accepted") {
+  auto cone = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  cone.tensors[13] = {5, 5, 5, 0, 0, 0};
+  auto rims = box(small_boxes()[2].rows, 2, 4, Cut::diagonal);
+  for (std::size_t v = 0; v < rims.tensors.size(); ++v)
+    if (rims.mesh.points()[v][0] < 0) rims.tensors[v] = {};
+  modes::ModeOptions shallow;
+  shallow.max_depth = 2;
+  for (const auto& verdict :
+       {checked(cone, {{0, 1}, {3, 5}}), checked(rims, {{3, 5}}),
+        checked(box(small_boxes()[2].rows, 2, 3, Cut::diagonal), {{9, 10}}, shallow)}) {
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("zeros inside an edge, a face and a tetrahedron become vertices") {
+  const auto base = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  const auto t = base.mesh.sorted(10);
+  for (std::size_t size = 2; size <= 4; ++size) {
+    modes::ModeField field = base;
+    // The last tensor is minus the others' sum.
+    std::array<double, 6> sum{};
+    for (std::size_t i = 0; i + 1 < size; ++i)
+      for (std::size_t k = 0; k < 6; ++k) sum[k] -= field.tensors[t[i]][k];
+    field.tensors[t[size - 1]] = sum;
+    modes::ModeField copy = field;
+    const auto zeros = modes::insert_zeros(copy);
+    REQUIRE(zeros.simplices.size() == 1);
+    CHECK(zeros.simplices[0].size() == size);
+    const auto r = modes::extract(copy, {3, 5});
+    CHECK(r.undecided.empty());
+    for (const auto& s : r.surfaces) CHECK(s.watertight);
+    const auto verdict = checked(field, {{0, 1}, {3, 5}});
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
