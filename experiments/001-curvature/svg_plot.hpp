@@ -51,17 +51,17 @@ inline void write_plot(const std::string& path, const std::string& title, const 
   const auto px = [&](double x) {
     return left + (right - left) * (x - xs.front()) / (xs.back() - xs.front());
   };
-  const auto py = [&](double y) {
-    const double t = (std::log10(std::max(y, low)) - first) / (last - first);
-    return bottom - (bottom - top) * t;
+  const auto at_decade = [&](double e) {
+    return bottom - (bottom - top) * (e - first) / (last - first);
   };
+  const auto py = [&](double y) { return at_decade(std::log10(std::max(y, low))); };
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"860\" height=\"560\" "
       "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"15\">\n"
       "<rect width=\"860\" height=\"560\" fill=\"#ffffff\"/>\n";
   svg += fmt::format("<text x=\"{}\" y=\"30\" font-size=\"18\">{}</text>\n", left, title);
   for (double e = first; e <= last; e += step) {
-    const double y = py(std::pow(10, e));
+    const double y = at_decade(e);
     svg += fmt::format(
         "<path d=\"M{} {:.1f}H{}\" stroke=\"#dddddd\"/>"
         "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">10<tspan dy=\"-6\" "
