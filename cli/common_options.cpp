@@ -40,16 +40,17 @@ void add_step_option(CLI::App& app, CommonOptions& options) {
 }
 
 void add_view_options(CLI::App& app, io::Viewpoint& viewpoint) {
-  const auto add = [&](const char* name, std::optional<kernel::Vec3>& direction, const char* help) {
-    app.add_option_function<std::vector<double>>(
-           name,
-           [&](const std::vector<double>& x) {
-             direction = {x[0], x[1], x[2]};
-           },
-           help)
-        ->delimiter(',')
-        ->expected(3)
-        ->type_name("X,Y,Z");
+  const auto add = [&app](const char* name, std::optional<kernel::Vec3>& direction,
+                          const char* help) {
+    const auto take = [name, &direction](const std::string& text) {
+      kernel::Vec3 v{};
+      const std::vector<std::string> words = CLI::detail::split(text, ',');
+      for (std::size_t k = 0; k < 3; ++k)
+        if (words.size() != 3 || !CLI::detail::lexical_cast(words[k], v[k]))
+          throw CLI::ValidationError(name, text + " is not three numbers X,Y,Z");
+      direction = v;
+    };
+    app.add_option_function<std::string>(name, take, help)->type_name("X,Y,Z");
   };
   add("--view", viewpoint.view, "of pictures: from the eye into the scene (--view=-1,0,0)");
   add("--up", viewpoint.up, "of pictures: what points up (default: the way the shape stands)");

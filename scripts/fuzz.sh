@@ -36,13 +36,14 @@ for target in "$@"; do
   mkdir -p "$found" "build-fuzz/new/$target"
   options="-max_total_time=$seconds -timeout=10 -rss_limit_mb=4000 -print_final_stats=1"
   # VTK leaks on damaged files and asks malloc for absurd sizes, which Crest reports.
-  case $target in *vt[pu]) options="$options -detect_leaks=0" ;; esac
+  export ASAN_OPTIONS=allocator_may_return_null=1
+  case $target in *vt[pu]) ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 ;; esac
   [ -d "$corpus" ] || corpus=
   # The fuzzer counts seconds of the clock: again until it has had them of the processor.
   used=0 inputs=0 kept=0 runs=0
   while [ "$used" -lt "$seconds" ] && [ $runs -lt 20 ] && [ -z "$(ls -A "$found")" ]; do
     runs=$((runs + 1))
-    { time ASAN_OPTIONS=allocator_may_return_null=1 "build-fuzz/tests/fuzz/fuzz_$target" $options \
+    { time "build-fuzz/tests/fuzz/fuzz_$target" $options \
       -artifact_prefix="$found/" "build-fuzz/new/$target" $corpus >"$log" 2>&1 || true; } 2>"$log.time"
     used=$((used + $(awk 'END { printf "%d", $1 + $2 }' "$log.time")))
     inputs=$((inputs + $(awk '/stat::number_of_executed_units/ { n = $2 } END { print n + 0 }' "$log")))

@@ -65,7 +65,7 @@ class Columns {
         soup_.point_fields.emplace_back(Field{.name = "Normals", .components = 3, .normals = true});
     if (!request_.normals && !request_.asks_for(field.name)) return;
     auto& numbers = field.numbers.emplace<std::vector<double>>(3 * element_.count);
-    take_triple({"nx", "ny", "nz"}, numbers.data());
+    if (!numbers.empty()) take_triple({"nx", "ny", "nz"}, numbers.data());
   }
 
   void add_field(Column& column) {

@@ -98,6 +98,9 @@ TEST_CASE("a place that cannot be written is found out first, in one line") {
   check_refused("crest ridges t.off -o no/such/folder/t.vtp", folder.path(), 3);
   check_refused("crest ridges t.off --report kept/t.json", folder.path(), 3);
   check_refused("crest ridges t.off -o folder.vtp", folder.path(), 3);
+  check_refused("crest ridges t.off --picture t.png --view 0,0,0", folder.path(), 3);
+  check_refused("crest curvature t.off --picture t.png --view 0,0,1 --up 0,0,-2", folder.path(), 3);
+  check_refused("crest reeb t.off --expression z --picture t.png --up nan,0,0", folder.path(), 3);
   check_refused("crest sample ellipsoid --vertices 600 -o no/such/folder/t.off", folder.path(), 3);
   // Found out before the input is read.
   const auto result = run_crest("crest ridges missing.off -o no/t.vtp", folder.path());
