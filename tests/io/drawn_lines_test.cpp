@@ -37,7 +37,7 @@ std::vector<io::LinePoint> drawn(const ridges::Ridge& ridge, double spur) {
 }
 
 std::ptrdiff_t pruned(const std::vector<io::LinePoint>& line) {
-  return std::count_if(line.begin(), line.end(), [](const auto& p) { return p.level == 0; });
+  return std::count_if(line.begin(), line.end(), [](const auto& p) { return p.spur; });
 }
 
 constexpr auto kCut = ridges::EndKind::cut, kBoundary = ridges::EndKind::boundary;
@@ -62,8 +62,8 @@ TEST_CASE("drawn lines: a short piece that turns off at a cut end is pruned") {
   for (int i = 0; i <= 60; ++i) hook.push_back({double(i), 0, 0});
   const auto line = drawn(ridge_of(hook, kCut, kCut), 15);
   CHECK(pruned(line) >= 6);
-  CHECK(line[20].level == 2);
-  CHECK(line.back().level == 2);
+  CHECK(!line[20].spur);
+  CHECK(!line.back().spur);
   // What is longer than a spur, or ends at something, stays.
   CHECK(pruned(drawn(ridge_of(hook, kCut, kCut), 3)) == 0);
   CHECK(pruned(drawn(ridge_of(hook, kBoundary, kCut), 15)) == 0);
