@@ -55,7 +55,7 @@ std::size_t spur_points(std::size_t count, const At& at, double spur) {
 }
 
 void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LinePoint>& line) {
-  const auto lesser = [&](const LinePoint& p) { return p.level < level; };
+  const auto lesser = [&](const LinePoint& p) { return p.spur || p.level < level; };
   const auto first = std::find_if(line.begin(), line.end(), lesser);
   if (ridge.loop && first == line.end()) return;
   if (ridge.loop) std::rotate(line.begin(), first, line.end());
@@ -66,14 +66,14 @@ void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LineP
     const std::size_t count = end - i;
     if (count < 2) continue;
     std::size_t front = 0, back = 0;
-    if (i > 0 || ridge.ends[0].kind == ridges::EndKind::cut)
+    if (i > 0 || ridge.loop || ridge.ends[0].kind == ridges::EndKind::cut)
       front = spur_points(
           count, [&](std::size_t k) { return line[i + k].point; }, spur);
-    if (end < n || ridge.ends[1].kind == ridges::EndKind::cut)
+    if (end < n || ridge.loop || ridge.ends[1].kind == ridges::EndKind::cut)
       back = spur_points(
           count, [&](std::size_t k) { return line[end - 1 - k].point; }, spur);
-    for (std::size_t k = 0; k < front; ++k) line[i + k].level = 0;
-    for (std::size_t k = 0; k < back; ++k) line[end - 1 - k].level = 0;
+    for (std::size_t k = 0; k < front; ++k) line[i + k].spur = true;
+    for (std::size_t k = 0; k < back; ++k) line[end - 1 - k].spur = true;
     i = end;
   }
 }
@@ -85,7 +85,7 @@ std::vector<LinePoint> drawn_line(const kernel::TriangleMesh& mesh,
                                   double spur, int full_level) {
   std::vector<LinePoint> line = line_points(ridge);
   smooth(mesh, normals, ridge.loop, line);
-  for (const int level : {full_level, 1}) prune(ridge, spur, level, line);
+  for (const int level : {1, full_level}) prune(ridge, spur, level, line);
   return line;
 }
 

@@ -97,8 +97,8 @@ void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeG
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
       const RidgeType type = options.order == 3 ? line[i].third_order : line[i].fourth_order;
-      const int level = std::min(line[i].level, next.level);
-      const bool full = level >= options.full_level, pruned = options.by_salience && level == 0;
+      const bool full = std::min(line[i].level, next.level) >= options.full_level;
+      const bool pruned = line[i].spur || next.spur;
       const std::size_t base = ridge_class(ridge.colour, type);
       const std::size_t stroke_class = base + (full ? thin_classes : 0);
       drawing.classes[base + thin_classes].in_graph = true;

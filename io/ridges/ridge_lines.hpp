@@ -15,6 +15,7 @@ struct LinePoint {
   ridges::RidgeType fourth_order;    ///< of the segment after it, at the end the one before
   ridges::RidgeType third_order;     ///< likewise
   std::uint8_t level;                ///< of the crossing, in a patch of the one beside it
+  bool spur = false;                 ///< not to be drawn (drawn_lines.hpp)
 };
 
 /// Lead-in, crossings, lead-out. A segment that leads to or from the first or last crossing has
