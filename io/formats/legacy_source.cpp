@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "io/formats/files.hpp"
@@ -63,8 +64,9 @@ LegacySource::LegacySource(std::string_view bytes) : scan_(bytes) {
   if (!binary_ && !is_keyword(kind, "ascii"))
     fail("header (line 3)", "is neither ASCII nor BINARY", kRepair);
   if (binary_) return;
-  const std::size_t place = scan_.position();
-  scan_ = TextScan(check_text(bytes));
+  const std::string_view text = check_text(bytes);
+  const std::size_t place = std::min(scan_.position(), text.size());
+  scan_ = TextScan(text);
   scan_.move_to(place);
 }
 

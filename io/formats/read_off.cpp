@@ -237,8 +237,9 @@ Soup read_off(std::string_view bytes, const FieldRequest& request) {
     start.next_line();
     return read_binary_off(start.peek_bytes(start.room()), vertex, normals);
   }
-  TextScan scan(check_text(bytes), '#');
-  scan.move_to(start.position());
+  const std::string_view text = check_text(bytes);
+  TextScan scan(text, '#');
+  scan.move_to(std::min(start.position(), text.size()));  // the zeros may be in a comment
   return OffReader(scan, vertex, normals).read();
 }
 
