@@ -24,6 +24,8 @@ class Sturm {
   /// Requires: a is not empty, its first and last numbers are not 0.
   explicit Sturm(std::vector<Integer> a);
 
+  /// No root is multiple, real or not.
+  bool square_free() const { return chain_.back().size() == 1; }
   int sign(const Place& t) const { return sign_at(chain_[0], t); }
   /// Distinct roots strictly between two places. Requires: it is not zero at either.
   int distinct(const Place& low, const Place& high) const;
