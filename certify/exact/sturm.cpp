@@ -64,7 +64,7 @@ Sturm::Sturm(std::vector<Integer> a) {
   }
 }
 
-int Sturm::sign_at(const std::vector<Integer>& a, const Place& t) {
+int sign_at(const std::vector<Integer>& a, const Place& t) {
   const Integer rest = (Integer(1) << t.exponent) - t.numerator;
   // Horner's rule in both: sum a_i p^i q^(d - i).
   Integer sum = 0, power = 1;

@@ -18,18 +18,22 @@ Place place(double x);
 /// a + (b - a) k / 8.
 Place between(const Place& a, const Place& b, unsigned k);
 
+/// The sign of sum a_i t^i (1 - t)^(d - i).
+int sign_at(const std::vector<Integer>& a, const Place& t);
+
 /// sum a_i t^i (1 - t)^(d - i): in u = t / (1 - t) >= 0, the polynomial with these coefficients.
 class Sturm {
  public:
   /// Requires: a is not empty, its first and last numbers are not 0.
   explicit Sturm(std::vector<Integer> a);
 
-  int sign(const Place& t) const { return sign_at(chain_[0], t); }
+  /// No root is multiple, real or not.
+  bool square_free() const { return chain_.back().size() == 1; }
+  int sign(const Place& t) const { return modes::sign_at(chain_[0], t); }
   /// Distinct roots strictly between two places. Requires: it is not zero at either.
   int distinct(const Place& low, const Place& high) const;
 
  private:
-  static int sign_at(const std::vector<Integer>& a, const Place& t);
   int variations(const Place& t) const;
 
   std::vector<std::vector<Integer>> chain_;

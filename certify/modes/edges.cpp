@@ -324,6 +324,29 @@ State LevelContext::state(u32 vertex, Worker& worker) const {
   return static_cast<State>(found);
 }
 
+int sign_on_edge(const LevelContext& context, u32 node, double t, Worker& worker) {
+  const EdgeNode& edge = context.trees.edges[node];
+  const std::array<u32, 2> ends = {edge.first, edge.second};
+  const auto products = approximate_products<2>(context.field, ends);
+  const SimplexForms<double, 2> forms(products);
+  const bool neutral = context.level.neutral;
+  if (const int sign =
+          neutral ? Line(forms.cube()).sign(t) : Line(forms.pair(context.level)).sign(t);
+      sign != 0)
+    return sign;
+  const auto exact = exact_products<2>(worker.exact, ends);
+  const SimplexForms<Integer, 2> integers(exact);
+  std::vector<Integer> a;
+  if (neutral) {
+    const auto form = integers.cube();
+    a.assign(form.c.begin(), form.c.end());
+  } else {
+    const auto form = integers.pair(context.level);
+    a.assign(form.c.begin(), form.c.end());
+  }
+  return sign_at(a, place(t));
+}
+
 void check_edge(const LevelContext& context, u32 node, Worker& worker) {
   EdgeCheck(context, node, worker).run();
 }

@@ -37,6 +37,9 @@ class LevelContext {
   mutable std::vector<std::atomic<std::int8_t>> states_;
 };
 
+/// The sign of f at a place in [0, 1] of a leaf.
+int sign_on_edge(const LevelContext& context, u32 node, double t, Worker& worker);
+
 /// Throws Reject unless a leaf's roots are right: number, enclosures, levels.
 void check_edge(const LevelContext& context, u32 node, Worker& worker);
 

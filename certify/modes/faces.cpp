@@ -11,35 +11,38 @@ namespace {
 
 using kernel::Rational;
 
-/// A root on the boundary of a face; the numbers run along its edge from corner k to corner k + 1.
+/// A root on the boundary of a face: in (low, high) of a leaf edge whose ends are at these places
+/// of the face's edge, measured from corner k to corner k + 1.
 template <class Number>
 struct RootOnFace {
-  u32 root;
+  u32 root, node;
   unsigned edge;
-  Number low, high;
+  double low, high;
+  Number first, second;
+
+  Number place(double t) const {
+    // At an end exactly that number: roots next to one vertex have the same place.
+    return t == 0 ? first : t == 1 ? second : Number(first + Number(t) * (second - first));
+  }
 };
 
-/// low and high: of the part of an edge, in the whole.
+/// first and second: of the part of an edge, in the whole.
 template <class Number>
-void list_edge(const LevelContext& context, u32 node, const Number& low, const Number& high,
+void list_edge(const LevelContext& context, u32 node, const Number& first, const Number& second,
                std::vector<RootOnFace<Number>>& roots) {
   const EdgeNode& edge = context.trees.edges[node];
   if (edge.leaf()) {
     require(!edge.open, "edge ({}, {}): open, yet of a face that is not", edge.first, edge.second);
     for (u32 i = edge.root; i < edge.root + edge.roots; ++i) {
       const RootRecord& root = context.stated.roots[i];
-      // At an end of the part exactly that number: roots next to one vertex have the same place.
-      const auto at = [&](double t) -> Number {
-        return t == 0 ? low : t == 1 ? high : Number(low + Number(t) * (high - low));
-      };
-      roots.push_back({i, 0, at(root.low), at(root.high)});
+      roots.push_back({i, node, 0, root.low, root.high, first, second});
     }
     return;
   }
   const unsigned n = context.field.parts(context.trees.edges[edge.other].first).n;
-  const Number middle = low + (high - low) * Number(n / 64.0);
-  list_edge(context, node + 1, low, middle, roots);
-  list_edge(context, edge.other, middle, high, roots);
+  const Number middle = first + (second - first) * Number(n / 64.0);
+  list_edge(context, node + 1, first, middle, roots);
+  list_edge(context, edge.other, middle, second, roots);
 }
 
 /// All roots around a face, in their order around it. Doubles are wrong by at most kPlaceError: a
@@ -52,16 +55,13 @@ std::vector<RootOnFace<Number>> list_roots(const LevelContext& context, const Fa
   for (unsigned k = 0; k < 3; ++k) {
     some.clear();
     list_edge<Number>(context, face.edges[k].node, 0, 1, some);
-    if (face.edges[k].reversed) {
-      std::ranges::reverse(some);
-      for (auto& root : some) {
-        std::swap(root.low, root.high);
-        root.low = 1 - root.low;
-        root.high = 1 - root.high;
-      }
-    }
+    if (face.edges[k].reversed) std::ranges::reverse(some);
     for (auto& root : some) {
       root.edge = k;
+      if (face.edges[k].reversed) {
+        root.first = 1 - root.first;
+        root.second = 1 - root.second;
+      }
       all.push_back(root);
     }
   }
@@ -71,8 +71,9 @@ std::vector<RootOnFace<Number>> list_roots(const LevelContext& context, const Fa
 /// Orders the roots of a level in a graph face by t, which is constant along w.
 class ArcOrder {
  public:
-  ArcOrder(const LevelContext& context, const FaceNode& face, const Direction<3>& w)
+  ArcOrder(const LevelContext& context, const FaceNode& face, const Direction<3>& w, Worker& worker)
       : context_(context),
+        worker_(worker),
         face_(face),
         t_{static_cast<double>(w[1] - w[2]), static_cast<double>(w[2] - w[0]),
            static_cast<double>(w[0] - w[1])},
@@ -86,9 +87,15 @@ class ArcOrder {
     for (unsigned i = 0; i < roots_.size(); ++i)
       if (context_.stated.roots[roots_[i].root].level == level) order.push_back(i);
     const auto key = [&](unsigned i) { return std::tuple(middle(i), outward(i), along(i)); };
+    const auto wrong = [&](unsigned i, unsigned j) { return !in_order(i, j); };
     std::ranges::sort(order, {}, key);
-    for (std::size_t i = 0; i + 1 < order.size(); ++i)
-      if (!in_order(order[i], order[i + 1])) refuse(order[i], order[i + 1]);
+    auto at = std::ranges::adjacent_find(order, wrong);
+    if (at != order.end()) {
+      for (const unsigned i : order) narrow(i);
+      std::ranges::sort(order, {}, key);
+      at = std::ranges::adjacent_find(order, wrong);
+    }
+    if (at != order.end()) refuse(*at, *(at + 1));
     require(order.size() % 2 == 0, "face ({}, {}, {}): an odd number of roots", face_.corners[0],
             face_.corners[1], face_.corners[2]);
     for (std::size_t i = 0; i < order.size(); i += 2) {
@@ -107,13 +114,34 @@ class ArcOrder {
         face_.corners[0], face_.corners[1], face_.corners[2], i, j, a[0], a[1], b[0], b[1]));
   }
 
+  /// Halves the enclosure of a simple root until it is narrow.
+  void narrow(unsigned i) {
+    auto& root = roots_[i];
+    for (int k = 0; k < 45 && root.low < root.high; ++k) {
+      bool done = false;
+      for (const double part : {0.5, 0.375, 0.625, 0.25, 0.75}) {
+        const double t = root.low + part * (root.high - root.low);
+        if (!(root.low < t && t < root.high)) break;
+        const int there = sign_on_edge(context_, root.node, t, worker_);
+        if (there == 0) continue;
+        const int low = sign_on_edge(context_, root.node, root.low, worker_);
+        if (low == sign_on_edge(context_, root.node, root.high, worker_)) break;  // of a pair
+        (there == low ? root.low : root.high) = t;
+        done = true;
+        break;
+      }
+      if (!done) break;
+    }
+    if (!exact_.empty()) exact_[i].low = root.low, exact_[i].high = root.high;
+  }
+
   double start(unsigned i) const { return t_[roots_[i].edge]; }
   double end(unsigned i) const { return t_[(roots_[i].edge + 1) % 3]; }
   /// Direction of t along the root's edge.
   int rise(unsigned i) const { return end(i) > start(i) ? 1 : end(i) < start(i) ? -1 : 0; }
 
   double middle(unsigned i) const {
-    const double s = (roots_[i].low + roots_[i].high) / 2;
+    const double s = (roots_[i].place(roots_[i].low) + roots_[i].place(roots_[i].high)) / 2;
     return rise(i) == 0 ? start(i) : start(i) + s * (end(i) - start(i));
   }
   /// An edge along w is at an end of the order: its root comes before, or after, those next to
@@ -125,7 +153,8 @@ class ArcOrder {
   /// Roots next to a vertex between two edges along which t goes the same way: in their order. At
   /// corner 0 those of edge 2 come first.
   int along(unsigned i) const {
-    const bool after_all = roots_[i].edge == 0 && roots_[i].high == 0;
+    const auto& root = roots_[i];
+    const bool after_all = root.edge == 0 && root.low == root.high && root.place(root.low) == 0;
     return rise(i) * static_cast<int>(after_all ? i + roots_.size() : i);
   }
 
@@ -133,7 +162,8 @@ class ArcOrder {
   template <class Number>
   std::array<Number, 2> interval(const RootOnFace<Number>& root) const {
     const Number from(t_[root.edge]), to(t_[(root.edge + 1) % 3]);
-    const Number a = from + root.low * (to - from), b = from + root.high * (to - from);
+    const Number a = from + root.place(root.low) * (to - from);
+    const Number b = from + root.place(root.high) * (to - from);
     if (b < a) return {b, a};
     return {a, b};
   }
@@ -144,11 +174,16 @@ class ArcOrder {
     const double size = std::fabs(t_[0]) + std::fabs(t_[1]) + std::fabs(t_[2]);
     const double error = widened(2 * size * (kPlaceError + 8 * kUnit));
     if (interval(roots_[i])[1] + 2 * error <= interval(roots_[j])[0]) return true;
-    if (exact_.empty()) exact_ = list_roots<Rational>(context_, face_);
+    if (exact_.empty()) {
+      exact_ = list_roots<Rational>(context_, face_);
+      for (std::size_t k = 0; k < exact_.size(); ++k)
+        exact_[k].low = roots_[k].low, exact_[k].high = roots_[k].high;
+    }
     return interval(exact_[i])[1] <= interval(exact_[j])[0];
   }
 
   const LevelContext& context_;
+  Worker& worker_;
   const FaceNode& face_;
   std::array<double, 3> t_;
   std::vector<RootOnFace<double>> roots_;
@@ -162,8 +197,8 @@ Direction<3> direction(const LevelContext& context, const FaceNode& face) {
 
 }  // namespace
 
-std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face) {
-  ArcOrder order(context, face, direction(context, face));
+std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face, Worker& worker) {
+  ArcOrder order(context, face, direction(context, face), worker);
   std::vector<ArcPair> arcs;
   order.join(1, arcs);
   if (!context.level.neutral) order.join(-1, arcs);
@@ -185,7 +220,7 @@ void check_face(const LevelContext& context, u32 node, Worker& worker) {
   require(!plain || lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
   check_witness(context, face.corners, direction(context, face),
                 plain ? std::nullopt : std::optional(lambda), worker);
-  const auto arcs = find_arcs(context, face);
+  const auto arcs = find_arcs(context, face, worker);
   require(arcs.size() == face.arcs, "face ({}, {}, {}): {} arcs listed, {} found", a, b, c,
           face.arcs, arcs.size());
   for (u32 i = 0; i < arcs.size(); ++i) {

@@ -22,7 +22,7 @@ void check_witness(const LevelContext& context, const std::array<u32, 4>& corner
 
 /// The arcs of a leaf with a witness that holds, ascending. Throws Reject if the enclosures of
 /// roots do not tell.
-std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face);
+std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face, Worker& worker);
 
 /// A leaf: rejected, or its witness holds and its arcs are those listed.
 void check_face(const LevelContext& context, u32 node, Worker& worker);

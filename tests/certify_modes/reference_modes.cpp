@@ -446,7 +446,8 @@ class Producer {
     trees.mark_needed(domain_, field_);
     const LevelContext context(made_, field_, trees);
     for (const FaceNode& face : trees.faces)
-      if (face.arcs > 0) std::ranges::copy(find_arcs(context, face), made_.arcs.begin() + face.arc);
+      if (face.arcs > 0)
+        std::ranges::copy(find_arcs(context, face, *worker_), made_.arcs.begin() + face.arc);
     std::vector<CellPieces> pieces;
     bool good = true;
     for (std::size_t i = 0; i < trees.cells.size(); ++i) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/modes_curves/encode.hpp"
+
+#include "certify/container/compose.hpp"
+
+namespace crest::certify {
+namespace {
+
+template <std::size_t n>
+void write(ByteWriter& out, const std::array<std::uint32_t, n>& corners) {
+  out.numbers(std::span<const std::uint32_t>(corners));
+}
+void write(ByteWriter& out, const DegeneratePoint& point) {
+  out.integer(point.face);
+  out.integer(point.type);
+  out.numbers(std::span<const double>(point.low));
+  out.numbers(std::span<const double>(point.high));
+}
+void write(ByteWriter& out, const DegenerateArc& arc) {
+  out.integer(arc.tet);
+  write(out, arc.points);
+}
+
+template <class Record>
+void write_list(ByteWriter& out, const std::vector<Record>& list) {
+  out.count(list.size());
+  for (const Record& record : list) write(out, record);
+}
+
+}  // namespace
+
+Bytes encode(const ModesCurvesCertificate& c) {
+  const auto write_data = [&](ByteWriter& out) {
+    out.count(c.points.size());
+    out.count(c.tets.size());
+    for (const auto& tet : c.tets) write(out, tet);
+    out.rows(c.points);
+    out.rows(c.tensors);
+  };
+  const auto write_claims = [&](ByteWriter& out) {
+    write_list(out, c.faces);
+    write_list(out, c.face_points);
+    write_list(out, c.arcs);
+    write_list(out, c.special_faces);
+    out.count(c.special_tets.size());
+    out.numbers(c.special_tets);
+    for (const CurveCounts* counts : {&c.linear, &c.planar})
+      for (const auto number : {counts->open, counts->closed, counts->touched}) out.integer(number);
+  };
+  const std::size_t size = 8 + 16 * c.tets.size() + 24 * c.points.size() + 48 * c.tensors.size();
+  return compose({kModesCurves, kModesCurvesVersion}, size, write_data, write_claims);
+}
+
+}  // namespace crest::certify

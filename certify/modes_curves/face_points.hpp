@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The degenerate tensors of a face, exactly (SPEC.md).
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "certify/exact/sturm.hpp"
+#include "certify/exact/tensor_field.hpp"
+
+namespace crest::certify::curves {
+
+using kernel::Rational;
+using modes::u32;
+
+template <class Number>
+using Triple = std::array<Number, 3>;
+template <class Number>
+using Matrix = std::array<Triple<Number>, 3>;
+
+/// Numbers between two rationals.
+struct Range {
+  Rational low, high;
+
+  int sign() const { return low > 0 ? 1 : high < 0 ? -1 : 0; }
+};
+Range operator+(const Range& a, const Range& b);
+Range operator-(const Range& a, const Range& b);
+Range operator*(const Range& a, const Range& b);
+
+/// A root of a polynomial with simple roots, in (low, high) of t; the eigenvector v there is a
+/// quadratic curve's point: three polynomials in u = t / (1 - t), or -t / (1 - t).
+class FacePoint {
+ public:
+  FacePoint(std::shared_ptr<const modes::Sturm> sturm, modes::Place low, modes::Place high,
+            bool negative, std::array<std::vector<Rational>, 3> v);
+
+  int type = 0;    ///< +1 linear, -1 planar
+  u32 listed = 0;  ///< place among the listed points
+
+  /// The sign at the root of a polynomial in u; empty if it may be zero.
+  std::optional<int> sign(const std::vector<Rational>& polynomial) const;
+  const std::array<std::vector<Rational>, 3>& curve() const { return v_; }
+  /// Around v, at the present interval of u.
+  Triple<Range> direction() const;
+  void refine();
+
+ private:
+  Range at() const;
+  std::shared_ptr<const modes::Sturm> sturm_;
+  modes::Place low_, high_;
+  bool negative_;
+  std::array<std::vector<Rational>, 3> v_;
+};
+
+/// A listed point's box of weights of corners 0 and 1.
+struct Box {
+  std::array<double, 2> low, high;
+  int type;
+  u32 listed;
+};
+
+/// The tensors of a simplex as matrices, to one common scale.
+std::vector<Matrix<Rational>> matrices(modes::ExactTensors& exact, std::span<const u32> corners);
+/// B_i of SPEC.md: <B_i, T_j> is 1 for i = j, else 0. Throws Reject if the tensors are dependent.
+std::vector<Matrix<Rational>> dual_basis(const std::vector<Matrix<Rational>>& tensors);
+/// Traceless matrices orthogonal to all tensors, as many as there are.
+std::vector<Matrix<Rational>> complement(const std::vector<Matrix<Rational>>& tensors);
+Rational determinant(const Matrix<Rational>& m);
+
+/// All points of a face, each matched with the box that holds it. Throws Reject if they are not
+/// those of the boxes, or are of a kind that is not decided.
+std::vector<FacePoint> find_points(modes::ExactTensors& exact, const std::array<u32, 3>& corners,
+                                   const std::vector<Box>& boxes);
+
+}  // namespace crest::certify::curves

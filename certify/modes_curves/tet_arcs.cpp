@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/modes_curves/tet_arcs.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "certify/container/reject.hpp"
+
+namespace crest::certify::curves {
+namespace {
+
+using Direction = Triple<Range>;
+
+Range exactly(const Rational& x) {
+  return {x, x};
+}
+Direction exactly(const Triple<Rational>& v) {
+  return {exactly(v[0]), exactly(v[1]), exactly(v[2])};
+}
+Direction times(const Matrix<Rational>& m, const Direction& v) {
+  Direction w;
+  for (unsigned i = 0; i < 3; ++i)
+    w[i] = exactly(m[i][0]) * v[0] + exactly(m[i][1]) * v[1] + exactly(m[i][2]) * v[2];
+  return w;
+}
+Range dot(const Direction& a, const Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Direction cross(const Direction& a, const Direction& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Direction turned(const Direction& v) {
+  const Range zero = {0, 0};
+  return {zero - v[0], zero - v[1], zero - v[2]};
+}
+
+/// A vector inside the conic v . m v = 0: those around the axis of the eigenvalue that has another
+/// sign than the others, to 45 degrees at least, as the trace is 0.
+Triple<Rational> inside(const Matrix<Rational>& m, int sign) {
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const Triple<Rational> c = {x, y, z};
+        Rational sum = 0;
+        for (unsigned i = 0; i < 3; ++i)
+          for (unsigned j = 0; j < 3; ++j) sum += c[i] * m[i][j] * c[j];
+        if ((sum > 0) - (sum < 0) == sign) return c;
+      }
+  throw std::logic_error("no vector inside the conic");
+}
+
+/// The points in their order around a vector inside the conic.
+class Order {
+ public:
+  Order(const Matrix<Rational>& conic, std::vector<TetPoint>& points)
+      : conic_(conic), points_(points) {
+    const Rational det = determinant(conic);
+    sign_ = det > 0 ? 1 : -1;
+    centre_ = exactly(inside(conic, sign_));
+  }
+
+  /// Ascending from point 0 on.
+  std::vector<std::size_t> sorted() {
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin() + 1, order.end(),
+              [&](std::size_t a, std::size_t b) { return orientation(a, b) > 0; });
+    return order;
+  }
+
+  /// Whether the form rises from 0 at point 0 where the order goes on.
+  int rise(const Matrix<Rational>& form) {
+    return certain([&] {
+      const Direction v = direction(0);
+      Direction w = cross(times(conic_, v), v);
+      const int turn = dot(centre_, cross(v, w)).sign();
+      if (turn < 0) w = turned(w);
+      return turn == 0 ? 0 : dot(v, times(form, w)).sign();
+    });
+  }
+
+ private:
+  int orientation(std::size_t a, std::size_t b) {
+    return certain([&] { return dot(direction(0), cross(direction(a), direction(b))).sign(); });
+  }
+
+  /// Scaled so that it is on the centre's side of the centre's polar.
+  Direction direction(std::size_t i) {
+    Direction v = points_[i].point.direction();
+    const int side = certain_side(i, v);
+    return side * sign_ < 0 ? turned(v) : v;
+  }
+  int certain_side(std::size_t i, Direction& v) {
+    for (int k = 0; k < kMost; ++k) {
+      if (const int side = dot(times(conic_, centre_), v).sign(); side != 0) return side;
+      points_[i].point.refine();
+      v = points_[i].point.direction();
+    }
+    throw Undecided("conic: a point that cannot be enclosed");
+  }
+
+  template <class Sign>
+  int certain(const Sign& sign) {
+    for (int k = 0; k < kMost; ++k) {
+      if (const int found = sign(); found != 0) return found;
+      for (TetPoint& point : points_) point.point.refine();
+    }
+    throw Undecided("conic: points that cannot be told apart");
+  }
+
+  static constexpr int kMost = 200;
+  const Matrix<Rational>& conic_;
+  std::vector<TetPoint>& points_;
+  int sign_;
+  Direction centre_;
+};
+
+}  // namespace
+
+std::vector<std::array<std::size_t, 2>> find_arcs(modes::ExactTensors& exact,
+                                                  const std::array<u32, 4>& corners,
+                                                  std::vector<TetPoint>& points) {
+  const auto tensors = matrices(exact, corners);
+  const auto dual = dual_basis(tensors);
+  const auto rest = complement(tensors);
+  require(determinant(rest[0]) != 0,
+          "tetrahedron ({}, {}, {}, {}): its conic is a pair of lines, not listed as special",
+          corners[0], corners[1], corners[2], corners[3]);
+  require(points.size() % 2 == 0, "tetrahedron ({}, {}, {}, {}): an odd number of points",
+          corners[0], corners[1], corners[2], corners[3]);
+  if (points.empty()) return {};
+  if (points.size() == 2) return {{0, 1}};
+  Order order(rest[0], points);
+  const auto sorted = order.sorted();
+  const bool ahead = order.rise(dual[points[0].opposite]) == points[0].point.type;
+  std::vector<std::array<std::size_t, 2>> arcs;
+  for (std::size_t i = 0; i < sorted.size(); i += 2) {
+    const std::size_t first = ahead ? i : i + 1;
+    arcs.push_back({sorted[first], sorted[(first + 1) % sorted.size()]});
+  }
+  return arcs;
+}
+
+}  // namespace crest::certify::curves
