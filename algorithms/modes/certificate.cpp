@@ -84,52 +84,53 @@ class Recorder {
   }
 
   void roots(Index e) {
-    const Edge& edge = faces_.edge(e);
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
-    const auto& list = faces_.lines().roots(edge.line);
-    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const auto& list = faces_.lines().roots(faces_.edge(e).line);
     std::vector<certify::RootRecord> records;
-    for (std::size_t i = 0; i < range.count; ++i) {
-      const Index r = list[range.first + i];
-      const Root& root = faces_.lines().root(r);
-      certify::RootRecord x{(root.low - begin) / length, (root.high - begin) / length,
-                            static_cast<std::int8_t>(root.side == Side::minus ? -1 : 1)};
-      if (root.number && faces_.lines().compare_place(r, edge.begin) == kernel::Sign::zero)
-        x.low = x.high = 0;
-      else if (root.number && faces_.lines().compare_place(r, edge.end) == kernel::Sign::zero)
-        x.low = x.high = 1;
-      records.push_back(x);
-    }
-    widen(records, 4 * 0x1p-52 * (2 + 2 / length));
+    for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
+    join_pairs(records);
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
   }
 
-  /// Enclosures grow, for what was rounded and so that doubles see the signs at their ends, as far
-  /// as their neighbours let them.
-  static void widen(std::vector<certify::RootRecord>& records, double rounding) {
-    const auto same_place = [&](std::size_t i) {
-      return i + 1 < records.size() && records[i + 1].low <= records[i].high;
-    };
-    double last = 0;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      auto& r = records[i];
-      if (r.low == r.high && (r.low == 0 || r.low == 1)) continue;
-      const bool pair = same_place(i);
-      const std::size_t next = i + (pair ? 2 : 1);
-      const double limit = next < records.size() ? records[next].low : 1;
-      const double room = (limit - r.high) / 4;
-      const double free = std::fmin(r.low - last, limit - r.high);
-      const double pad = std::fmax(2 * rounding, std::fmin(1e-12, 1e-6 * free));
-      const double low = std::fmax(r.low - pad, last), high = r.high + std::fmin(pad, room);
-      r.low = low;
-      r.high = std::fmin(1, high);
-      last = r.high;
-      if (pair) {
-        records[i + 1].low = r.low;
-        records[i + 1].high = r.high;
-        ++i;
-      }
+  /// The enclosure on a part of a line.
+  certify::RootRecord root(Index e, Index r) {
+    const Edge& edge = faces_.edge(e);
+    Lines& lines = faces_.lines();
+    const Root& root = lines.root(r);
+    const auto level = static_cast<std::int8_t>(root.side == Side::minus ? -1 : 1);
+    if (root.number && lines.compare_place(r, edge.begin) == kernel::Sign::zero)
+      return {0, 0, level};
+    if (root.number && lines.compare_place(r, edge.end) == kernel::Sign::zero) return {1, 1, level};
+    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const double slack = 8 * 0x1p-52 * (2 + 2 / length);  // of begin, end, difference, quotient
+    const double low = (root.low - begin) / length - slack,
+                 high = (root.high - begin) / length + slack;
+    const double free = std::fmin(low, 1 - high);
+    if (!root.number && slack < 1e-3 * free) {
+      const double pad = std::fmin(1e-12, 1e-6 * free);  // for signs that doubles see
+      return {low - pad, high + pad, level};
+    }
+    const kernel::Rational from = edge.begin.value(), size = edge.end.value() - from;
+    for (long bits = 128;; bits *= 4) {
+      const auto ends = lines.bounds(r, bits);
+      const double a = static_cast<double>(kernel::Rational((ends[0] - from) / size)),
+                   b = static_cast<double>(kernel::Rational((ends[1] - from) / size));
+      // A conversion is off by less than two steps.
+      const double step = 4 * 0x1p-52;
+      if ((a > 0 && b < 1) || bits > 4096)
+        return {std::fmax(0, a * (1 - step)), std::fmin(1, b * (1 + step)), level};
+    }
+  }
+
+  /// Two roots at one place have one enclosure; others stay apart.
+  static void join_pairs(std::vector<certify::RootRecord>& records) {
+    for (std::size_t i = 0; i + 1 < records.size(); ++i) {
+      auto &a = records[i], &b = records[i + 1];
+      if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;
+      const double low = std::fmin(a.low, b.low), high = std::fmax(a.high, b.high);
+      a.low = b.low = low;
+      a.high = b.high = high;
     }
   }
 

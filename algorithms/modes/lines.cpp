@@ -207,7 +207,7 @@ void Lines::isolate_exactly(Index line) {
 /// near that doubles do not separate them, share the room there is.
 void Lines::separate(Index line) {
   const auto& list = lines_[line].roots;
-  constexpr double room = 1e-9;
+  constexpr double room = 1e-13;
   for (std::size_t i = 0; i < list.size(); ++i) {
     Root& r = roots_[list[i]];
     if (r.number && r.number->rational()) {
@@ -249,6 +249,10 @@ bool Lines::is_below(Index root, const Dyadic& t) {
 std::array<Rational, 2> Lines::bounds(Index root, long bits) {
   AlgebraicNumber& x = number(root);
   if (!x.rational()) x.refine(bits);
+  // What an order has needed, the certificate states.
+  const auto [low, high] = x.bracket();
+  roots_[root].low = std::fmax(roots_[root].low, low);
+  roots_[root].high = std::fmin(roots_[root].high, high);
   if (x.rational()) return {*x.rational(), *x.rational()};
   return {x.low().value(), x.high().value()};
 }
