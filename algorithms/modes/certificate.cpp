@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "algorithms/modes/extraction.hpp"
 
@@ -18,7 +19,7 @@ class Recorder {
       : extraction_(extraction), faces_(extraction.faces()), to_(to) {
     // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
     // 2^scale.
-    lambda_ = extraction.level().neutral() ? 1 : std::ldexp(1.0, extraction.scale()) / 3;
+    neutral_ = extraction.level().neutral();
   }
 
   void record() {
@@ -53,6 +54,10 @@ class Recorder {
   }
 
  private:
+  /// Exact: it is a multiple of 3.
+  double lambda(std::int16_t x) const {
+    return neutral_ ? x : std::ldexp(x / 3, extraction_.scale());
+  }
   /// Edges of rejected faces have no roots.
   void mark_clear() {
     for (Index f = 0; f < faces_.face_count(); ++f)
@@ -89,12 +94,12 @@ class Recorder {
     const auto& list = faces_.lines().roots(faces_.edge(e).line);
     std::vector<certify::RootRecord> records;
     for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
-    join_pairs(records);
+    separate(e, {list.data() + range.first, range.count}, records);
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
   }
 
   /// The enclosure on a part of a line.
-  certify::RootRecord root(Index e, Index r) {
+  certify::RootRecord root(Index e, Index r, bool exactly = false) {
     const Edge& edge = faces_.edge(e);
     Lines& lines = faces_.lines();
     const Root& root = lines.root(r);
@@ -107,7 +112,7 @@ class Recorder {
     const double low = (root.low - begin) / length - slack,
                  high = (root.high - begin) / length + slack;
     const double free = std::fmin(low, 1 - high);
-    if (!root.number && slack < 1e-3 * free) {
+    if (!exactly && !root.number && slack < 1e-3 * free) {
       const double pad = std::fmin(1e-12, 1e-6 * free);  // for signs that doubles see
       return {low - pad, high + pad, level};
     }
@@ -123,14 +128,19 @@ class Recorder {
     }
   }
 
-  /// Two roots at one place have one enclosure; others stay apart.
-  static void join_pairs(std::vector<certify::RootRecord>& records) {
+  /// Two roots at one place have one enclosure; others that overlap are converted exactly.
+  void separate(Index e, std::span<const Index> list, std::vector<certify::RootRecord>& records) {
     for (std::size_t i = 0; i + 1 < records.size(); ++i) {
       auto &a = records[i], &b = records[i + 1];
       if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;
-      const double low = std::fmin(a.low, b.low), high = std::fmax(a.high, b.high);
-      a.low = b.low = low;
-      a.high = b.high = high;
+      const Root &x = faces_.lines().root(list[i]), &y = faces_.lines().root(list[i + 1]);
+      if (x.number && y.number && kernel::compare(*x.number, *y.number) == kernel::Sign::zero) {
+        a.low = b.low = std::fmin(a.low, b.low);
+        a.high = b.high = std::fmax(a.high, b.high);
+      } else {
+        a = root(e, list[i], true);
+        b = root(e, list[i + 1], true);
+      }
     }
   }
 
@@ -148,7 +158,7 @@ class Recorder {
     } else if (face.state == State::graph) {
       to_.codes.push_back(code::kGraphFace);
       to_.face_witnesses.push_back(
-          {{face.witness.w[0], face.witness.w[1]}, lambda_ * face.witness.lambda});
+          {{face.witness.w[0], face.witness.w[1]}, lambda(face.witness.lambda)});
       for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
         to_.arcs.push_back({faces_.arcs()[a].numbers[0], faces_.arcs()[a].numbers[1]});
     } else {
@@ -173,7 +183,7 @@ class Recorder {
       const auto& p = cell.pieces;
       const std::uint8_t plus = extraction_.level().neutral() ? p[1] : p[2];
       to_.tet_witnesses.push_back({{cell.witness.w[0], cell.witness.w[1], cell.witness.w[2]},
-                                   lambda_ * cell.witness.lambda,
+                                   lambda(cell.witness.lambda),
                                    {plus, p[0]}});
     } else {
       to_.codes.push_back(code::kOpenTet);
@@ -184,7 +194,7 @@ class Recorder {
   Extraction& extraction_;
   Faces& faces_;
   certify::ModeLevel& to_;
-  double lambda_;
+  bool neutral_;
   std::vector<char> clear_;
 };
 
