@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "algorithms/modes/extraction.hpp"
 
@@ -18,7 +19,7 @@ class Recorder {
       : extraction_(extraction), faces_(extraction.faces()), to_(to) {
     // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
     // 2^scale.
-    lambda_ = extraction.level().neutral() ? 1 : std::ldexp(1.0, extraction.scale()) / 3;
+    neutral_ = extraction.level().neutral();
   }
 
   void record() {
@@ -53,6 +54,10 @@ class Recorder {
   }
 
  private:
+  /// Exact: it is a multiple of 3.
+  double lambda(std::int16_t x) const {
+    return neutral_ ? x : std::ldexp(x / 3, extraction_.scale());
+  }
   /// Edges of rejected faces have no roots.
   void mark_clear() {
     for (Index f = 0; f < faces_.face_count(); ++f)
@@ -84,50 +89,57 @@ class Recorder {
   }
 
   void roots(Index e) {
-    const Edge& edge = faces_.edge(e);
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
-    const auto& list = faces_.lines().roots(edge.line);
-    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const auto& list = faces_.lines().roots(faces_.edge(e).line);
     std::vector<certify::RootRecord> records;
-    for (std::size_t i = 0; i < range.count; ++i) {
-      const Index r = list[range.first + i];
-      const Root& root = faces_.lines().root(r);
-      certify::RootRecord x{(root.low - begin) / length, (root.high - begin) / length,
-                            static_cast<std::int8_t>(root.side == Side::minus ? -1 : 1)};
-      if (root.number && faces_.lines().compare_place(r, edge.begin) == kernel::Sign::zero)
-        x.low = x.high = 0;
-      else if (root.number && faces_.lines().compare_place(r, edge.end) == kernel::Sign::zero)
-        x.low = x.high = 1;
-      records.push_back(x);
-    }
-    widen(records, 4 * 0x1p-52 * (2 + 2 / length));
+    for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
+    separate(e, {list.data() + range.first, range.count}, records);
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
   }
 
-  /// Enclosures grow, for what was rounded and so that doubles see the signs at their ends, as far
-  /// as their neighbours let them.
-  static void widen(std::vector<certify::RootRecord>& records, double rounding) {
-    const double pad = std::fmax(1e-11, 2 * rounding);
-    const auto same_place = [&](std::size_t i) {
-      return i + 1 < records.size() && records[i + 1].low <= records[i].high;
-    };
-    double last = 0;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      auto& r = records[i];
-      if (r.low == r.high && (r.low == 0 || r.low == 1)) continue;
-      const bool pair = same_place(i);
-      const std::size_t next = i + (pair ? 2 : 1);
-      const double limit = next < records.size() ? records[next].low : 1;
-      const double room = (limit - r.high) / 4;
-      const double low = std::fmax(r.low - pad, last), high = r.high + std::fmin(pad, room);
-      r.low = low;
-      r.high = std::fmin(1, high);
-      last = r.high;
-      if (pair) {
-        records[i + 1].low = r.low;
-        records[i + 1].high = r.high;
-        ++i;
+  /// The enclosure on a part of a line.
+  certify::RootRecord root(Index e, Index r, bool exactly = false) {
+    const Edge& edge = faces_.edge(e);
+    Lines& lines = faces_.lines();
+    const Root& root = lines.root(r);
+    const auto level = static_cast<std::int8_t>(root.side == Side::minus ? -1 : 1);
+    if (root.number && lines.compare_place(r, edge.begin) == kernel::Sign::zero)
+      return {0, 0, level};
+    if (root.number && lines.compare_place(r, edge.end) == kernel::Sign::zero) return {1, 1, level};
+    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const double slack = 8 * 0x1p-52 * (2 + 2 / length);  // of begin, end, difference, quotient
+    const double low = (root.low - begin) / length - slack,
+                 high = (root.high - begin) / length + slack;
+    const double free = std::fmin(low, 1 - high);
+    if (!exactly && !root.number && slack < 1e-3 * free) {
+      const double pad = std::fmin(1e-12, 1e-6 * free);  // for signs that doubles see
+      return {low - pad, high + pad, level};
+    }
+    const kernel::Rational from = edge.begin.value(), size = edge.end.value() - from;
+    for (long bits = 128;; bits *= 4) {
+      const auto ends = lines.bounds(r, bits);
+      const double a = static_cast<double>(kernel::Rational((ends[0] - from) / size)),
+                   b = static_cast<double>(kernel::Rational((ends[1] - from) / size));
+      // A conversion is off by less than two steps.
+      const double step = 4 * 0x1p-52;
+      if ((a > 0 && b < 1) || bits > 4096)
+        return {std::fmax(0, a * (1 - step)), std::fmin(1, b * (1 + step)), level};
+    }
+  }
+
+  /// Two roots at one place have one enclosure; others that overlap are converted exactly.
+  void separate(Index e, std::span<const Index> list, std::vector<certify::RootRecord>& records) {
+    for (std::size_t i = 0; i + 1 < records.size(); ++i) {
+      auto &a = records[i], &b = records[i + 1];
+      if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;
+      const Root &x = faces_.lines().root(list[i]), &y = faces_.lines().root(list[i + 1]);
+      if (x.number && y.number && kernel::compare(*x.number, *y.number) == kernel::Sign::zero) {
+        a.low = b.low = std::fmin(a.low, b.low);
+        a.high = b.high = std::fmax(a.high, b.high);
+      } else {
+        a = root(e, list[i], true);
+        b = root(e, list[i + 1], true);
       }
     }
   }
@@ -146,7 +158,7 @@ class Recorder {
     } else if (face.state == State::graph) {
       to_.codes.push_back(code::kGraphFace);
       to_.face_witnesses.push_back(
-          {{face.witness.w[0], face.witness.w[1]}, lambda_ * face.witness.lambda});
+          {{face.witness.w[0], face.witness.w[1]}, lambda(face.witness.lambda)});
       for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
         to_.arcs.push_back({faces_.arcs()[a].numbers[0], faces_.arcs()[a].numbers[1]});
     } else {
@@ -171,7 +183,7 @@ class Recorder {
       const auto& p = cell.pieces;
       const std::uint8_t plus = extraction_.level().neutral() ? p[1] : p[2];
       to_.tet_witnesses.push_back({{cell.witness.w[0], cell.witness.w[1], cell.witness.w[2]},
-                                   lambda_ * cell.witness.lambda,
+                                   lambda(cell.witness.lambda),
                                    {plus, p[0]}});
     } else {
       to_.codes.push_back(code::kOpenTet);
@@ -182,7 +194,7 @@ class Recorder {
   Extraction& extraction_;
   Faces& faces_;
   certify::ModeLevel& to_;
-  double lambda_;
+  bool neutral_;
   std::vector<char> clear_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <numbers>
 
 namespace crest::modes {
@@ -22,8 +23,6 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
-
-constexpr std::size_t kNoPoint = ~std::size_t{0};
 
 /// Face info: how many constraints lie between the face and infinity.
 void find_nesting(Triangulation& t) {
@@ -149,6 +148,20 @@ Triangles domain(const Triangulation& t) {
   return r;
 }
 
+/// By a constrained Delaunay triangulation. Throws what CGAL does for constraints that cross.
+std::optional<Triangles> constrained(PlanarPiece& piece) {
+  const std::size_t given = piece.points.size();
+  Triangulation t;
+  if (!insert_loops(t, piece)) return std::nullopt;
+  find_nesting(t);
+  for (std::size_t k = 0; k < 4 * given && mend_diagonal(t, piece); ++k) find_nesting(t);
+  Triangles r = domain(t);
+  // Euler: so many triangles has a connected domain with these boundaries.
+  const std::size_t inner = piece.points.size() - given;
+  if (r.size() + 4 != given + 2 * piece.loops.size() + 2 * inner) return std::nullopt;
+  return r;
+}
+
 }  // namespace
 
 std::optional<Triangles> triangulate(PlanarPiece& piece) {
@@ -167,24 +180,11 @@ std::optional<Triangles> triangulate(PlanarPiece& piece) {
     if (const auto r = quadrangle(piece)) return r;
   if (piece.loops.size() == 1)
     if (const auto r = star(piece)) return r;
-  Triangulation t;
   try {
-    if (!insert_loops(t, piece)) return std::nullopt;
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return constrained(piece);
+  } catch (const std::exception&) {  // constraints that cross
     return std::nullopt;
   }
-  find_nesting(t);
-  for (std::size_t k = 0; k < 4 * given && mend_diagonal(t, piece); ++k) find_nesting(t);
-  Triangles r = domain(t);
-  // Euler: so many triangles has a connected domain with these boundaries.
-  const std::size_t inner = piece.points.size() - given;
-  if (r.size() + 4 != given + 2 * piece.loops.size() + 2 * inner) return std::nullopt;
-  for (const auto& triangle : r)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = triangle[k], b = triangle[(k + 1) % 3];
-      if (a == kNoPoint || b == kNoPoint) return std::nullopt;
-    }
-  return r;
 }
 
 PlanarPiece laid_out(const PlanarPiece& piece) {

@@ -46,6 +46,7 @@ const std::set<std::string>& result_headers() {
       "algorithms/curvature/focal.hpp",
       "algorithms/feature_lines/feature_graph.hpp",
       "algorithms/modes/degenerate_result.hpp",
+      "algorithms/modes/mode_surface.hpp",
       "algorithms/reeb/contours.hpp",
       "algorithms/reeb/reeb_graph.hpp",
       "algorithms/reeb/tile_complex.hpp",
