@@ -108,7 +108,6 @@ class Recorder {
   /// Enclosures grow, for what was rounded and so that doubles see the signs at their ends, as far
   /// as their neighbours let them.
   static void widen(std::vector<certify::RootRecord>& records, double rounding) {
-    const double pad = std::fmax(1e-11, 2 * rounding);
     const auto same_place = [&](std::size_t i) {
       return i + 1 < records.size() && records[i + 1].low <= records[i].high;
     };
@@ -120,6 +119,8 @@ class Recorder {
       const std::size_t next = i + (pair ? 2 : 1);
       const double limit = next < records.size() ? records[next].low : 1;
       const double room = (limit - r.high) / 4;
+      const double free = std::fmin(r.low - last, limit - r.high);
+      const double pad = std::fmax(2 * rounding, std::fmin(1e-12, 1e-6 * free));
       const double low = std::fmax(r.low - pad, last), high = r.high + std::fmin(pad, room);
       r.low = low;
       r.high = std::fmin(1, high);

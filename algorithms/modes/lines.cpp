@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/modes/forms.hpp"
+#include "algorithms/modes/mode_function.hpp"
 #include "kernel/polynomial/descartes.hpp"
 #include "kernel/polynomial/real_roots.hpp"
 
@@ -39,15 +40,6 @@ struct Segment {
     for (std::size_t level = 1; level < count; ++level)
       for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
     return c[0];
-  }
-  /// Near the crossing, where doubles put it: for positions.
-  double crossing(double low, double high, bool falls) const {
-    for (int i = 0; i < 60; ++i) {
-      const double t = 0.5 * (low + high);
-      if (!(t > low && t < high)) break;
-      ((value(t) > 0) == falls ? low : high) = t;
-    }
-    return 0.5 * (low + high);
   }
   kernel::MaybeSign at(double t) const {
     const double x = value(t);
@@ -121,6 +113,23 @@ void Lines::isolate(Index line) {
   separate(line);
 }
 
+/// Near the root, where the mode itself crosses its level in doubles.
+double Lines::crossing(Index line, const Root& r) const {
+  const Symmetric &a = vertices_.tensor(lines_[line].a).t, &b = vertices_.tensor(lines_[line].b).t;
+  const ModeFunction function(level_, r.side);
+  // Above the level is f > 0, on the minus side f < 0.
+  const bool falls = (r.shift > 0) == (r.side != Side::minus);
+  double low = r.low, high = r.high;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.5 * (low + high);
+    if (!(t > low && t < high)) break;
+    Symmetric x;
+    for (std::size_t k = 0; k < 6; ++k) x[k] = (1 - t) * a[k] + t * b[k];
+    ((function.height(x) > 0) == falls ? low : high) = t;
+  }
+  return 0.5 * (low + high);
+}
+
 bool Lines::isolate_in_doubles(Index line, const Polynomials& p) {
   const auto places = kernel::triage_unit_places({p.f.b.data(), p.f.count}, p.f.error);
   if (!places) return false;
@@ -146,7 +155,7 @@ bool Lines::isolate_in_doubles(Index line, const Polynomials& p) {
       if (!det) return fail();
       r.side = side_of(level_, *det);
     }
-    r.t = p.f.crossing(r.low, r.high, *before == Sign::positive);
+    r.t = crossing(line, r);
     lines_[line].roots.push_back(static_cast<Index>(roots_.size()));
     roots_.push_back(std::move(r));
   }

@@ -52,6 +52,7 @@ class Lines {
   struct Polynomials;
   void isolate(Index line);
   bool isolate_in_doubles(Index line, const Polynomials& p);
+  double crossing(Index line, const Root& root) const;
   void isolate_exactly(Index line);
   void add_root(Index line, Side side, int shift, kernel::AlgebraicNumber place);
   void separate(Index line);

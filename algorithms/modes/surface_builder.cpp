@@ -8,16 +8,6 @@ namespace crest::modes {
 
 using kernel::Vec3;
 
-double ModeFunction::height(const Symmetric& t) const {
-  const double n = product(t, t), c = product(anticommutator(t, t), t);
-  return 0.5 * std::sqrt(6.0) * c - m_ * n * std::sqrt(n);
-}
-
-double ModeFunction::mode(const Symmetric& t) {
-  const double n = product(t, t), c = product(anticommutator(t, t), t);
-  return 0.5 * std::sqrt(6.0) * c / (n * std::sqrt(n));
-}
-
 SurfaceBuilder::SurfaceBuilder(Faces& faces, const Level& level, Side side,
                                const std::vector<Vec3>& mesh_points,
                                const std::unordered_set<Index>& boundary_faces,
@@ -386,9 +376,8 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
-/// The parts of polylines that cross in the projection; all of them, if none do and still the piece
-/// is not meshed.
-void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts) {
+/// The parts of polylines that cross in the projection; if none do, all of them if `all`.
+void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts, bool all) {
   const auto& loops = layout.planar.loops;
   struct Segment {
     std::array<double, 2> from, to;
@@ -422,7 +411,7 @@ void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts) {
       add(s.first);
       add(t.first);
     }
-  if (found) return;
+  if (found || !all) return;
   for (const auto& loop : loops)
     for (const std::size_t point : loop) add(point);
 }
@@ -442,7 +431,7 @@ void SurfaceBuilder::refine_all() {
       if (job.done)
         job.triangles = std::move(*triangles);
       else if (layout.at.size() < most_points)
-        add_faults(layout, parts);
+        add_faults(layout, parts, round < 4);
     }
     if (parts.empty() || round + 1 == rounds) return;
     for (const auto& [arc, which] : parts) refine(arc, which);

@@ -8,23 +8,11 @@
 #include <unordered_set>
 
 #include "algorithms/modes/cells.hpp"
+#include "algorithms/modes/mode_function.hpp"
 #include "algorithms/modes/mode_surface.hpp"
 #include "algorithms/modes/planar_pieces.hpp"
 
 namespace crest::modes {
-
-/// f and the mode on a simplex with corners' tensors, in doubles.
-class ModeFunction {
- public:
-  ModeFunction(const Level& level, Side side)
-      : m_(static_cast<double>(static_cast<int>(side)) * level.value()) {}
-  /// Positive above the level, continuous.
-  double height(const Symmetric& t) const;
-  static double mode(const Symmetric& t);
-
- private:
-  double m_;
-};
 
 class SurfaceBuilder {
  public:
@@ -84,7 +72,7 @@ class SurfaceBuilder {
   Layout lay_out(const Job& job);
   static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
   bool lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const;
-  static void add_faults(const Layout& layout, Parts& parts);
+  static void add_faults(const Layout& layout, Parts& parts, bool all);
   void refine_all();
   void mesh(const Job& job);
   void mesh_piece(const Job& job);
