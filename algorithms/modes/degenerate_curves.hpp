@@ -13,9 +13,11 @@ namespace crest::modes {
 /// All degenerate curves. Positions place the polylines and decide nothing.
 /// Requires: finite tensors and points; corners of a tet distinct; a face in two tets at most.
 /// Guarantees: where no special face or tet, nor an undecided one, is named, the degenerate points
-/// are the curves as listed; a curve that is not closed ends on the boundary or at a named place.
-/// The same for any number of threads. Cost: about 0.03 us a tet that a cone excludes, 1 us a face
-/// else.
+/// are
+///   the curves as listed; a curve that is not closed ends on the boundary or at a named place; the
+///   same for any number of threads.
+/// Cost: about 0.03 us a tet that a cone excludes, 1.5 us a face else, 200 us where integers
+/// decide.
 DegenerateCurves degenerate_curves(std::span<const kernel::Vec3> points,
                                    std::span<const TetCorners> tets,
                                    std::span<const Tensor> tensors);
