@@ -29,10 +29,6 @@ struct FaceDraft {
   std::optional<Ranges> box;
 };
 
-bool is_square_corner(const std::array<double, 6>& v) {
-  return (v[0] == 0 || v[0] == 1) && (v[1] == 0 || v[1] == 1);
-}
-
 class Chooser : public Advisor {
  public:
   bool steep(const kernel::Range& a11) override { return a11.low + a11.high < 0; }
@@ -266,7 +262,7 @@ class FaceRecorder {
   bool is_domain_corner(std::size_t i) const {
     if (claim_.surface.implicit || claim_.surface.periodic[0] || claim_.surface.periodic[1])
       return false;
-    return is_square_corner(c_.vertices[c_.faces[face_][i]]);
+    return is_corner(c_.vertices[c_.faces[face_][i]]);
   }
 
   bool record_segment(const Question& q, const Barycentric& a, const Barycentric& b, int depth,
@@ -331,7 +327,7 @@ class EdgeRecorder {
 
   bool is_loose(u32 vertex, std::size_t j) const {
     const auto& v = c_.vertices[vertex];
-    return is_square_corner(v) && (c_.loose_corners >> loose_bit(v, j) & 1) != 0;
+    return is_corner(v) && (c_.loose_corners >> loose_bit(v, j) & 1) != 0;
   }
   void mark(u32 side, std::size_t j, bool by_value) {
     drafts_[side / 3].edges[j] |= (by_value ? 9U : 1U) << side % 3;
