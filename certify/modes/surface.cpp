@@ -22,6 +22,13 @@ struct Spoke {
   Half half;
 };
 
+/// A corner whose tensor is zero, by its place among these.
+u32 zero_of(const LevelContext& context, const std::array<u32, 4>& tet, unsigned index) {
+  for (const u32 v : tet)
+    if (context.field.zero(v) && index-- == 0) return v;
+  throw std::logic_error("a tetrahedron without that zero");
+}
+
 /// The pieces in cells, cones and fans, not glued yet.
 class Collector {
  public:
@@ -81,15 +88,9 @@ class Collector {
     }
   }
 
-  u32 zero_of(u32 tet, unsigned index) const {
-    for (const u32 v : domain_.tets[tet])
-      if (context_.field.zero(v) && index-- == 0) return v;
-    throw std::logic_error("a tetrahedron without that zero");
-  }
-
   /// Over every path and loop in the opposite face.
   void add_cone(u32 tet, const std::array<u32, 3>& corners) {
-    const u32 zero = zero_of(tet, 0);
+    const u32 zero = zero_of(context_, domain_.tets[tet], 0);
     std::vector<u32> leaves;
     list_leaves(context_.trees, context_.trees.face(corners), leaves);
     std::vector<FaceArc> arcs;
@@ -162,7 +163,8 @@ class Collector {
       std::array<u32, 2> apexes{};
       for (unsigned i = 0; i < 2; ++i) {
         apexes[i] = add_vertex(piece);
-        spokes_.push_back({zero_of(tet, i), root, tet, ends, {piece, vertex, apexes[i]}});
+        spokes_.push_back(
+            {zero_of(context_, domain_.tets[tet], i), root, tet, ends, {piece, vertex, apexes[i]}});
       }
       lines_.push_back({piece, apexes[0], apexes[1], true});  // along the edge of zeros
       ++fans_;

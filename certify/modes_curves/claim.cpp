@@ -31,20 +31,13 @@ bool is_free(const Field& field, const std::array<u32, 4>& corners) {
   return hull(f) == modes::Hull::negative;
 }
 
-class CurveCheck {
+/// Points of faces, arcs of tetrahedra.
+class PlaceCheck {
  public:
-  CurveCheck(const ModesCurvesCertificate& c, Verdict& verdict)
+  PlaceCheck(const ModesCurvesCertificate& c, Verdict& verdict)
       : c_(c), verdict_(verdict), field_(c.tensors) {}
 
-  void run() {
-    build();
-    check_lists();
-    check_faces();
-    check_tets();
-    count_curves();
-  }
-
- private:
+ protected:
   void build() {
     require(c_.points.size() >= 4 && !c_.tets.empty() && c_.tets.size() < modes::kNone / 16,
             "data: no tetrahedra, or too many");
@@ -166,6 +159,29 @@ class CurveCheck {
             "tetrahedron {}: the arcs listed are not those found", t);
   }
 
+  const ModesCurvesCertificate& c_;
+  Verdict& verdict_;
+  Field field_;
+  std::vector<std::array<u32, 4>> tets_;
+  std::vector<TetFace> faces_;
+  std::vector<std::uint8_t> special_, free_;
+  std::vector<std::vector<Box>> boxes_;         ///< of listed faces
+  std::vector<std::vector<FacePoint>> points_;  ///< of all faces
+};
+
+class CurveCheck : public PlaceCheck {
+ public:
+  using PlaceCheck::PlaceCheck;
+
+  void run() {
+    build();
+    check_lists();
+    check_faces();
+    check_tets();
+    count_curves();
+  }
+
+ private:
   void count_curves() {
     const auto& points = c_.face_points;
     modes::UnionFind curves(points.size());
@@ -203,15 +219,6 @@ class CurveCheck {
     compare(c_.linear, counts[0], "linear curves");
     compare(c_.planar, counts[1], "planar curves");
   }
-
-  const ModesCurvesCertificate& c_;
-  Verdict& verdict_;
-  Field field_;
-  std::vector<std::array<u32, 4>> tets_;
-  std::vector<TetFace> faces_;
-  std::vector<std::uint8_t> special_, free_;
-  std::vector<std::vector<Box>> boxes_;         ///< of listed faces
-  std::vector<std::vector<FacePoint>> points_;  ///< of all faces
 };
 
 void verify_modes_curves(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,

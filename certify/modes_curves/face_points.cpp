@@ -152,7 +152,9 @@ FacePoint::FacePoint(std::shared_ptr<const Sturm> sturm, Place low, Place high, 
       low_(std::move(low)),
       high_(std::move(high)),
       negative_(negative),
-      v_(std::move(v)) {}
+      v_(std::move(v)) {
+  while (value(high_) == 1) refine();  // u is infinite there, the root is not
+}
 
 void FacePoint::refine() {
   for (const unsigned k : {4U, 3U, 5U, 2U, 6U}) {
