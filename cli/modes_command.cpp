@@ -9,8 +9,10 @@
 #include <numeric>
 
 #include "algorithms/modes/certificate.hpp"
+#include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "certify/certificate.hpp"
+#include "certify/modes_curves/encode.hpp"
 #include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
@@ -98,28 +100,37 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
   return file;
 }
 
-/// Degenerate curves into the scene, the report and the summary. Returns whether all are decided.
-bool add_curves(Run& run, const modes::ModeField& field, const modes::ZeroSet& zeros,
-                io::ModeScene& scene, std::string& summary) {
+/// Degenerate curves into the scene, the report and the summary. Returns those undecided.
+std::size_t add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& file,
+                       bool certify, io::ModeScene& scene, std::string& summary) {
   const modes::DegenerateCurves curves = run.step("curves", "degenerate curves", [&] {
-    return modes::degenerate_curves(field.mesh.points(), zeros.tets, field.tensors);
+    return modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors);
   });
-  run.report()["degenerate_curves"] = curves_to_json(curves);
+  run.report()["degenerate_curves"] = curves_to_json(curves, file.cell_of);
   if (const std::string warning = curves_warning(curves); !warning.empty()) run.warn(warning);
   summary += curves_summary(curves);
   scene.curves = curves.curves;
-  return curves.undecided.empty();
+  if (certify)
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(
+          modes::curves_certificate(field.mesh.points(), field.mesh.tets(), field.tensors, curves));
+      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      run.write_certificate("modes-curves", bytes, curves.undecided.size());
+    });
+  return curves.undecided.size();
 }
 
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
-  if (wanted.empty() && run.wanted("--certificate"))
-    throw UsageError("--certificate: is about surfaces; give --mode or --neutral, too");
   io::TensorFile file = read_input(run, o);
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  io::ModeScene scene;
+  std::string summary;
+  const bool certify_curves = wanted.empty() && run.wanted("--certificate");
+  const std::size_t open_curves =
+      o.degenerate ? add_curves(run, field, file, certify_curves, scene, summary) : 0;
   const modes::ZeroSet zeros =
       run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
-  io::ModeScene scene;
   scene.min_magnitude = o.min_magnitude;
   ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
@@ -137,19 +148,21 @@ Outcome work(Run& run, const ModesOptions& o) {
     std::move(result.surfaces.begin(), result.surfaces.end(), std::back_inserter(scene.surfaces));
   }
   report.finish();
-  std::string summary = report.summary();
-  const bool curves_decided = !o.degenerate || add_curves(run, field, zeros, scene, summary);
+  summary = report.summary() + summary;
   for (const std::string& warning : report.warnings()) run.warn(warning);
   if (o.min_magnitude > 0)
     run.warn(
         "--min-magnitude leaves triangles out of the file only: counts and certificate are "
         "those of the whole field");
-  if (run.wanted("--certificate"))
+  if (run.wanted("--certificate") && !certify_curves) {
+    if (o.degenerate)
+      run.warn("the certificate is about the surfaces; that of the curves: --degenerate alone");
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
       scene.data_digest = certify::hex(certify::data_digest(bytes));
-      run.write_certificate("modes", bytes);
+      run.write_certificate("modes", bytes, report.undecided());
     });
+  }
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
     const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -158,13 +171,15 @@ Outcome work(Run& run, const ModesOptions& o) {
     if (run.wanted("--picture") && empty)
       throw kernel::InputError(o.common.input +
                                ": surfaces: there are none; choose another mode for --picture");
-    run.write("--picture", [&](const std::string& path) { io::write_mode_picture(path, scene); });
+    run.write("--picture", [&](const std::string& path) {
+      io::write_mode_picture(path, scene, run.viewpoint());
+    });
   });
   return {summary,
           {"qu2020mode"},
-          report.exhausted()                          ? kExhausted
-          : report.undecided() > 0 || !curves_decided ? kNotCertified
-                                                      : kDone};
+          report.exhausted()                     ? kExhausted
+          : report.undecided() + open_curves > 0 ? kNotCertified
+                                                 : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {
@@ -207,6 +222,7 @@ const Command modes_command = {
     "mode and neutral surfaces of a symmetric tensor field on tetrahedra",
     add,
     {"crest modes stress.vtu --tensor stress --mode 0.5 -o modes.vtp --report report.json",
-     "crest modes stress.vtu --neutral --certificate neutral.crest"}};
+     "crest modes stress.vtu --neutral --certificate neutral.crest",
+     "crest modes stress.vtu --degenerate -o curves.vtp --certificate curves.crest"}};
 
 }  // namespace crest::cli

@@ -49,7 +49,7 @@ std::array<TypeCounts, 2> count(const DegenerateCurves& curves) {
 
 }  // namespace
 
-Json curves_to_json(const DegenerateCurves& curves) {
+Json curves_to_json(const DegenerateCurves& curves, const std::vector<std::int64_t>& cell_of) {
   Json result;
   const auto counts = count(curves);
   for (std::size_t k = 0; k < 2; ++k)
@@ -62,10 +62,12 @@ Json curves_to_json(const DegenerateCurves& curves) {
   for (const auto& f : curves.special_faces)
     faces.push_back({{"face", f.face}, {"reason", word(f.reason)}});
   for (const auto& t : curves.special_tets)
-    tets.push_back({{"tet", t.tet}, {"reason", word(t.reason)}});
+    tets.push_back({{"tet", cell_of[t.tet]}, {"reason", word(t.reason)}});
   result["special_faces"] = faces;
   result["special_tets"] = tets;
-  result["undecided"] = curves.undecided;
+  Json undecided = Json::array();
+  for (const auto t : curves.undecided) undecided.push_back(cell_of[t]);
+  result["undecided"] = undecided;
   result["tests"] = {{"rejected_tets", curves.counts.rejected_tets},
                      {"rejected_faces", curves.counts.rejected_faces},
                      {"triage_faces", curves.counts.triage_faces},

@@ -9,7 +9,9 @@
 
 namespace crest::cli {
 
-Json curves_to_json(const modes::DegenerateCurves& curves);
+/// `cell_of`: tetrahedra as the file numbers cells.
+Json curves_to_json(const modes::DegenerateCurves& curves,
+                    const std::vector<std::int64_t>& cell_of);
 /// A line a type.
 std::string curves_summary(const modes::DegenerateCurves& curves);
 /// What is named and not traced; empty: nothing.

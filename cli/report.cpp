@@ -50,10 +50,11 @@ Report::Report(const std::string& command, const std::string& input, int threads
            {{"written", false}, {"certified", false}, {"undecided", 0}, {"claims", Json::array()}}},
           {"warnings", Json::array()}} {}
 
-void Report::set_certificate(const std::string& claim) {
+void Report::set_certificate(const std::string& claim, std::size_t undecided) {
   Json& certificate = json_["certificate"];
   certificate["written"] = true;
-  certificate["certified"] = true;
+  certificate["certified"] = undecided == 0;
+  certificate["undecided"] = undecided;
   certificate["claims"].push_back(claim);
 }
 

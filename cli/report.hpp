@@ -35,8 +35,8 @@ class Report {
   void warn(const std::string& what) { warnings_.push_back(what); }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// A certificate that was written: all of the claim is decided.
-  void set_certificate(const std::string& claim);
+  /// A certificate that was written; `undecided`: cells of which it states nothing.
+  void set_certificate(const std::string& claim, std::size_t undecided);
 
   /// seconds.total so far and peak_rss_bytes, then Json::text().
   std::string text();

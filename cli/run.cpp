@@ -46,11 +46,12 @@ void Run::show(const std::string& what) const {
   std::fflush(stderr);
 }
 
-void Run::write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes) {
+void Run::write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
+                            std::size_t undecided) {
   write("--certificate", [&](const std::string& path) {
     io::write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     certificate_bytes_ = bytes.size();
-    report_.set_certificate(claim);
+    report_.set_certificate(claim, undecided);
   });
 }
 

@@ -92,8 +92,10 @@ class Run {
   void write(const std::string& option, const std::function<void(const std::string&)>& writer) {
     outputs_.write(option, writer);
   }
-  /// Writes --certificate, if it is wanted, and reports its claim as certified.
-  void write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes);
+  /// Writes --certificate, if it is wanted, and reports its claim as certified but for `undecided`
+  /// cells, of which it states nothing.
+  void write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
+                         std::size_t undecided = 0);
 
  private:
   friend int run_command(const Task&, const std::function<Outcome(Run&)>&, void (*)());

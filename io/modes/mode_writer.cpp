@@ -146,15 +146,17 @@ void write_modes(const std::string& path, const ModeScene& scene) {
   write_mesh(path, all.points, all.triangles);
 }
 
-void write_mode_picture(const std::string& path, const ModeScene& scene) {
+void write_mode_picture(const std::string& path, const ModeScene& scene,
+                        const Viewpoint& viewpoint) {
   check_picture_path(path);
+  check_viewpoint(viewpoint);
   const Joined all(scene);
   // The camera fits the curves, too.
   std::vector<Vec3> places = all.points;
   for (const auto& curve : scene.curves)
     places.insert(places.end(), curve.polyline.begin(), curve.polyline.end());
   const SurfaceView everything(places, all.triangles), view(all.points, all.triangles);
-  const Camera camera = fit_camera(everything, tilted_view(everything), 1200);
+  const Camera camera = make_camera(everything, viewpoint, 1200);
   Canvas canvas(camera.width, camera.height);
   if (!all.triangles.empty()) {
     std::vector<Vec3> tints(all.points.size(), {1, 1, 1});

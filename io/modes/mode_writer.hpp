@@ -7,6 +7,7 @@
 
 #include "algorithms/modes/degenerate_result.hpp"
 #include "algorithms/modes/mode_surface.hpp"
+#include "io/picture/viewpoint.hpp"
 
 namespace crest::io {
 
@@ -25,7 +26,10 @@ struct ModeScene {
 /// extension or a place that cannot be written.
 void write_modes(const std::string& path, const ModeScene& scene);
 
-/// Surfaces and curves in the paper's colours. Requires: a triangle or a curve at least.
-void write_mode_picture(const std::string& path, const ModeScene& scene);
+/// Surfaces and curves in the paper's colours. Requires: a triangle or a curve at least. Throws:
+/// kernel::InputError for another extension than .png and .svg, a place that cannot be written or a
+/// direction that is none.
+void write_mode_picture(const std::string& path, const ModeScene& scene,
+                        const Viewpoint& viewpoint = {});
 
 }  // namespace crest::io
