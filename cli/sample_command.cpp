@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crest sample: meshes of surfaces with known answers, to try things on.
+// crest sample: meshes of surfaces with known answers and fields of tensors, to try things on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
+#include "algorithms/sampling/loaded_block.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "cli/run.hpp"
 #include "io/write/mesh_writer.hpp"
+#include "io/write/tet_writer.hpp"
 
 namespace crest::cli {
 namespace {
@@ -23,7 +26,7 @@ struct SampleOptions {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("SURFACE", o.common.input, "one of the surfaces below")->required();
-  app.add_option("-o,--output", o.common.output, "the mesh (.off .obj .ply .vtp)")
+  app.add_option("-o,--output", o.common.output, "the mesh (.off .obj .ply .vtp; of a block .vtu)")
       ->required()
       ->type_name("FILE");
   app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")
@@ -43,6 +46,9 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
   add_run_options(app, o.common);
   std::string surfaces = "Surfaces:";
   for (const std::string& line : sampling::list_surfaces()) surfaces += "\n  " + line;
+  for (const sampling::Scenario& s : sampling::scenarios())
+    surfaces += fmt::format("\n  block-{}: the stress of an elastic block, {}, on tetrahedra",
+                            s.name, s.summary);
   app.footer(surfaces);
 }
 
@@ -65,7 +71,34 @@ void fill_report(Report& report, const SampleOptions& o, const sampling::Surface
     known["umbilics"] = {{"plus", umbilics->plus}, {"minus", umbilics->minus}};
 }
 
+const sampling::Scenario* find_block(const std::string& name) {
+  for (const sampling::Scenario& s : sampling::scenarios())
+    if (name == "block-" + s.name) return &s;
+  return nullptr;
+}
+
+Outcome sample_block(Run& run, const SampleOptions& o, const sampling::Scenario& scenario) {
+  if (!o.parameters.empty() || o.noise > 0 || o.rotate)
+    throw UsageError(o.common.input + ": takes --vertices alone");
+  const double whole =
+      (scenario.cubes[0] + 1.0) * (scenario.cubes[1] + 1.0) * (scenario.cubes[2] + 1.0);
+  const auto loaded = run.step("sample", "loading " + o.common.input, [&] {
+    return sampling::load_block(scenario, std::cbrt(o.vertices / whole));
+  });
+  const auto tets = loaded.block.tets();
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_tets(path, sampling::points(loaded.block), tets, "stress", loaded.stress);
+    });
+  });
+  run.report()["vertices"] = loaded.block.nodes();
+  run.report()["tetrahedra"] = tets.size();
+  return {fmt::format("{}: {} vertices, {} tetrahedra\n", o.common.output, loaded.block.nodes(),
+                      tets.size())};
+}
+
 Outcome work(Run& run, const SampleOptions& o) {
+  if (const auto* block = find_block(o.common.input)) return sample_block(run, o, *block);
   sampling::SurfaceSample sample =
       run.step("sample", "sampling " + o.common.input, [&] { return make_sample(o); });
   if (o.noise > 0) {
@@ -85,7 +118,7 @@ std::function<int()> add_sample(CLI::App& app) {
   auto options = std::make_shared<SampleOptions>();
   add_sample_options(app, *options);
   return [options] {
-    return run_command({"sample", options->common, {".off", ".obj", ".ply", ".vtp"}},
+    return run_command({"sample", options->common, {".off", ".obj", ".ply", ".vtp", ".vtu"}},
                        [&](Run& run) { return work(run, *options); });
   };
 }
@@ -95,9 +128,10 @@ std::function<int()> add_sample(CLI::App& app) {
 extern const Command sample_command;
 const Command sample_command = {
     "sample",
-    "a mesh of a surface with known umbilics and ridges",
+    "a mesh of a surface with known umbilics and ridges, or a field of tensors",
     add_sample,
     {"crest sample ellipsoid --parameters 1,1.5,2 --vertices 10000 -o ellipsoid.off",
-     "crest sample blend --vertices 40000 --rotate --noise 0.01 -o blend.obj"}};
+     "crest sample blend --vertices 40000 --rotate --noise 0.01 -o blend.obj",
+     "crest sample block-twist --vertices 2000 -o stress.vtu"}};
 
 }  // namespace crest::cli

@@ -9,7 +9,7 @@
 
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
-#include "experiments/004-modes/blocks.hpp"
+#include "algorithms/sampling/loaded_block.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
@@ -85,10 +85,10 @@ void block_curves() {
       "pieces, length | closed | special faces | tets with such | undecided | seconds "
       "|\n|---|---|---|---|---|---|"
       "---|---|---|---|---|---|---|---|\n");
-  for (const Scenario& s : scenarios())
+  for (const sampling::Scenario& s : sampling::scenarios())
     for (const bool exact : {false, true}) {
       if (exact && s.name == "twist") continue;
-      const auto [block, stress, steps] = loaded(s, exact);
+      const auto [block, stress, steps] = sampling::load_block(s, 1, exact);
       const auto tets = block.tets();
       std::vector<kernel::Vec3> points;
       const auto& n = block.size();

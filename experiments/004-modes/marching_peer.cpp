@@ -8,7 +8,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "experiments/004-modes/blocks.hpp"
+#include "algorithms/sampling/loaded_block.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
@@ -183,9 +183,9 @@ void run(const std::string& only, const std::vector<double>& levels, bool mirror
       "| block | level | parts of a tet | triangles | components | Euler characteristic | boundary "
       "loops | "
       "largest error of the mode | seconds |\n|---|---|---|---|---|---|---|---|---|\n");
-  for (const Scenario& s : scenarios()) {
+  for (const sampling::Scenario& s : sampling::scenarios()) {
     if (!only.empty() && only != s.name) continue;
-    const auto [block, stress, steps] = loaded(s, mirror);
+    const auto [block, stress, steps] = sampling::load_block(s, 1, mirror);
     const auto tets = block.tets();
     for (const double level : levels)
       for (int n = 1; n <= finest; ++n) {

@@ -88,11 +88,15 @@ void require_sound(vtkPolyData& data) {
   require_common(data);
 }
 
-/// Of triangles: no system has other cells.
+/// Of triangles or of tetrahedra: no system has other cells.
 void require_sound(vtkUnstructuredGrid& data) {
+  const int type =
+      data.GetNumberOfCells() > 0 && data.GetCellType(0) == VTK_TETRA ? VTK_TETRA : VTK_TRIANGLE;
+  const char* name = type == VTK_TETRA ? "tetrahedron" : "triangle";
+  const vtkIdType corners = type == VTK_TETRA ? 4 : 3;
   for (vtkIdType c = 0; c < data.GetNumberOfCells(); ++c)
-    if (data.GetCellType(c) != VTK_TRIANGLE) refuse(fmt::format("cell {} is no triangle", c));
-  require_cells(data.GetCells(), "triangle", 3, 3, data.GetNumberOfPoints());
+    if (data.GetCellType(c) != type) refuse(fmt::format("cell {} is no {}", c, name));
+  require_cells(data.GetCells(), name, corners, corners, data.GetNumberOfPoints());
   require_common(data);
 }
 

@@ -16,7 +16,7 @@ namespace crest::io {
 ///   array has no name or another length than points or cells have, when a number is not finite,
 ///   and when VTK has any complaint; nothing of it is hidden.
 std::string vtp_bytes(vtkPolyData& data);
-/// A .vtu file's, likewise; all cells must be triangles.
+/// A .vtu file's, likewise; all cells must be triangles, or all tetrahedra.
 std::string vtu_bytes(vtkUnstructuredGrid& data);
 
 }  // namespace crest::io
