@@ -16,6 +16,7 @@
 #include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
+#include "io/modes/domain_outline.hpp"
 #include "io/modes/mode_writer.hpp"
 #include "io/read/tet_reader.hpp"
 
@@ -125,6 +126,7 @@ Outcome work(Run& run, const ModesOptions& o) {
   io::TensorFile file = read_input(run, o);
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
   io::ModeScene scene;
+  if (run.wanted("--picture")) scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool certify_curves = wanted.empty() && run.wanted("--certificate");
   const std::size_t open_curves =

@@ -151,13 +151,17 @@ void write_mode_picture(const std::string& path, const ModeScene& scene,
   check_picture_path(path);
   check_viewpoint(viewpoint);
   const Joined all(scene);
-  // The camera fits the curves, too.
+  // The camera fits curves and outline, too.
   std::vector<Vec3> places = all.points;
   for (const auto& curve : scene.curves)
     places.insert(places.end(), curve.polyline.begin(), curve.polyline.end());
+  for (const auto& segment : scene.outline)
+    places.insert(places.end(), segment.begin(), segment.end());
   const SurfaceView everything(places, all.triangles), view(all.points, all.triangles);
   const Camera camera = make_camera(everything, viewpoint, 1200);
   Canvas canvas(camera.width, camera.height);
+  for (const auto& [a, b] : scene.outline)
+    canvas.draw_stroke(camera.project(a), camera.project(b), 1.5, {170, 170, 175});
   if (!all.triangles.empty()) {
     std::vector<Vec3> tints(all.points.size(), {1, 1, 1});
     for (std::size_t i = 0; i < all.triangles.size(); ++i) {

@@ -14,7 +14,8 @@ namespace crest::io {
 struct ModeScene {
   std::vector<modes::ModeSurface> surfaces;
   std::vector<modes::DegenerateCurve> curves = {};
-  std::string data_digest = {};  ///< of the certificate; empty: none
+  std::vector<std::array<kernel::Vec3, 2>> outline = {};  ///< of the domain; pictures alone
+  std::string data_digest = {};                           ///< of the certificate; empty: none
   /// Triangles with a smaller |T| at a corner are left out; 0: none.
   double min_magnitude = 0;
 };
@@ -26,9 +27,9 @@ struct ModeScene {
 /// extension or a place that cannot be written.
 void write_modes(const std::string& path, const ModeScene& scene);
 
-/// Surfaces and curves in the paper's colours. Requires: a triangle or a curve at least. Throws:
-/// kernel::InputError for another extension than .png and .svg, a place that cannot be written or a
-/// direction that is none.
+/// Surfaces and curves in the paper's colours, in the domain's outline. Requires: a triangle or a
+/// curve at least. Throws: kernel::InputError for another extension than .png and .svg, a place
+/// that cannot be written or a direction that is none.
 void write_mode_picture(const std::string& path, const ModeScene& scene,
                         const Viewpoint& viewpoint = {});
 
