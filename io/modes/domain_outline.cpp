@@ -33,8 +33,7 @@ std::vector<std::array<Vec3, 2>> domain_outline(const TetMesh& mesh) {
   std::vector<std::array<Vec3, 2>> outline;
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &a = sides[i], &b = sides[i + 1];
-    if (a.from == b.from && a.to == b.to &&
-        std::fabs(dot(a.normal, b.normal)) < std::sqrt(0.75))
+    if (a.from == b.from && a.to == b.to && std::fabs(dot(a.normal, b.normal)) < std::sqrt(0.75))
       outline.push_back({points[a.from], points[a.to]});
   }
   return outline;
