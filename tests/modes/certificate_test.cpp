@@ -3,10 +3,10 @@
 #include "algorithms/modes/certificate.hpp"
 
 #include <catch2/catch.hpp>
-#include <random>
 
 #include "certify/verify.hpp"
 #include "tests/modes/samples.hpp"
+#include "tests/support/random.hpp"
 
 using namespace crest;
 using namespace crest::tests;
@@ -56,7 +56,7 @@ TEST_CASE("certificates with cones, rims and undecided cells are accepted") {
 }
 
 TEST_CASE("certificates of small integers are accepted, exact hits and all") {
-  std::mt19937_64 random(6);
+  Random random(6);
   modes::ModeOptions options;
   options.budget = 2000;
   for (int i = 0; i < 4; ++i) {

@@ -9,6 +9,7 @@
 
 #include "algorithms/modes/planar_pieces.hpp"
 #include "tests/modes/samples.hpp"
+#include "tests/support/random.hpp"
 
 using namespace crest;
 using namespace crest::tests;
@@ -93,7 +94,7 @@ TEST_CASE("thin tubes and small modes are surfaces") {
 }
 
 TEST_CASE("vertices have their mode and pieces their projection on random tensors") {
-  std::mt19937_64 random(5);
+  Random random(5);
   const auto field =
       random_box(4, [&] { return std::uniform_real_distribution<double>(-1, 1)(random); });
   for (const Level& level : {Level{0, 1}, Level{1, 2}, Level{97, 100}}) {
@@ -109,7 +110,7 @@ TEST_CASE("vertices have their mode and pieces their projection on random tensor
 
 // Exact zeros of f at vertices, along edges and in whole faces; projections that cross.
 TEST_CASE("vertices have their mode on small integers, whatever the projections and the threads") {
-  std::mt19937_64 random(6);
+  Random random(6);
   const auto field =
       random_box(5, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
   modes::ModeOptions options;

@@ -178,7 +178,7 @@ TEST_CASE("mode geometry: normals and curvatures against finite differences") {
   }
 }
 
-TEST_CASE("theorem A: mu* of the reference fields, the node at 143/343 exactly") {
+TEST_CASE("theorem A: the critical mode of the reference fields, the node at 143/343 exactly") {
   constexpr std::array<double, 6> expected{.179043, .290890, .915992, .990828, .930450, .925667};
   for (std::size_t f = 0; f < 6; ++f) {
     const auto t = corners_of(reference_fields()[f]);

@@ -65,7 +65,7 @@ TEST_CASE("elastic block: a bar under its ends' pull has uniaxial stress") {
     for (std::size_t k = 0; k < 6; ++k) CHECK(s[k] == Approx(k == 2 ? 0.01 : 0).margin(1e-9));
 }
 
-TEST_CASE("elastic block: a symmetric load has symmetric stress; tets fill the block") {
+TEST_CASE("elastic block: a symmetric load has symmetric stress, tets fill the block") {
   ElasticBlock block(4, 4, 3);
   for (int j = 0; j <= 4; ++j)
     for (int i = 0; i <= 4; ++i)
