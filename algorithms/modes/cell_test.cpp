@@ -140,7 +140,7 @@ class Test {
       const RealForm& form = k < D ? growth_[k] : f_;
       double largest = 0;
       for (std::size_t i = 0; i < Basis::count; ++i)
-        largest = std::fmax(largest, std::fabs(form.s[i] / Basis::weights[i]));
+        largest = std::max(largest, std::fabs(form.s[i] / Basis::weights[i]));
       scale[k] = largest > 0 ? 1 / largest : 0;
     }
     std::array<Vector, Basis::count> vectors;
@@ -239,13 +239,13 @@ std::optional<Finding> certain_cell_sign(const std::array<Tensor, 4>& corners, c
   double c_low = HUGE_VAL, c_high = -HUGE_VAL, n_low = HUGE_VAL, n_high = 0;
   for (std::size_t i = 0; i < C::count; ++i) {
     const double c = forms.c.s[i] / C::weights[i];
-    c_low = std::fmin(c_low, c);
-    c_high = std::fmax(c_high, c);
+    c_low = std::min(c_low, c);
+    c_high = std::max(c_high, c);
   }
   for (std::size_t i = 0; i < N::count; ++i) {
     const double n = forms.n.s[i] / N::weights[i];
-    n_low = std::fmin(n_low, n);
-    n_high = std::fmax(n_high, n);
+    n_low = std::min(n_low, n);
+    n_high = std::max(n_high, n);
   }
   const double ce = 1.01 * forms.c.error + 0x1p-50 * std::fmax(std::fabs(c_low), std::fabs(c_high)),
                ne = 1.01 * forms.n.error + 0x1p-50 * n_high;

@@ -25,23 +25,26 @@ Index Cells::edge(const Cell& cell, std::size_t i, std::size_t j) const {
 }
 
 Index Cells::decide(Index tet, const std::array<Index, 4>& corners,
-                    const std::array<Index, 4>& faces) {
+                    const std::array<Index, 4>& faces, const CellResult<3>& whole) {
   const auto root = static_cast<Index>(cells_.size());
   cells_.push_back({corners, faces, tet});
   budget_ = counters_.tests + faces_.counters().tests + limits_.tests;
   faces_.allow(limits_.tests);
-  decide(root);
+  decide(root, whole);
   return root;
 }
 
-void Cells::test(Index c) {
-  ++counters_.tests;
-  counters_.depth = std::max<int>(counters_.depth, cells_[c].depth);
+CellResult<3> Cells::test(Index c) const {
   const auto corners = cells_[c].corners;
   std::array<Tensor, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) tensors[i] = faces_.vertices().tensor(corners[i]);
-  const auto r = test_cell<3>(
+  return test_cell<3>(
       tensors, [&] { return faces_.vertices().exact(corners); }, level_);
+}
+
+void Cells::take(Index c, const CellResult<3>& r) {
+  ++counters_.tests;
+  counters_.depth = std::max<int>(counters_.depth, cells_[c].depth);
   counters_.exact_tests += r.exact ? 1 : 0;
   uniform_ += r.finding == Finding::uniform ? 1 : 0;
   if (r.finding == Finding::graph) {
@@ -68,8 +71,8 @@ bool Cells::settle(Index c) {
   return true;
 }
 
-void Cells::decide(Index c) {
-  test(c);
+void Cells::decide(Index c, const CellResult<3>& result) {
+  take(c, result);
   if (cells_[c].state == State::rejected) return;
   if (cells_[c].state == State::graph) {
     if (settle(c)) return;
@@ -82,7 +85,10 @@ void Cells::decide(Index c) {
     return;
   }
   split(c);
-  for (int k = 0; k < 2; ++k) decide(cells_[c].part[k]);
+  for (int k = 0; k < 2; ++k) {
+    const Index part = cells_[c].part[k];
+    decide(part, test(part));
+  }
 }
 
 void Cells::split(Index c) {

@@ -27,9 +27,10 @@ class Cells {
   Cells(Faces& faces, const Level& level, const Limits& limits)
       : faces_(faces), level_(level), limits_(limits) {}
 
-  /// Decides the tetrahedron, cutting where needed. Requires: no zero corner. Returns the tree's
-  /// root.
-  Index decide(Index tet, const std::array<Index, 4>& corners, const std::array<Index, 4>& faces);
+  /// Decides the tetrahedron, cutting where needed; `whole`: test_cell of it. Requires: no zero
+  /// corner. Returns the tree's root.
+  Index decide(Index tet, const std::array<Index, 4>& corners, const std::array<Index, 4>& faces,
+               const CellResult<3>& whole);
 
   const Cell& cell(Index c) const { return cells_[c]; }
   Index size() const { return static_cast<Index>(cells_.size()); }
@@ -41,8 +42,9 @@ class Cells {
   std::uint64_t uniform() const { return uniform_; }
 
  private:
-  void decide(Index cell);
-  void test(Index cell);
+  void decide(Index cell, const CellResult<3>& result);
+  CellResult<3> test(Index cell) const;
+  void take(Index cell, const CellResult<3>& result);
   bool settle(Index cell);
   void split(Index cell);
   Index edge(const Cell& cell, std::size_t i, std::size_t j) const;

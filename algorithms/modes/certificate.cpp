@@ -12,54 +12,11 @@ namespace {
 
 namespace code = certify::modes_code;
 
-/// Writes trees in preorder.
-class Recorder {
+/// Trees of edges, with the roots of their leaves.
+class EdgeRecorder {
  public:
-  Recorder(Extraction& extraction, certify::ModeLevel& to)
-      : extraction_(extraction), faces_(extraction.faces()), to_(to) {
-    // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
-    // 2^scale.
-    neutral_ = extraction.level().neutral();
-  }
-
-  void record() {
-    mark_clear();
-    std::vector<std::pair<std::array<Index, 3>, Index>> faces;
-    for (const auto& [mesh_face, f] : extraction_.mesh_faces())
-      if (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected)
-        faces.emplace_back(faces_.face(f).corners, f);
-    std::sort(faces.begin(), faces.end());
-    std::vector<std::pair<std::array<Index, 2>, Index>> edges;
-    for (const auto& [corners, f] : faces)
-      for (const Index e : faces_.face(f).edges)
-        edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
-    for (const Cone& c : extraction_.cones())
-      if (c.zeros.size() == 2)
-        edges.push_back(
-            {{c.others[0], c.others[1]}, extraction_.edge_between(c.others[0], c.others[1])});
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const auto& [corners, e] : edges) {
-      to_.edges.push_back(corners);
-      edge(e, false);
-    }
-    for (const auto& [corners, f] : faces) {
-      to_.faces.push_back(corners);
-      face(f);
-    }
-    for (const Extraction::Tree& tree : extraction_.trees()) {
-      to_.tets.push_back(tree.tet);
-      cell(tree.cell);
-    }
-  }
-
- private:
-  /// Exact: it is a multiple of 3.
-  double lambda(std::int16_t x) const {
-    return neutral_ ? x : std::ldexp(x / 3, extraction_.scale());
-  }
   /// Edges of rejected faces have no roots.
-  void mark_clear() {
+  EdgeRecorder(Faces& faces, certify::ModeLevel& to) : faces_(faces), to_(to) {
     for (Index f = 0; f < faces_.face_count(); ++f)
       if (faces_.face(f).state == State::rejected)
         for (const Index e : faces_.face(f).edges) {
@@ -68,13 +25,13 @@ class Recorder {
         }
   }
 
-  void edge(Index e, bool clear) {
+  void record(Index e, bool clear) {
     const Edge edge = faces_.edge(e);
     clear = clear || (e < clear_.size() && clear_[e] != 0);
     if (edge.middle != kNone) {
       to_.codes.push_back(faces_.vertices().cut(edge.middle).n);
-      this->edge(edge.part[0], clear);
-      this->edge(edge.part[1], clear);
+      record(edge.part[0], clear);
+      record(edge.part[1], clear);
       return;
     }
     if (clear) {
@@ -88,6 +45,7 @@ class Recorder {
     roots(e);
   }
 
+ private:
   void roots(Index e) {
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
@@ -144,11 +102,61 @@ class Recorder {
     }
   }
 
+  Faces& faces_;
+  certify::ModeLevel& to_;
+  std::vector<char> clear_;
+};
+
+/// Writes trees in preorder.
+class Recorder {
+ public:
+  Recorder(Extraction& extraction, certify::ModeLevel& to)
+      : extraction_(extraction), faces_(extraction.faces()), to_(to), edges_(faces_, to) {
+    // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
+    // 2^scale.
+    neutral_ = extraction.level().neutral();
+  }
+
+  void record() {
+    std::vector<std::pair<std::array<Index, 3>, Index>> faces;
+    for (const auto& [mesh_face, f] : extraction_.mesh_faces())
+      if (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected)
+        faces.emplace_back(faces_.face(f).corners, f);
+    std::sort(faces.begin(), faces.end());
+    std::vector<std::pair<std::array<Index, 2>, Index>> edges;
+    for (const auto& [corners, f] : faces)
+      for (const Index e : faces_.face(f).edges)
+        edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
+    for (const Cone& c : extraction_.cones())
+      if (c.zeros.size() == 2)
+        edges.push_back(
+            {{c.others[0], c.others[1]}, extraction_.edge_between(c.others[0], c.others[1])});
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const auto& [corners, e] : edges) {
+      to_.edges.push_back(corners);
+      edges_.record(e, false);
+    }
+    for (const auto& [corners, f] : faces) {
+      to_.faces.push_back(corners);
+      face(f);
+    }
+    for (const Extraction::Tree& tree : extraction_.trees()) {
+      to_.tets.push_back(tree.tet);
+      cell(tree.cell);
+    }
+  }
+
+ private:
+  /// Exact: it is a multiple of 3.
+  double lambda(std::int16_t x) const {
+    return neutral_ ? x : std::ldexp(x / 3, extraction_.scale());
+  }
   void face(Index f) {
     const Face& face = faces_.face(f);
     if (face.split >= 0) {
       to_.codes.push_back(static_cast<std::uint8_t>(face.split));
-      edge(face.inner, false);
+      edges_.record(face.inner, false);
       this->face(face.part[0]);
       this->face(face.part[1]);
       return;
@@ -194,8 +202,8 @@ class Recorder {
   Extraction& extraction_;
   Faces& faces_;
   certify::ModeLevel& to_;
+  EdgeRecorder edges_;
   bool neutral_;
-  std::vector<char> clear_;
 };
 
 certify::SurfaceCounts counts_of(const ModeSurface& surface) {

@@ -57,6 +57,8 @@ Index Extraction::face(Index mesh_face) {
     const auto& v = field_.mesh.faces()[mesh_face].corners;
     const std::array<Index, 3> edges = {edge(v[0], v[1]), edge(v[1], v[2]), edge(v[2], v[0])};
     mesh_faces_[mesh_face] = faces_.add_face(v, edges, 0);
+    if (const auto found = tested_.faces.find(mesh_face); found != tested_.faces.end())
+      faces_.foresee(mesh_faces_[mesh_face], found->second);
     if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet)
       boundary_faces_.insert(mesh_faces_[mesh_face]);
     return mesh_faces_[mesh_face];
@@ -64,53 +66,87 @@ Index Extraction::face(Index mesh_face) {
   return at->second;
 }
 
-std::array<Tensor, 4> Extraction::tensors_at(const std::array<Index, 4>& v) const {
-  return {vertices_.tensor(v[0]), vertices_.tensor(v[1]), vertices_.tensor(v[2]),
-          vertices_.tensor(v[3])};
-}
-
-/// What doubles tell of every tetrahedron.
+/// The signs of f on every tetrahedron.
 std::vector<Extraction::Scanned> Extraction::scan() const {
   std::vector<Scanned> r(field_.mesh.tets().size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 1024), [&](const auto& range) {
     for (std::size_t t = range.begin(); t < range.end(); ++t) {
-      bool bound = false;
-      const auto found = certain_cell_sign(tensors_at(field_.mesh.tets()[t]), level_, bound);
-      if (found) r[t] = {*found, true, bound};
+      const auto v = field_.mesh.sorted(static_cast<Index>(t));
+      r[t].cone = std::any_of(v.begin(), v.end(), [&](Index x) { return vertices_.is_zero(x); });
+      if (r[t].cone) continue;
+      const auto tensors = tensors_at(v);
+      if (const auto found = certain_cell_sign(tensors, level_, r[t].bound))
+        r[t].finding = *found;
+      else
+        r[t].finding = cell_sign(
+            tensors, [&] { return vertices_.mesh_exact(v); }, level_);
     }
   });
+  return r;
+}
+
+Extraction::Tested Extraction::test_whole() const {
+  Tested r;
+  r.tets = scan();
+  for (Index t = 0; t < r.tets.size(); ++t)
+    if (!r.tets[t].cone && r.tets[t].finding == Finding::none) r.active.push_back(t);
+  r.cells.resize(r.active.size());
+  const auto in_parallel = [](std::size_t count, const auto& each) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 64), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) each(i);
+    });
+  };
+  in_parallel(r.active.size(), [&](std::size_t i) {
+    const auto v = field_.mesh.sorted(r.active[i]);
+    r.cells[i] = test_cell<3>(
+        tensors_at(v), [&] { return vertices_.mesh_exact(v); }, level_);
+  });
+  // Others are cut before they are asked, mostly.
+  std::vector<Index> faces;
+  for (std::size_t i = 0; i < r.active.size(); ++i)
+    if (r.cells[i].finding == Finding::graph)
+      for (const Index f : field_.mesh.faces_of(r.active[i])) faces.push_back(f);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<CellResult<2>> results(faces.size());
+  in_parallel(faces.size(), [&](std::size_t i) {
+    const auto& v = field_.mesh.faces()[faces[i]].corners;
+    results[i] = test_cell<2>(
+        tensors_at(v), [&] { return vertices_.mesh_exact(v); }, level_);
+  });
+  for (std::size_t i = 0; i < faces.size(); ++i) r.faces.emplace(faces[i], results[i]);
   return r;
 }
 
 void Extraction::decide_all() {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
-  const auto signs = scan();
-  for (Index t = 0; t < count; ++t) {
-    const auto v = field_.mesh.sorted(t);
-    Cone cone{t, {}, {}};
-    for (const Index x : v) (vertices_.is_zero(x) ? cone.zeros : cone.others).push_back(x);
-    if (!cone.zeros.empty()) {
-      if (cone.others.size() >= 2) cones_.push_back(std::move(cone));
+  tested_ = test_whole();
+  for (Index t = 0, next = 0; t < count; ++t) {
+    const auto& [finding, cone, bound] = tested_.tets[t];
+    if (cone) {
+      Cone c{t, {}, {}};
+      for (const Index x : field_.mesh.sorted(t))
+        (vertices_.is_zero(x) ? c.zeros : c.others).push_back(x);
+      if (c.others.size() >= 2) cones_.push_back(std::move(c));
       ++counts_.cones;
-      continue;
+    } else if (finding != Finding::none) {
+      ++(bound ? counts_.rejected_bound : counts_.rejected_bernstein);
+      counts_.uniform += finding == Finding::uniform ? 1 : 0;
+    } else {
+      decide(t, tested_.cells[next++]);
     }
-    Finding sign = signs[t].finding;
-    if (!signs[t].decided)
-      sign = cell_sign(
-          tensors_at(v), [&] { return vertices_.exact(v); }, level_);
-    if (sign != Finding::none) {
-      ++(signs[t].bound ? counts_.rejected_bound : counts_.rejected_bernstein);
-      counts_.uniform += sign == Finding::uniform ? 1 : 0;
-      continue;
-    }
-    ++counts_.active;
-    std::array<Index, 4> faces;
-    for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(t)[i]);
-    const Index cell = cells_.decide(t, v, faces);
-    counts_.graph_at_once += cells_.cell(cell).state == State::graph ? 1 : 0;
-    trees_.push_back({t, cell});
   }
+  tested_ = {};
+}
+
+void Extraction::decide(Index tet, const CellResult<3>& whole) {
+  ++counts_.active;
+  std::array<Index, 4> faces;
+  for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(tet)[i]);
+  const Index cell = cells_.decide(tet, field_.mesh.sorted(tet), faces, whole);
+  counts_.graph_at_once += cells_.cell(cell).state == State::graph ? 1 : 0;
+  trees_.push_back({tet, cell});
 }
 
 /// The curves on faces that cones stand on; the roots of edges come by themselves.
@@ -172,23 +208,30 @@ void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int ori
   if (pieces) builder.add_cell(cell, orientation, std::move(*pieces));
 }
 
-ModeSurface Extraction::surface(Side side) {
-  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), boundary_faces_, open_faces_);
+/// All that asks the trees, which may refine a root for it.
+std::unique_ptr<SurfaceBuilder> Extraction::pieces(Side side) {
+  auto builder = std::make_unique<SurfaceBuilder>(faces_, level_, side, field_.mesh.points(),
+                                                  boundary_faces_, open_faces_);
   for (const Tree& tree : trees_)
-    add_leaves(builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
+    add_leaves(*builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
   for (const Cone& c : cones_) {
     if (c.zeros.size() == 2) {
-      builder.add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
+      builder->add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
       continue;
     }
-    builder.add_cone(c.tet, c.zeros[0], mesh_faces_.at(opposite_face(c)));
+    builder->add_cone(c.tet, c.zeros[0], mesh_faces_.at(opposite_face(c)));
   }
+  return builder;
+}
+
+/// Only reads the trees.
+ModeSurface Extraction::surface(SurfaceBuilder& builder, Side side, std::size_t cone_rims) const {
   ModeSurface s = builder.build();
   const auto boundary = count(s);
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;
   // Each of these is an edge of one triangle: no others, if there are as many.
-  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
+  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims + s.zero_rims;
   s.face_loops = face_loops(side);
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
@@ -261,12 +304,19 @@ Index Extraction::opposite_face(const Cone& c) const {
 ModeResult Extraction::result() {
   ModeResult r;
   r.level = level_;
-  if (level_.neutral()) {
-    r.surfaces.push_back(surface(Side::neutral));
-  } else {
-    r.surfaces.push_back(surface(Side::plus));
-    r.surfaces.push_back(surface(Side::minus));
+  std::vector<Side> sides = {Side::plus, Side::minus};
+  if (level_.neutral()) sides = {Side::neutral};
+  std::vector<std::unique_ptr<SurfaceBuilder>> builders;
+  std::vector<std::size_t> rims;
+  for (const Side side : sides) {
+    builders.push_back(pieces(side));
+    rims.push_back(cone_rims(side));
   }
+  r.surfaces.resize(sides.size());
+  tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t i) {
+    r.surfaces[i] = surface(*builders[i], sides[i], rims[i]);
+    builders[i].reset();
+  });
   r.counts = counts_;
   r.undecided = open_;
   r.exhausted = cells_.exhausted();

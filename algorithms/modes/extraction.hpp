@@ -2,6 +2,7 @@
 #pragma once
 
 // All trees of one level over a mesh: what the surface and the certificate are made from.
+#include <memory>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -40,18 +41,33 @@ class Extraction {
  private:
   struct Scanned {
     Finding finding = Finding::none;
-    bool decided = false, bound = false;
+    bool cone = false, bound = false;  ///< it has a zero corner; sizes were enough
+  };
+  /// The tests of whole simplices, which depend on nothing else: in parallel.
+  struct Tested {
+    std::vector<Scanned> tets;
+    std::vector<Index> active;
+    std::vector<CellResult<3>> cells;                ///< active tetrahedra
+    std::unordered_map<Index, CellResult<2>> faces;  ///< of the mesh
   };
   std::vector<Scanned> scan() const;
-  std::array<Tensor, 4> tensors_at(const std::array<Index, 4>& v) const;
+  Tested test_whole() const;
+  template <std::size_t N>
+  std::array<Tensor, N> tensors_at(const std::array<Index, N>& v) const {
+    std::array<Tensor, N> r;
+    for (std::size_t i = 0; i < N; ++i) r[i] = vertices_.tensor(v[i]);
+    return r;
+  }
   void decide_all();
+  void decide(Index tet, const CellResult<3>& whole);
   Index face(Index mesh_face);
   Index edge(Index a, Index b);
   void close_cones();
   void close_again();
   int orientation(const Cell& cell) const;
   Index opposite_face(const Cone& cone) const;
-  ModeSurface surface(Side side);
+  std::unique_ptr<SurfaceBuilder> pieces(Side side);
+  ModeSurface surface(SurfaceBuilder& builder, Side side, std::size_t cone_rims) const;
   void add_leaves(SurfaceBuilder& builder, Side side, Index cell, int orientation);
   std::size_t face_loops(Side side) const;
   std::size_t cone_rims(Side side);
@@ -69,6 +85,7 @@ class Extraction {
   std::unordered_map<Index, Index> mesh_faces_;
   std::unordered_set<Index> boundary_faces_;  ///< among Faces, on the domain's boundary
   std::unordered_map<std::uint64_t, Index> mesh_edges_;
+  Tested tested_;
   ModeCounts counts_;
   std::vector<Index> open_;
   std::unordered_set<Index> open_faces_;  ///< leaves at open cells

@@ -129,13 +129,19 @@ Index Faces::part_with(Index f, Index corner) const {
   return face.part[face.corners[k] == corner ? 0 : 1];
 }
 
+CellResult<2> Faces::tested(Index f) {
+  if (faces_[f].depth == 0)
+    if (const auto found = foreseen_.find(f); found != foreseen_.end()) return found->second;
+  const auto corners = faces_[f].corners;
+  return test_cell<2>(
+      {vertices_.tensor(corners[0]), vertices_.tensor(corners[1]), vertices_.tensor(corners[2])},
+      [&] { return vertices_.exact(corners); }, level_);
+}
+
 void Faces::test(Index f) {
   ++counters_.tests;
   counters_.depth = std::max<int>(counters_.depth, faces_[f].depth);
-  const auto corners = faces_[f].corners;
-  const auto r = test_cell<2>(
-      {vertices_.tensor(corners[0]), vertices_.tensor(corners[1]), vertices_.tensor(corners[2])},
-      [&] { return vertices_.exact(corners); }, level_);
+  const auto r = tested(f);
   counters_.exact_tests += r.exact ? 1 : 0;
   switch (r.finding) {
     case Finding::positive:

@@ -5,6 +5,7 @@
 // the largest angle between its ends' tensors is cut where that angle is halved, to 64ths; so both
 // tetrahedra at a face cut it in the same way. A leaf face is rejected, or the curves in it are
 // graphs along its witness, each an arc that joins two roots on its edges.
+#include <unordered_map>
 #include <vector>
 
 #include "algorithms/modes/cell_test.hpp"
@@ -72,6 +73,9 @@ class Faces {
   Index add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges, int depth,
                  Index whole = kNone);
 
+  /// What test_cell says of a face, for when it is asked.
+  void foresee(Index face, const CellResult<2>& result) { foreseen_.emplace(face, result); }
+
   const Edge& edge(Index e) const { return edges_[e]; }
   const Face& face(Index f) const { return faces_[f]; }
   Index face_count() const { return static_cast<Index>(faces_.size()); }
@@ -99,6 +103,7 @@ class Faces {
  private:
   friend class ArcMaker;
   void cut(Index edge);
+  CellResult<2> tested(Index face);
   void test(Index face);
 
   Vertices& vertices_;
@@ -108,6 +113,7 @@ class Faces {
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
   std::vector<Arc> arcs_;
+  std::unordered_map<Index, CellResult<2>> foreseen_;
   Counters counters_;
   std::uint64_t budget_ = 0;
 };

@@ -83,8 +83,8 @@ TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
   double m = 0, e = 0;
   for (std::size_t i = 0; i <= D; ++i) {
     entries[i] = t[i].t;
-    m = std::fmax(m, t[i].largest());
-    e = std::fmax(e, t[i].error);
+    m = std::max(m, t[i].largest());
+    e = std::max(e, t[i].error);
   }
   m += e;
   constexpr double u = kernel::kUnitRoundoff;
@@ -97,7 +97,7 @@ TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
     std::array<double, Basis::count> s;
     for (std::size_t i = 0; i < Basis::count; ++i) {
       s[i] = Basis::weights[i] * net.c[i];
-      size = std::fmax(size, std::fabs(net.c[i]));
+      size = std::max(size, std::fabs(net.c[i]));
     }
     return kernel::Form<Real, Basis>(s, size + error, error);
   };

@@ -6,6 +6,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <exception>
@@ -61,22 +62,28 @@ bool insert_loops(Triangulation& t, const PlanarPiece& piece) {
   return found == walls;
 }
 
-/// One point on a diagonal with both ends on one facet; false if there is none.
+/// One point on a diagonal with both ends on one facet, the first by its ends: CGAL's order of
+/// edges is one of addresses. False if there is none.
 bool mend_diagonal(Triangulation& t, PlanarPiece& piece) {
+  using Ends = std::pair<std::size_t, std::size_t>;
+  std::optional<Ends> first;
   for (const auto& e : t.finite_edges()) {
     if (t.is_constrained(e) || e.first->info() != 1) continue;
-    const auto a = e.first->vertex(t.ccw(e.second)), b = e.first->vertex(t.cw(e.second));
-    if ((piece.facets[a->info()] & piece.facets[b->info()]) == 0) continue;
-    const auto p = CGAL::midpoint(a->point(), b->point());
-    const std::size_t before = t.number_of_vertices();
-    const auto v = t.insert(p);
-    if (t.number_of_vertices() == before) return false;
-    v->info() = piece.points.size();
-    piece.points.push_back({p.x(), p.y()});
-    piece.facets.push_back(0);
-    return true;
+    const Ends ends = std::minmax<std::size_t>(
+        {e.first->vertex(t.ccw(e.second))->info(), e.first->vertex(t.cw(e.second))->info()});
+    if ((piece.facets[ends.first] & piece.facets[ends.second]) != 0 && (!first || ends < *first))
+      first = ends;
   }
-  return false;
+  if (!first) return false;
+  const auto &a = piece.points[first->first], &b = piece.points[first->second];
+  const std::array<double, 2> p = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+  const std::size_t before = t.number_of_vertices();
+  const auto v = t.insert({p[0], p[1]});
+  if (t.number_of_vertices() == before) return false;
+  v->info() = piece.points.size();
+  piece.points.push_back(p);
+  piece.facets.push_back(0);
+  return true;
 }
 
 /// From the centroid, if it sees the whole loop. All triangles turn alike and the loop goes round

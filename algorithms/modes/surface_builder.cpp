@@ -119,7 +119,8 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
     const Edge& edge = faces_.edge(face.edges[k]);
     if (edge.line != r.line) continue;
     const double begin = edge.begin.lower(), end = edge.end.lower();
-    double s = std::clamp((r.t - begin) / (end - begin), 1e-9, 1 - 1e-9);
+    constexpr double room = 1e-13;  // of the edge: a root next to its end is not in its end
+    double s = std::clamp((r.t - begin) / (end - begin), room, 1 - room);
     if (edge.first != face.corners[k]) s = 1 - s;
     std::array<double, 3> b{};
     b[k] = 1 - s;
@@ -169,7 +170,7 @@ void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Pie
   for (Piece& piece : pieces) {
     for (const Loop& loop : piece)
       for (const LoopArc& a : loop) bend(a.arc);
-    jobs_.push_back({cell, orientation, std::move(piece), false, {}, {}});
+    jobs_.push_back({cell, orientation, std::move(piece), 0, false, {}, {}});
   }
 }
 
@@ -249,16 +250,56 @@ SurfaceBuilder::Barycentric SurfaceBuilder::unfolded(const Layout& layout,
   return b;
 }
 
-/// Whether the surface is met over all new points: chords may leave its projection.
-bool SurfaceBuilder::lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const {
+/// The new points over which the surface is not met: chords may leave its projection.
+std::vector<std::size_t> SurfaceBuilder::missed(const Job& job, const Layout& layout,
+                                                const PlanarPiece& planar) const {
+  std::vector<std::size_t> r;
   Barycentric w;
   for (std::size_t i = 0; i < 4; ++i) w[i] = job.cell.witness.w[i];
   for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
     bool crosses = false;
     lifted(job.cell.corners, unfolded(layout, planar.points[i]), w, &crosses);
-    if (!crosses) return false;
+    if (!crosses) r.push_back(i);
   }
-  return true;
+  return r;
+}
+
+/// A point of the surface on a segment from b: to the nearest corner, or point between two of the
+/// loops' points, on the other side. That keeps the mode where a projection has failed.
+SurfaceBuilder::Barycentric SurfaceBuilder::pulled(const Job& job, const Layout& layout,
+                                                   const Barycentric& b) const {
+  const auto height = [&](const Barycentric& x) {
+    return function_.height(interpolated(faces_.vertices(), job.cell.corners, x));
+  };
+  const auto mixed = [](const Barycentric& x, const Barycentric& y, double s) {
+    Barycentric r;
+    for (std::size_t k = 0; k < 4; ++k) r[k] = (1 - s) * x[k] + s * y[k];
+    return r;
+  };
+  const bool below = height(b) < 0;
+  Barycentric to = b;
+  double least = HUGE_VAL;
+  const auto offer = [&](const Barycentric& x) {
+    double d = 0;
+    for (std::size_t k = 0; k < 4; ++k) d += (x[k] - b[k]) * (x[k] - b[k]);
+    if (d >= least || (height(x) < 0) == below) return;
+    least = d;
+    to = x;
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    Barycentric corner{};
+    corner[k] = 1;
+    offer(corner);
+  }
+  const std::size_t n = layout.at.size(), step = n / 32 + 1;
+  for (std::size_t i = 0; i < n; i += step)
+    for (std::size_t k = 0; k < i; k += step) offer(mixed(layout.at[i], layout.at[k], 0.5));
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double s = 0.5 * (low + high);
+    ((height(mixed(b, to, s)) < 0) == below ? low : high) = s;
+  }
+  return mixed(b, to, low);
 }
 
 /// Appends the triangles, new points lifted along w.
@@ -269,12 +310,14 @@ void SurfaceBuilder::emit(const Job& job, Layout& layout, const PlanarPiece& pla
   const auto [x, y, other, drop] = layout.order;
   for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
     Barycentric b{};
+    bool crosses = false;
     if (lift) {
-      b = lifted(job.cell.corners, unfolded(layout, planar.points[i]), w);
+      b = lifted(job.cell.corners, unfolded(layout, planar.points[i]), w, &crosses);
     } else {
       for (const Barycentric& a : layout.at)
         for (std::size_t k = 0; k < 4; ++k) b[k] += a[k] / static_cast<double>(layout.at.size());
     }
+    if (!crosses) b = pulled(job, layout, b);
     Vec3 p{};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t c = 0; c < 3; ++c) p[c] += b[k] * place(job.cell.corners[k])[c];
@@ -376,8 +419,8 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
-/// The parts of polylines that cross in the projection; if none do, all of them if `all`.
-void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts, bool all) {
+/// The parts of polylines that cross in the projection.
+void SurfaceBuilder::add_crossing(const Layout& layout, Parts& parts) {
   const auto& loops = layout.planar.loops;
   struct Segment {
     std::array<double, 2> from, to;
@@ -396,10 +439,6 @@ void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts, bool all) {
   };
   std::sort(segments.begin(), segments.end(),
             [](const Segment& a, const Segment& b) { return a.low < b.low; });
-  const auto add = [&](std::size_t point) {
-    parts[layout.parts[point].first].insert(layout.parts[point].second);
-  };
-  bool found = false;
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t k = i + 1; k < segments.size() && segments[k].low <= segments[i].high; ++k) {
       const Segment &s = segments[i], &t = segments[k];
@@ -407,17 +446,52 @@ void SurfaceBuilder::add_faults(const Layout& layout, Parts& parts, bool all) {
       if (turn(s.from, s.to, t.from) * turn(s.from, s.to, t.to) > 0 ||
           turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) > 0)
         continue;
-      found = true;
-      add(s.first);
-      add(t.first);
+      add_part(layout, s.first, s.second, parts);
+      add_part(layout, t.first, t.second, parts);
     }
-  if (found || !all) return;
-  for (const auto& loop : loops)
-    for (const std::size_t point : loop) add(point);
+}
+
+/// The parts nearest to points over which the surface is not met.
+void SurfaceBuilder::add_nearest(const Layout& layout, const PlanarPiece& planar,
+                                 const std::vector<std::size_t>& missed, Parts& parts) {
+  for (const std::size_t m : missed) {
+    const auto& x = planar.points[m];
+    double least = HUGE_VAL;
+    std::array<std::size_t, 2> nearest{};
+    for (const auto& loop : layout.planar.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
+        const auto &p = planar.points[a], &q = planar.points[b];
+        const double dx = q[0] - p[0], dy = q[1] - p[1], length = dx * dx + dy * dy;
+        const double along = (x[0] - p[0]) * dx + (x[1] - p[1]) * dy;
+        const double s = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+        const double d = std::hypot(p[0] + s * dx - x[0], p[1] + s * dy - x[1]);
+        if (d >= least) continue;
+        least = d;
+        nearest = {a, b};
+      }
+    add_part(layout, nearest[0], nearest[1], parts);
+  }
+}
+
+void SurfaceBuilder::add_all(const Layout& layout, Parts& parts) {
+  for (const auto& loop : layout.planar.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      add_part(layout, loop[i], loop[(i + 1) % loop.size()], parts);
+}
+
+/// Of a short part the ends are one place but for an infinitesimal: its halves cross no less.
+void SurfaceBuilder::add_part(const Layout& layout, std::size_t point, std::size_t next,
+                              Parts& parts) {
+  constexpr double shortest = 1e-11;
+  const auto &p = layout.planar.points[point], &q = layout.planar.points[next];
+  if (std::fabs(p[0] - q[0]) + std::fabs(p[1] - q[1]) < shortest) return;
+  parts[layout.parts[point].first].insert(layout.parts[point].second);
 }
 
 /// Polylines are shared: all are fine enough before any piece is meshed.
 void SurfaceBuilder::refine_all() {
+  constexpr int kHalvings = 6;  // of whole loops, for one piece
   constexpr int rounds = 30;
   constexpr std::size_t most_points = 2000;
   for (int round = 0; round < rounds; ++round) {
@@ -427,11 +501,18 @@ void SurfaceBuilder::refine_all() {
       const Layout layout = lay_out(job);
       job.planar = layout.planar;
       auto triangles = triangulate(job.planar);
-      job.done = triangles && lifts(job, layout, job.planar);
+      const auto over = triangles ? missed(job, layout, job.planar) : std::vector<std::size_t>{};
+      job.done = triangles && over.empty();
       if (job.done)
         job.triangles = std::move(*triangles);
-      else if (layout.at.size() < most_points)
-        add_faults(layout, parts, round < 4);
+      else if (layout.at.size() >= most_points)
+        continue;
+      else if (!triangles)
+        add_crossing(layout, parts);
+      else if (job.halvings++ < kHalvings)
+        add_all(layout, parts);
+      else
+        add_nearest(layout, job.planar, over, parts);
     }
     if (parts.empty() || round + 1 == rounds) return;
     for (const auto& [arc, which] : parts) refine(arc, which);

@@ -49,7 +49,8 @@ class SurfaceBuilder {
     Cell cell;
     int orientation;
     Piece piece;
-    bool done;  ///< the triangulation stands
+    int halvings;  ///< of all its loops' parts so far
+    bool done;     ///< the triangulation stands
     PlanarPiece planar;
     std::vector<std::array<std::size_t, 3>> triangles;
   };
@@ -71,14 +72,20 @@ class SurfaceBuilder {
   void bend(Index arc);
   Layout lay_out(const Job& job);
   static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
-  bool lifts(const Job& job, const Layout& layout, const PlanarPiece& planar) const;
-  static void add_faults(const Layout& layout, Parts& parts, bool all);
+  std::vector<std::size_t> missed(const Job& job, const Layout& layout,
+                                  const PlanarPiece& planar) const;
+  static void add_crossing(const Layout& layout, Parts& parts);
+  static void add_all(const Layout& layout, Parts& parts);
+  static void add_nearest(const Layout& layout, const PlanarPiece& planar,
+                          const std::vector<std::size_t>& missed, Parts& parts);
+  static void add_part(const Layout& layout, std::size_t point, std::size_t next, Parts& parts);
   void refine_all();
   void mesh(const Job& job);
   void mesh_piece(const Job& job);
   void mesh(const ConeJob& job);
   bool count_segments(Index arc);
   Index zero_point(Index vertex);
+  Barycentric pulled(const Job& job, const Layout& layout, const Barycentric& b) const;
   void emit(const Job& job, Layout& layout, const PlanarPiece& planar,
             const std::vector<std::array<std::size_t, 3>>& triangles, bool lift);
   Index add_point(const kernel::Vec3& p, const Symmetric& t);

@@ -3,6 +3,7 @@
 
 // Traceless symmetric tensors: the deviator of T, times 3, is D = 3 T - tr(T) I, which needs no
 // division. Doubles with the error they carry; integers times a power of two.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -22,7 +23,7 @@ struct Tensor {
   double error = 0;
   double largest() const {
     double m = 0;
-    for (const double x : t) m = std::fmax(m, std::fabs(x));
+    for (const double x : t) m = std::max(m, std::fabs(x));
     return m;
   }
 };

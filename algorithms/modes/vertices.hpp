@@ -42,22 +42,31 @@ class Vertices {
   /// Exactly, times one power of two for all.
   template <std::size_t N>
   std::array<Entries<kernel::Integer>, N> exact(const std::array<Index, N>& vertices) {
-    std::array<Entries<kernel::Integer>, N> r;
-    long low = 0;
-    for (std::size_t i = 0; i < N; ++i) {
-      const long e = exact(vertices[i]).exponent;
-      low = i == 0 ? e : std::min(low, e);
-    }
-    for (std::size_t i = 0; i < N; ++i) {
-      const ExactTensor& t = exact(vertices[i]);
-      r[i] = t.t;
-      for (auto& x : r[i]) x <<= static_cast<unsigned long>(t.exponent - low);
-    }
-    return r;
+    std::array<ExactTensor, N> t;
+    for (std::size_t i = 0; i < N; ++i) t[i] = exact(vertices[i]);
+    return aligned(std::move(t));
+  }
+  /// The same of vertices of the mesh. Pure: for parallel loops.
+  template <std::size_t N>
+  std::array<Entries<kernel::Integer>, N> mesh_exact(const std::array<Index, N>& vertices) const {
+    std::array<ExactTensor, N> t;
+    for (std::size_t i = 0; i < N; ++i) t[i] = exact_deviator(given_[vertices[i]], scale_);
+    return aligned(std::move(t));
   }
   const ExactTensor& exact(Index v);
 
  private:
+  template <std::size_t N>
+  static std::array<Entries<kernel::Integer>, N> aligned(std::array<ExactTensor, N> t) {
+    long low = t[0].exponent;
+    for (const ExactTensor& x : t) low = std::min(low, x.exponent);
+    std::array<Entries<kernel::Integer>, N> r;
+    for (std::size_t i = 0; i < N; ++i) {
+      r[i] = std::move(t[i].t);
+      for (auto& x : r[i]) x <<= static_cast<unsigned long>(t[i].exponent - low);
+    }
+    return r;
+  }
   std::span<const Symmetric> given_;
   int scale_;
   Level level_;

@@ -15,9 +15,13 @@ Integer up(const Integer& x, long bits) {
 
 // Two roundings in one direction are one.
 double rounded(const Dyadic& x, mpfr_rnd_t direction) {
+  const auto& z = x.mantissa.backend().data();
+  // A double as it is: neither rounded nor subnormal bits lost.
+  if (mpz_sizeinbase(z, 2) <= 53 && x.exponent >= -1074 && x.exponent <= 970)
+    return std::ldexp(mpz_get_d(z), static_cast<int>(x.exponent));
   mpfr_t t;
   mpfr_init2(t, 53);
-  mpfr_set_z_2exp(t, x.mantissa.backend().data(), x.exponent, direction);
+  mpfr_set_z_2exp(t, z, x.exponent, direction);
   const double result = mpfr_get_d(t, direction);
   mpfr_clear(t);
   return result;

@@ -6,6 +6,7 @@
 
 #include "certify/verify.hpp"
 #include "tests/modes/samples.hpp"
+#include "tests/support/random.hpp"
 
 using namespace crest;
 using namespace crest::tests;
@@ -49,6 +50,19 @@ TEST_CASE("certificates with cones, rims and undecided cells are accepted") {
   for (const auto& verdict :
        {checked(cone, {{0, 1}, {3, 5}}), checked(rims, {{3, 5}}),
         checked(box(small_boxes()[2].rows, 2, 3, Cut::diagonal), {{9, 10}}, shallow)}) {
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("certificates of small integers are accepted, exact hits and all") {
+  Random random(6);
+  modes::ModeOptions options;
+  options.budget = 2000;
+  for (int i = 0; i < 4; ++i) {
+    const auto verdict = checked(
+        random_box(3, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); }),
+        {{0, 1}, {1, 2}, {97, 100}}, options);
     INFO(verdict.reason);
     CHECK(verdict.accepted);
   }

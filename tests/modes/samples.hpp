@@ -63,6 +63,18 @@ inline modes::ModeField box(const Rows& rows, double half, kernel::Index n, Cut 
   return {kernel::TetMesh(std::move(points), std::move(tets)), std::move(tensors)};
 }
 
+/// The box with entries from the generator at its vertices.
+template <class Entry>
+modes::ModeField random_box(kernel::Index n, const Entry& entry) {
+  auto field = box(Rows(4), 1, n, Cut::diagonal);
+  for (auto& t : field.tensors) {
+    std::array<double, 5> r;
+    for (double& x : r) x = entry();
+    t = tensor_of(r);
+  }
+  return field;
+}
+
 /// Euler characteristic, components, boundary loops of a surface.
 struct Counts {
   long euler_characteristic, components, loops;
