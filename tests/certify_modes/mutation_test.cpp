@@ -31,7 +31,7 @@ ModesInput small_random(Random& random, std::size_t tets) {
   return input;
 }
 
-std::vector<ModesCertificate> originals() {
+std::vector<ModesCertificate> make_originals() {
   Random random(kSeed);
   std::vector<ModesCertificate> all;
   for (const std::size_t tets : {1U, 2U, 3U})
@@ -46,6 +46,11 @@ std::vector<ModesCertificate> originals() {
     INFO(verdict.reason);
     REQUIRE(verdict.accepted);
   }
+  return all;
+}
+
+const std::vector<ModesCertificate>& originals() {
+  static const auto all = make_originals();
   return all;
 }
 
@@ -101,12 +106,13 @@ TEST_CASE("modes: edited bytes, bound again, are rejected unless true") {
   Tally tally;
   for (const auto& original : originals()) {
     const Bytes bytes = encode(original);
-    for (std::uint64_t i = 0; i < scaled(120); ++i) {
+    for (std::uint64_t i = 0; i < scaled(40); ++i) {
       Bytes mutant = bytes;
       const auto at = kHeaderSize + random() % (mutant.size() - kHeaderSize);
-      if (random() % 16 == 0)
+      const auto kind = i % 16;  // all three in every certificate
+      if (kind == 0)
         mutant.resize(at);
-      else if (random() % 4 == 0)
+      else if (kind < 5)
         mutant[at] = static_cast<std::uint8_t>(random());
       else
         mutant[at] ^= static_cast<std::uint8_t>(1U << random() % 8);
@@ -130,7 +136,7 @@ TEST_CASE("modes: edited bytes, bound again, are rejected unless true") {
   }
   std::cout << "bytes: " << tally.mutants << " mutants, " << tally.accepted << " accepted, "
             << tally.compared << " of them made anew\n";
-  CHECK(tally.mutants > 1000);
+  CHECK(tally.mutants > 200);
 }
 
 namespace {
@@ -320,7 +326,7 @@ TEST_CASE("modes: edited records are rejected unless true") {
   std::map<std::string, std::uint64_t> made;
   for (const auto& original : originals())
     for (const auto& [kind, edit] : edits())
-      for (std::uint64_t i = 0; i < scaled(6); ++i) {
+      for (std::uint64_t i = 0; i < scaled(2); ++i) {
         ModesCertificate mutant = original;
         if (!edit(mutant.levels[pick(mutant.levels, random)], random)) continue;
         ++made[kind];
@@ -328,11 +334,14 @@ TEST_CASE("modes: edited records are rejected unless true") {
       }
   for (const auto& [kind, count] : made)
     std::cout << kind << ": " << count << " mutants, " << tally.by_kind[kind] << " accepted\n";
+  for (const auto& [kind, edit] : edits()) {
+    CAPTURE(kind);
+    CHECK(made[kind] > 0);
+  }
   for (const char* kind :
        {"count changed", "component dropped", "root dropped", "root doubled", "arc dropped",
         "pairing swapped", "w turned", "pieces changed", "all forgotten"}) {
     CAPTURE(kind);
-    CHECK(made[kind] > 0);
     CHECK(tally.by_kind[kind] == 0);
   }
 }
