@@ -2,6 +2,7 @@
 // Claim 7, modes-curves: where a piecewise linear tensor field is degenerate (SPEC.md). The
 // library compares no file with it; the program compares digests (cli/crest_verify.cpp).
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <tuple>
@@ -70,6 +71,8 @@ class PlaceCheck {
       require(p.face < c_.faces.size() && (i == 0 || c_.face_points[i - 1].face <= p.face),
               "points: not by face");
       require(p.type == 1 || p.type == -1, "points: type {}", int{p.type});
+      for (unsigned k = 0; k < 2; ++k)
+        require(std::isfinite(p.low[k]) && std::isfinite(p.high[k]), "points: {} has no box", i);
       for (const Box& box : boxes_[p.face]) {
         bool apart = false;
         for (unsigned k = 0; k < 2; ++k)
