@@ -23,9 +23,10 @@ using namespace curves;
 using modes::ExactTensors;
 using modes::Field;
 
-/// Whether |mode| < 1 everywhere on the tetrahedron, clearly.
-bool is_free(const Field& field, const std::array<u32, 4>& corners) {
-  const auto products = modes::approximate_products<4>(field, corners);
+/// Whether |mode| < 1 everywhere on the simplex, clearly.
+template <std::size_t n>
+bool is_free(const Field& field, const std::array<u32, n>& corners) {
+  const auto products = modes::approximate_products<n>(field, corners);
   const auto norm = norm_form(products);
   const auto cube = cube_form(products);
   const auto f = scaled(3.0, cube * cube) - scaled(2.0, norm * norm * norm);
@@ -115,7 +116,7 @@ class PlaceCheck {
       const auto& boxes = listed ? boxes_[static_cast<std::size_t>(at - c_.faces.begin())] : none;
       const bool away =
           std::ranges::any_of(face.tets, [&](u32 t) { return t != kNoTet && free_[t] != 0; });
-      if (away && boxes.empty()) return;
+      if (boxes.empty() && (away || is_free(field_, face.corners))) return;
       points_[f] = find_points(exact, face.corners, boxes);
     });
     prove(verdict_, "faces: {} degenerate points on {} faces; {} special ones",

@@ -104,6 +104,24 @@ Polynomial form(const Matrix<Integer>& b, const FacePoint::Curve& v) {
   return sum;
 }
 
+/// The sign on a closed interval of sum a_i t^i (1 - t)^(d - i), if Bernstein's coefficients there
+/// have one; else 0.
+int sign_between(const Polynomial& a, const Place& low, const Place& high) {
+  const unsigned e = std::max(low.exponent, high.exponent);
+  const Integer unit = Integer(1) << e;
+  const Integer l = low.numerator << (e - low.exponent), h = high.numerator << (e - high.exponent);
+  // In the homogeneous coordinates of the interval's ends.
+  const Polynomial t = {l, h}, rest = {unit - l, unit - h};
+  Polynomial sum = {a.back()}, power = {1};
+  for (std::size_t i = a.size() - 1; i-- > 0;) {
+    power = power * rest;
+    sum = sum * t + scaled(a[i], power);
+  }
+  const int sign = sum.front() > 0 ? 1 : sum.front() < 0 ? -1 : 0;
+  const bool one_sign = std::ranges::all_of(sum, [&](const Integer& x) { return x * sign >= 0; });
+  return one_sign && sum.back() != 0 ? sign : 0;
+}
+
 /// Intervals of single roots in (0, 1).
 using Intervals = std::vector<std::array<Place, 2>>;
 
@@ -267,10 +285,16 @@ int FacePoint::certain_sign(const Polynomial& polynomial) const {
   return sign_of(value(approximate(trimmed(polynomial, negative_)), Ball(middle, radius)));
 }
 
-std::optional<int> FacePoint::sign(const Polynomial& polynomial) const {
+std::optional<int> FacePoint::sign(const Polynomial& polynomial) {
   if (const int certain = certain_sign(polynomial); certain != 0) return certain;
   const auto list = trimmed(polynomial, negative_);
   if (list.empty()) return std::nullopt;
+  constexpr unsigned kMostHalvings = 60;
+  for (unsigned i = 0; i < kMostHalvings; ++i) {
+    if (i % 4 == 0)
+      if (const int found = sign_between(list, low_, high_); found != 0) return found;
+    refine();
+  }
   const Sturm other(list);
   FacePoint at = *this;
   for (int i = 0; i < 400; ++i) {
@@ -447,7 +471,7 @@ Polynomial beyond(const Polynomial& weight, double bound, const Polynomial& sum)
 }
 
 /// The common sign of the weights; 0 if they differ: the point is not in the closed face.
-int common_sign(const FacePoint& point, const std::array<Polynomial, 3>& weights,
+int common_sign(FacePoint& point, const std::array<Polynomial, 3>& weights,
                 const std::array<u32, 3>& corners) {
   std::array<int, 3> signs{};
   for (unsigned i = 0; i < 3; ++i) signs[i] = point.certain_sign(weights[i]);

@@ -45,8 +45,8 @@ class FacePoint {
   int type = 0;    ///< +1 linear, -1 planar
   u32 listed = 0;  ///< place among the listed points
 
-  /// The sign at the root of a polynomial in u; empty if it may be zero.
-  std::optional<int> sign(const Polynomial& polynomial) const;
+  /// The sign at the root of a polynomial in u; empty if it may be zero. Narrows the interval.
+  std::optional<int> sign(const Polynomial& polynomial);
   /// The same by doubles with errors: 0 where these do not tell.
   int certain_sign(const Polynomial& polynomial) const;
   const Curve& curve() const { return *v_; }
