@@ -83,8 +83,7 @@ Digest read_tensors(const Arguments& arguments) {
 void compare_tensors(const Digest& input, const std::string& file, Verdict& verdict) {
   if (!verdict.accepted) return;
   if (verdict.data == input) {
-    verdict.lines.push_back("input: " + file +
-                            " holds the same positions, tetrahedra and tensors");
+    verdict.lines.push_back("input: " + file + " holds the same positions, tetrahedra and tensors");
     return;
   }
   verdict.accepted = false;
@@ -131,9 +130,8 @@ void describe(CLI::App& app, Arguments& arguments) {
                      "hundreds of times slower for ridges of smooth surfaces)")
           ->transform(CLI::CheckedTransformer(kArithmetic))
           ->default_str("double");
-  auto* const input =
-      app.add_option("--input", arguments.input,
-                     "also require the data to be what `crest` makes of this file");
+  auto* const input = app.add_option("--input", arguments.input,
+                                     "also require the data to be what `crest` makes of this file");
   app.add_option("--weld", arguments.weld, "as for the command that wrote the certificate")
       ->type_name("T")
       ->needs(input);

@@ -245,7 +245,8 @@ FacePoint::FacePoint(std::shared_ptr<const Polynomial> polynomial, Place low, Pl
       negative_(negative),
       v_(std::move(v)) {
   refine_by_doubles();
-  while (high_.numerator == Integer(1) << high_.exponent) refine();  // u is infinite there, the root is not
+  while (high_.numerator == Integer(1) << high_.exponent)
+    refine();  // u is infinite there, the root is not
 }
 
 /// Bisects as long as doubles tell the sign.
@@ -434,7 +435,7 @@ std::vector<Matrix<Integer>> complement(const std::vector<Matrix<Integer>>& tens
     }
     pivot_of[k] = rank++;
   }
-  require(rank == tensors.size(), "dependent tensors, not listed as special");
+  if (rank < tensors.size()) return {};
   Integer common = 1;
   for (unsigned k = 0; k < 5; ++k)
     if (pivot_of[k] != 5) common = lcm(common, rows[pivot_of[k]][k]);
@@ -494,18 +495,19 @@ int common_sign(FacePoint& point, const std::array<Polynomial, 3>& weights,
 
 }  // namespace
 
-std::vector<FacePoint> find_points(modes::ExactTensors& exact, const std::array<u32, 3>& corners,
-                                   const std::vector<Box>& boxes) {
+std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
+                                                  const std::array<u32, 3>& corners,
+                                                  const std::vector<Box>& boxes) {
   const auto tensors = matrices(exact, corners);
   const auto rest = complement(tensors);
+  if (rest.empty()) return std::nullopt;
   const auto dual = dual_basis(tensors);
   std::optional<std::vector<FacePoint>> all;
   for (const auto& coordinates : kCoordinates) {
     all = common_points(rest[0], rest[1], coordinates);
     if (all) break;
   }
-  require(all.has_value(), "face ({}, {}, {}): no quartic with simple roots, not listed as special",
-          corners[0], corners[1], corners[2]);
+  if (!all) return std::nullopt;
   std::vector<FacePoint> found;
   if (all->empty()) {
     require(boxes.empty(), "face ({}, {}, {}): {} degenerate points listed, none found", corners[0],

@@ -77,13 +77,16 @@ std::vector<Matrix<Integer>> matrices(modes::ExactTensors& exact, std::span<cons
 /// B_i of SPEC.md, all times one positive number: <B_i, T_j> is that for i = j, else 0. Throws
 /// Reject if the tensors are dependent.
 std::vector<Matrix<Integer>> dual_basis(const std::vector<Matrix<Integer>>& tensors);
-/// Traceless matrices orthogonal to all tensors, as many as there are.
+/// Traceless matrices orthogonal to all tensors, as many as there are; none if the tensors are
+/// dependent.
 std::vector<Matrix<Integer>> complement(const std::vector<Matrix<Integer>>& tensors);
 Integer determinant(const Matrix<Integer>& m);
 
-/// All points of a face, each matched with the box that holds it. Throws Reject if they are not
-/// those of the boxes, or are of a kind that is not decided.
-std::vector<FacePoint> find_points(modes::ExactTensors& exact, const std::array<u32, 3>& corners,
-                                   const std::vector<Box>& boxes);
+/// All points of a face, each matched with the box that holds it; nothing if the tensors are
+/// dependent, or no quartic with simple roots is found. Throws Reject if the points are not those
+/// of the boxes, or one is on an edge.
+std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
+                                                  const std::array<u32, 3>& corners,
+                                                  const std::vector<Box>& boxes);
 
 }  // namespace crest::certify::curves

@@ -117,18 +117,16 @@ class Order {
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 2>> find_arcs(modes::ExactTensors& exact,
-                                                  const std::array<u32, 4>& corners,
-                                                  std::vector<TetPoint>& points) {
+std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTensors& exact,
+                                                                 const std::array<u32, 4>& corners,
+                                                                 std::vector<TetPoint>& points) {
   const auto tensors = matrices(exact, corners);
   const auto rest = complement(tensors);
-  require(determinant(rest[0]) != 0,
-          "tetrahedron ({}, {}, {}, {}): its conic is a pair of lines, not listed as special",
-          corners[0], corners[1], corners[2], corners[3]);
+  if (rest.empty() || determinant(rest[0]) == 0) return std::nullopt;
   require(points.size() % 2 == 0, "tetrahedron ({}, {}, {}, {}): an odd number of points",
           corners[0], corners[1], corners[2], corners[3]);
-  if (points.empty()) return {};
-  if (points.size() == 2) return {{0, 1}};
+  if (points.empty()) return std::vector<std::array<std::size_t, 2>>();
+  if (points.size() == 2) return std::vector<std::array<std::size_t, 2>>{{0, 1}};
   const auto dual = dual_basis(tensors);
   Order order(rest[0], points);
   const auto sorted = order.sorted();
