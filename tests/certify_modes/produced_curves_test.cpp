@@ -95,107 +95,103 @@ auto& any_of(List& list, Random& random) {
 }
 
 /// Each returns whether it changed anything.
-const std::vector<std::pair<std::string, Edit>>& edits() {
-  static const std::vector<std::pair<std::string, Edit>> list = {
-      {"count changed",
-       [](Certificate& c, Random& r) {
-         auto& of = r() % 2 ? c.linear : c.planar;
-         ++*std::array{&of.open, &of.closed, &of.touched}[r() % 3];
-         return true;
-       }},
-      {"type turned",
-       [](Certificate& c, Random& r) {
-         auto& type = any_of(c.face_points, r).type;
-         type = static_cast<std::int8_t>(-type);
-         return true;
-       }},
-      {"all types turned",
-       [](Certificate& c, Random&) {
-         for (auto& p : c.face_points) p.type = static_cast<std::int8_t>(-p.type);
-         std::swap(c.linear, c.planar);
-         return true;
-       }},
-      {"box moved",
-       [](Certificate& c, Random& r) {
-         auto& p = any_of(c.face_points, r);
-         const auto k = static_cast<std::size_t>(r() % 2);
-         const double width = p.high[k] - p.low[k];
-         p.low[k] += width, p.high[k] += width;
-         return true;
-       }},
-      {"box of all",
-       [](Certificate& c, Random& r) {
-         auto& p = any_of(c.face_points, r);
-         p.low = {0, 0}, p.high = {1, 1};
-         return true;
-       }},
-      {"box of nothing",
-       [](Certificate& c, Random& r) {
-         auto& p = any_of(c.face_points, r);
-         p.low[r() % 2] = std::array{HUGE_VAL, -HUGE_VAL, std::nan("")}[r() % 3];
-         return true;
-       }},
-      {"arc dropped",
-       [](Certificate& c, Random& r) {
-         c.arcs.erase(c.arcs.begin() + static_cast<std::ptrdiff_t>(r() % c.arcs.size()));
-         return true;
-       }},
-      {"arc elsewhere",
-       [](Certificate& c, Random& r) {
-         auto& tet = any_of(c.arcs, r).tet;
-         const auto before = tet;
-         tet = static_cast<std::uint32_t>(r() % c.tets.size());
-         return tet != before;
-       }},
-      {"arcs exchanged",
-       [](Certificate& c, Random& r) {
-         if (c.arcs.size() < 2) return false;
-         const auto at = 1 + static_cast<std::size_t>(r() % (c.arcs.size() - 1));
-         if (c.arcs[at].tet != c.arcs[at - 1].tet) return false;
-         std::swap(c.arcs[at].points[1], c.arcs[at - 1].points[1]);
-         return true;
-       }},
-      {"point dropped, with its arcs",
-       [](Certificate& c, Random& r) {
-         const auto at = static_cast<std::uint32_t>(r() % c.face_points.size());
-         c.face_points.erase(c.face_points.begin() + at);
-         std::erase_if(c.arcs,
-                       [&](const auto& a) { return a.points[0] == at || a.points[1] == at; });
-         for (auto& arc : c.arcs)
-           for (auto& p : arc.points) p -= p > at;
-         return true;
-       }},
-      {"points exchanged",
-       [](Certificate& c, Random& r) {
-         const auto at = static_cast<std::size_t>(r() % (c.face_points.size() - 1));
-         std::swap(c.face_points[at].low, c.face_points[at + 1].low);
-         std::swap(c.face_points[at].high, c.face_points[at + 1].high);
-         return true;
-       }},
-      {"all forgotten",
-       [](Certificate& c, Random&) {
-         c.faces.clear(), c.face_points.clear(), c.arcs.clear();
-         c.linear = c.planar = {};
-         return true;
-       }},
-      {"tetrahedron said to be special",
-       [](Certificate& c, Random& r) {
-         const auto t = any_of(c.arcs, r).tet;
-         if (std::ranges::binary_search(c.special_tets, t)) return false;
-         c.special_tets.insert(std::ranges::lower_bound(c.special_tets, t), t);
-         if (r() % 2) std::erase_if(c.arcs, [&](const auto& a) { return a.tet == t; });
-         return true;
-       }},
-      {"special places forgotten",
-       [](Certificate& c, Random& r) {
-         if (c.special_tets.empty()) return false;
-         if (r() % 2) c.special_tets.clear();
-         c.special_faces.clear();
-         return true;
-       }},
-  };
-  return list;
-}
+const std::vector<std::pair<std::string, Edit>> kEdits = {
+    {"count changed",
+     [](Certificate& c, Random& r) {
+       auto& of = r() % 2 ? c.linear : c.planar;
+       ++*std::array{&of.open, &of.closed, &of.touched}[r() % 3];
+       return true;
+     }},
+    {"type turned",
+     [](Certificate& c, Random& r) {
+       auto& type = any_of(c.face_points, r).type;
+       type = static_cast<std::int8_t>(-type);
+       return true;
+     }},
+    {"all types turned",
+     [](Certificate& c, Random&) {
+       for (auto& p : c.face_points) p.type = static_cast<std::int8_t>(-p.type);
+       std::swap(c.linear, c.planar);
+       return true;
+     }},
+    {"box moved",
+     [](Certificate& c, Random& r) {
+       auto& p = any_of(c.face_points, r);
+       const auto k = static_cast<std::size_t>(r() % 2);
+       const double width = p.high[k] - p.low[k];
+       p.low[k] += width, p.high[k] += width;
+       return true;
+     }},
+    {"box of all",
+     [](Certificate& c, Random& r) {
+       auto& p = any_of(c.face_points, r);
+       p.low = {0, 0}, p.high = {1, 1};
+       return true;
+     }},
+    {"box of nothing",
+     [](Certificate& c, Random& r) {
+       auto& p = any_of(c.face_points, r);
+       p.low[r() % 2] = std::array{HUGE_VAL, -HUGE_VAL, std::nan("")}[r() % 3];
+       return true;
+     }},
+    {"arc dropped",
+     [](Certificate& c, Random& r) {
+       c.arcs.erase(c.arcs.begin() + static_cast<std::ptrdiff_t>(r() % c.arcs.size()));
+       return true;
+     }},
+    {"arc elsewhere",
+     [](Certificate& c, Random& r) {
+       auto& tet = any_of(c.arcs, r).tet;
+       const auto before = tet;
+       tet = static_cast<std::uint32_t>(r() % c.tets.size());
+       return tet != before;
+     }},
+    {"arcs exchanged",
+     [](Certificate& c, Random& r) {
+       if (c.arcs.size() < 2) return false;
+       const auto at = 1 + static_cast<std::size_t>(r() % (c.arcs.size() - 1));
+       if (c.arcs[at].tet != c.arcs[at - 1].tet) return false;
+       std::swap(c.arcs[at].points[1], c.arcs[at - 1].points[1]);
+       return true;
+     }},
+    {"point dropped, with its arcs",
+     [](Certificate& c, Random& r) {
+       const auto at = static_cast<std::uint32_t>(r() % c.face_points.size());
+       c.face_points.erase(c.face_points.begin() + at);
+       std::erase_if(c.arcs, [&](const auto& a) { return a.points[0] == at || a.points[1] == at; });
+       for (auto& arc : c.arcs)
+         for (auto& p : arc.points) p -= p > at;
+       return true;
+     }},
+    {"points exchanged",
+     [](Certificate& c, Random& r) {
+       const auto at = static_cast<std::size_t>(r() % (c.face_points.size() - 1));
+       std::swap(c.face_points[at].low, c.face_points[at + 1].low);
+       std::swap(c.face_points[at].high, c.face_points[at + 1].high);
+       return true;
+     }},
+    {"all forgotten",
+     [](Certificate& c, Random&) {
+       c.faces.clear(), c.face_points.clear(), c.arcs.clear();
+       c.linear = c.planar = {};
+       return true;
+     }},
+    {"tetrahedron said to be special",
+     [](Certificate& c, Random& r) {
+       const auto t = any_of(c.arcs, r).tet;
+       if (std::ranges::binary_search(c.special_tets, t)) return false;
+       c.special_tets.insert(std::ranges::lower_bound(c.special_tets, t), t);
+       if (r() % 2) std::erase_if(c.arcs, [&](const auto& a) { return a.tet == t; });
+       return true;
+     }},
+    {"special places forgotten",
+     [](Certificate& c, Random& r) {
+       if (c.special_tets.empty()) return false;
+       if (r() % 2) c.special_tets.clear();
+       c.special_faces.clear();
+       return true;
+     }},
+};
 
 std::vector<Certificate> originals() {
   Random random(kSeed);
@@ -242,7 +238,7 @@ TEST_CASE("modes-curves: edited records are rejected unless true") {
   Judge judge;
   std::map<std::string, std::array<std::uint64_t, 2>> kinds;
   for (const auto& original : originals())
-    for (const auto& [kind, edit] : edits())
+    for (const auto& [kind, edit] : kEdits)
       for (std::uint64_t i = 0; i < scaled(2); ++i) {
         Certificate mutant = original;
         if (!edit(mutant, random)) continue;
@@ -250,7 +246,7 @@ TEST_CASE("modes-curves: edited records are rejected unless true") {
         ++kinds[kind][0];
         kinds[kind][1] += judge(original, mutant);
       }
-  for (const auto& [kind, edit] : edits()) {
+  for (const auto& [kind, edit] : kEdits) {
     CAPTURE(kind);
     const auto [made, accepted] = kinds[kind];
     std::cout << kind << ": " << made << " mutants, " << accepted << " accepted\n";
