@@ -2,10 +2,12 @@
 // The programs `crest-verify` and `crest-verify-<claim>`: check a certificate with nothing of
 // algorithms/ or io/ linked in. Which claims one knows is what it is linked with.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,7 @@ enum Exit { kAccepted = 0, kRejected = 1, kUsage = 2, kUnreadable = 3, kInternal
 struct Arguments {
   std::string certificate;
   VerifyOptions options;
-  std::string input, weld;
+  std::string input, weld, tensor, order;
   bool split = false, outward = false, quiet = false;
   std::vector<std::string> reseal, rebind;
 };
@@ -59,18 +61,54 @@ InputMesh read_input(const Arguments& arguments) {
   return crest::cli::input_mesh(arguments.input, words);
 }
 
+/// Whether a certificate is about tensors on tetrahedra.
+bool holds_tensors(std::span<const std::uint8_t> bytes) {
+  const std::string_view first = "modes", second = "modes-curves";
+  try {
+    const auto number = open_container(bytes).claim;
+    return std::ranges::any_of(known_claims(), [&](const ClaimChecker* claim) {
+      return claim->number == number && (claim->name == first || claim->name == second);
+    });
+  } catch (const Malformed&) {
+    return false;
+  }
+}
+
+Digest read_tensors(const Arguments& arguments) {
+  std::vector<std::string> words;
+  if (!arguments.tensor.empty()) words.insert(words.end(), {"--tensor", arguments.tensor});
+  if (!arguments.order.empty()) words.insert(words.end(), {"--order", arguments.order});
+  return crest::cli::input_tensors(arguments.input, words);
+}
+
+/// Such a claim's data section holds the field alone: equal digests say that it is the file's.
+void compare_tensors(const Digest& input, const std::string& file, Verdict& verdict) {
+  if (!verdict.accepted) return;
+  if (verdict.data == input) {
+    verdict.lines.push_back("input: " + file + " holds the same positions, tetrahedra and tensors");
+    return;
+  }
+  verdict.accepted = false;
+  verdict.reason = file + ": another field, its digest is " + hex(input);
+}
+
 int check(Arguments& arguments) {
   Buffer<std::uint8_t> bytes;
+  std::optional<Digest> tensors;
   try {
     bytes = read_buffer(arguments.certificate);
-    if (!arguments.input.empty()) arguments.options.input = read_input(arguments);
+    if (!arguments.input.empty() && holds_tensors(bytes))
+      tensors = read_tensors(arguments);
+    else if (!arguments.input.empty())
+      arguments.options.input = read_input(arguments);
   } catch (const crest::cli::InputUnreadable& problem) {
     // Without words: `crest` has said it.
     return *problem.what() == 0 ? kUnreadable : complain(kUnreadable, problem.what());
   } catch (const std::runtime_error& problem) {
     return complain(kUnreadable, problem.what());
   }
-  const Verdict verdict = verify(bytes, arguments.options);
+  Verdict verdict = verify(bytes, arguments.options);
+  if (tensors) compare_tensors(*tensors, arguments.input, verdict);
   if (!arguments.quiet) {
     for (const auto& line : verdict.lines) std::printf("%s\n", line.c_str());
     if (verdict.data) std::printf("data digest: %s\n", hex(*verdict.data).c_str());
@@ -94,14 +132,15 @@ void describe(CLI::App& app, Arguments& arguments) {
                      "hundreds of times slower for ridges of smooth surfaces)")
           ->transform(CLI::CheckedTransformer(kArithmetic))
           ->default_str("double");
-  auto* const input =
-      app.add_option("--input", arguments.input,
-                     "also require the data to be the mesh that `crest` makes of this file");
+  auto* const input = app.add_option("--input", arguments.input,
+                                     "also require the data to be what `crest` makes of this file");
   app.add_option("--weld", arguments.weld, "as for the command that wrote the certificate")
       ->type_name("T")
       ->needs(input);
   app.add_flag("--split", arguments.split, "the same")->needs(input);
   app.add_flag("--outward", arguments.outward, "the same")->needs(input);
+  app.add_option("--tensor", arguments.tensor, "the same")->type_name("NAME")->needs(input);
+  app.add_option("--order", arguments.order, "the same")->type_name("WORDS")->needs(input);
   auto* const quiet = app.add_flag("--quiet", arguments.quiet, "print the verdict alone");
   auto* const reseal =
       app.add_option("--reseal", arguments.reseal, "IN OUT: copy with the seal recomputed")

@@ -77,17 +77,30 @@ class Numbers {
 
 }  // namespace
 
+namespace {
+
+/// From the folder of this program, else from those of PATH.
+std::string crest_program() {
+  std::error_code none;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", none).parent_path() / "crest";
+  return fs::exists(beside, none) ? beside.string() : "crest";
+}
+
+void require_there(int code) {
+  if (code == -1)
+    throw InputUnreadable("--input needs the program crest, which is not there; install it");
+}
+
+}  // namespace
+
 certify::InputMesh input_mesh(const std::string& file, const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const std::string mesh_file = folder / "mesh.off";
-  std::error_code none;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", none).parent_path() / "crest";
-  std::vector<std::string> words = {fs::exists(beside, none) ? beside.string() : "crest", "clean"};
+  std::vector<std::string> words = {crest_program(), "clean"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   words.insert(words.end(), {"-o", mesh_file, "--", file});
   const int code = run(words);
-  if (code == -1)
-    throw InputUnreadable("--input needs the program crest, which is not there; install it");
+  require_there(code);
   if (code != 0) throw InputUnreadable("");
   Numbers numbers(mesh_file);
   certify::InputMesh mesh{file, {}, {}};
@@ -101,6 +114,18 @@ certify::InputMesh input_mesh(const std::string& file, const std::vector<std::st
     for (std::uint32_t& v : face) v = numbers.next<std::uint32_t>();
   }
   return mesh;
+}
+
+certify::Digest input_tensors(const std::string& file, const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const std::string certificate = folder / "field.crest";
+  std::vector<std::string> words = {crest_program(), "modes", "--degenerate", "--quiet"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  words.insert(words.end(), {"--certificate", certificate, "--", file});
+  require_there(run(words));
+  // Special places are no failure here: there is a certificate, of the same field.
+  if (!fs::exists(certificate)) throw InputUnreadable("");
+  return certify::data_digest(certify::read_file(certificate));
 }
 
 }  // namespace crest::cli

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// `crest-verify --input`: the mesh of a file, from the program `crest`.
+// `crest-verify --input`: the mesh of a file, or its tensors, from the program `crest`.
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "certify/certificate.hpp"
 #include "certify/container/verdict.hpp"
 
 namespace crest::cli {
@@ -21,5 +22,9 @@ class InputUnreadable : public std::runtime_error {
 /// `crest` takes for the mesh. Throws: InputUnreadable, std::runtime_error for a temporary folder
 /// that cannot be made.
 certify::InputMesh input_mesh(const std::string& file, const std::vector<std::string>& arguments);
+
+/// The digest of the data section that `crest modes` makes of a file of tensors (claims modes and
+/// modes-curves, which have the same). Throws as input_mesh.
+certify::Digest input_tensors(const std::string& file, const std::vector<std::string>& arguments);
 
 }  // namespace crest::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claim 6, modes: level sets of the mode of a piecewise linear tensor field (SPEC.md). No mesh file
-// that the checker reads holds tensors: `--input` is refused.
+// Claim 6, modes: level sets of the mode of a piecewise linear tensor field (SPEC.md). The
+// library compares no file with it; the program compares digests (cli/crest_verify.cpp).
 #include <algorithm>
 #include <memory>
 #include <mutex>

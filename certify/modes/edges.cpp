@@ -53,19 +53,21 @@ struct Line {
 
 constexpr int kNotKnown = -1;
 
-/// Roots on (0, 1) by Descartes' rule on dyadic parts, all of them simple; kNotKnown where doubles
-/// or some halvings do not tell. An average adds u |b| to the error.
+/// Roots on (0, 1) by Descartes' rule on dyadic parts, all of them simple, none at a part's end;
+/// kNotKnown where doubles or some halvings do not tell. An average adds u |b| to the error.
 int count_roots(const std::array<double, 7>& b, std::size_t degree, double error, unsigned depth) {
   int changes = 0, last = 0;
+  bool certain = true;
   double most = 0;
   for (std::size_t i = 0; i <= degree; ++i) {
     const int sign = certainly_above(b[i], error) ? 1 : certainly_below(b[i], error) ? -1 : 0;
-    if (sign == 0) return kNotKnown;
+    if (sign == 0 && (i == 0 || i == degree)) return kNotKnown;
+    certain &= sign != 0;
     changes += last * sign < 0;
     last = sign;
     most = std::max(most, std::fabs(b[i]));
   }
-  if (changes <= 1) return changes;
+  if (certain && changes <= 1) return changes;
   if (depth == 0) return kNotKnown;
   std::array<double, 7> low{}, high = b;
   for (std::size_t k = 0; k <= degree; ++k) {
@@ -85,7 +87,7 @@ int count_roots(const Line& line) {
   std::array<double, 7> b{};
   for (std::size_t i = 0; i <= line.degree; ++i)
     b[i] = line.a[i] / (line.degree == 3 ? kCubic[i] : kSextic[i]);
-  return count_roots(b, line.degree, widened(line.error + kUnit * line.most()), 5);
+  return count_roots(b, line.degree, widened(line.error + kUnit * line.most()), 12);
 }
 
 /// The listed roots of a leaf, against a polynomial.
@@ -196,15 +198,15 @@ class EdgeCheck : public ListedRoots {
   }
 
  private:
-  /// Whether doubles tell that the roots are right.
-  bool by_doubles(const Line& line) const {
+  /// Whether doubles tell that the roots are right, with integers for signs next to a root.
+  bool by_doubles(const Line& line) {
     const int count = count_roots(line);
     if (count == kNotKnown) return false;
     require_here(static_cast<std::size_t>(count) == roots_.size(), "{} roots listed, {} found",
                  roots_.size(), count);
     for (const RootRecord& root : roots_) {
       if (flat(root)) return false;
-      const int low = line.sign(root.low), high = line.sign(root.high);
+      const int low = sign(line, root.low), high = sign(line, root.high);
       if (low == 0 || high == 0) return false;
       require_here(low != high, "no single root in the enclosure [{}, {}]", root.low, root.high);
     }
@@ -222,15 +224,26 @@ class EdgeCheck : public ListedRoots {
     return *exact_;
   }
 
-  void by_integers() {
-    std::vector<Integer> a;
-    if (context_.level.neutral) {
-      const auto form = exact_forms().cube();
-      a.assign(form.c.begin(), form.c.end());
-    } else {
-      const auto form = exact_forms().pair(context_.level);
-      a.assign(form.c.begin(), form.c.end());
+  /// f in integers.
+  const std::vector<Integer>& exact_line() {
+    if (exact_line_.empty()) {
+      if (context_.level.neutral) {
+        const auto form = exact_forms().cube();
+        exact_line_.assign(form.c.begin(), form.c.end());
+      } else {
+        const auto form = exact_forms().pair(context_.level);
+        exact_line_.assign(form.c.begin(), form.c.end());
+      }
     }
+    return exact_line_;
+  }
+  int sign(const Line& line, double t) {
+    if (const int certain = line.sign(t); certain != 0) return certain;
+    return sign_at(exact_line(), place(t));
+  }
+
+  void by_integers() {
+    const auto& a = exact_line();
     const auto nonzero = [](const Integer& x) { return x != 0; };
     const auto first = std::ranges::find_if(a, nonzero);
     if (first == a.end()) return require_here(roots_.empty(), "f = 0 on it, yet it has roots");
@@ -289,6 +302,7 @@ class EdgeCheck : public ListedRoots {
   SimplexForms<double, 2> forms_;
   Products<Integer, 2> exact_products_;
   std::optional<SimplexForms<Integer, 2>> exact_;
+  std::vector<Integer> exact_line_;
 };
 
 }  // namespace

@@ -14,7 +14,10 @@
 namespace crest::certify::curves {
 
 using kernel::Rational;
+using modes::Integer;
 using modes::u32;
+
+using Polynomial = std::vector<Integer>;
 
 template <class Number>
 using Triple = std::array<Number, 3>;
@@ -35,25 +38,31 @@ Range operator*(const Range& a, const Range& b);
 /// quadratic curve's point: three polynomials in u = t / (1 - t), or -t / (1 - t).
 class FacePoint {
  public:
-  FacePoint(std::shared_ptr<const modes::Sturm> sturm, modes::Place low, modes::Place high,
-            bool negative, std::array<std::vector<Rational>, 3> v);
+  using Curve = std::array<Polynomial, 3>;
+  FacePoint(std::shared_ptr<const Polynomial> polynomial, modes::Place low, modes::Place high,
+            bool negative, std::shared_ptr<const Curve> v);
 
   int type = 0;    ///< +1 linear, -1 planar
   u32 listed = 0;  ///< place among the listed points
 
-  /// The sign at the root of a polynomial in u; empty if it may be zero.
-  std::optional<int> sign(const std::vector<Rational>& polynomial) const;
-  const std::array<std::vector<Rational>, 3>& curve() const { return v_; }
+  /// The sign at the root of a polynomial in u; empty if it may be zero. Narrows the interval.
+  std::optional<int> sign(const Polynomial& polynomial);
+  /// The same by doubles with errors: 0 where these do not tell.
+  int certain_sign(const Polynomial& polynomial) const;
+  const Curve& curve() const { return *v_; }
   /// Around v, at the present interval of u.
   Triple<Range> direction() const;
   void refine();
 
  private:
   Range at() const;
-  std::shared_ptr<const modes::Sturm> sturm_;
+  void refine_by_doubles();
+
+  std::shared_ptr<const Polynomial> polynomial_;
   modes::Place low_, high_;
+  double near_low_ = 0, near_high_ = 1;  ///< doubles around them
   bool negative_;
-  std::array<std::vector<Rational>, 3> v_;
+  std::shared_ptr<const Curve> v_;
 };
 
 /// A listed point's box of weights of corners 0 and 1.
@@ -63,17 +72,21 @@ struct Box {
   u32 listed;
 };
 
-/// The tensors of a simplex as matrices, to one common scale.
-std::vector<Matrix<Rational>> matrices(modes::ExactTensors& exact, std::span<const u32> corners);
-/// B_i of SPEC.md: <B_i, T_j> is 1 for i = j, else 0. Throws Reject if the tensors are dependent.
-std::vector<Matrix<Rational>> dual_basis(const std::vector<Matrix<Rational>>& tensors);
-/// Traceless matrices orthogonal to all tensors, as many as there are.
-std::vector<Matrix<Rational>> complement(const std::vector<Matrix<Rational>>& tensors);
-Rational determinant(const Matrix<Rational>& m);
+/// The tensors of a simplex as matrices of integers, to one common scale.
+std::vector<Matrix<Integer>> matrices(modes::ExactTensors& exact, std::span<const u32> corners);
+/// B_i of SPEC.md, all times one positive number: <B_i, T_j> is that for i = j, else 0. Throws
+/// Reject if the tensors are dependent.
+std::vector<Matrix<Integer>> dual_basis(const std::vector<Matrix<Integer>>& tensors);
+/// Traceless matrices orthogonal to all tensors, as many as there are; none if the tensors are
+/// dependent.
+std::vector<Matrix<Integer>> complement(const std::vector<Matrix<Integer>>& tensors);
+Integer determinant(const Matrix<Integer>& m);
 
-/// All points of a face, each matched with the box that holds it. Throws Reject if they are not
-/// those of the boxes, or are of a kind that is not decided.
-std::vector<FacePoint> find_points(modes::ExactTensors& exact, const std::array<u32, 3>& corners,
-                                   const std::vector<Box>& boxes);
+/// All points of a face, each matched with the box that holds it; nothing if the tensors are
+/// dependent, or no quartic with simple roots is found. Throws Reject if the points are not those
+/// of the boxes, or one is on an edge.
+std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
+                                                  const std::array<u32, 3>& corners,
+                                                  const std::vector<Box>& boxes);
 
 }  // namespace crest::certify::curves

@@ -11,13 +11,13 @@ namespace {
 
 using Direction = Triple<Range>;
 
-Range exactly(const Rational& x) {
-  return {x, x};
+Range exactly(const Integer& x) {
+  return {Rational(x), Rational(x)};
 }
-Direction exactly(const Triple<Rational>& v) {
+Direction exactly(const Triple<Integer>& v) {
   return {exactly(v[0]), exactly(v[1]), exactly(v[2])};
 }
-Direction times(const Matrix<Rational>& m, const Direction& v) {
+Direction times(const Matrix<Integer>& m, const Direction& v) {
   Direction w;
   for (unsigned i = 0; i < 3; ++i)
     w[i] = exactly(m[i][0]) * v[0] + exactly(m[i][1]) * v[1] + exactly(m[i][2]) * v[2];
@@ -36,12 +36,12 @@ Direction turned(const Direction& v) {
 
 /// A vector inside the conic v . m v = 0: those around the axis of the eigenvalue that has another
 /// sign than the others, to 45 degrees at least, as the trace is 0.
-Triple<Rational> inside(const Matrix<Rational>& m, int sign) {
+Triple<Integer> inside(const Matrix<Integer>& m, int sign) {
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
-        const Triple<Rational> c = {x, y, z};
-        Rational sum = 0;
+        const Triple<Integer> c = {x, y, z};
+        Integer sum = 0;
         for (unsigned i = 0; i < 3; ++i)
           for (unsigned j = 0; j < 3; ++j) sum += c[i] * m[i][j] * c[j];
         if ((sum > 0) - (sum < 0) == sign) return c;
@@ -52,9 +52,9 @@ Triple<Rational> inside(const Matrix<Rational>& m, int sign) {
 /// The points in their order around a vector inside the conic.
 class Order {
  public:
-  Order(const Matrix<Rational>& conic, std::vector<TetPoint>& points)
+  Order(const Matrix<Integer>& conic, std::vector<TetPoint>& points)
       : conic_(conic), points_(points) {
-    const Rational det = determinant(conic);
+    const Integer det = determinant(conic);
     sign_ = det > 0 ? 1 : -1;
     centre_ = exactly(inside(conic, sign_));
   }
@@ -69,7 +69,7 @@ class Order {
   }
 
   /// Whether the form rises from 0 at point 0 where the order goes on.
-  int rise(const Matrix<Rational>& form) {
+  int rise(const Matrix<Integer>& form) {
     return certain([&] {
       const Direction v = direction(0);
       Direction w = cross(times(conic_, v), v);
@@ -109,7 +109,7 @@ class Order {
   }
 
   static constexpr int kMost = 200;
-  const Matrix<Rational>& conic_;
+  const Matrix<Integer>& conic_;
   std::vector<TetPoint>& points_;
   int sign_;
   Direction centre_;
@@ -117,19 +117,17 @@ class Order {
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 2>> find_arcs(modes::ExactTensors& exact,
-                                                  const std::array<u32, 4>& corners,
-                                                  std::vector<TetPoint>& points) {
+std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTensors& exact,
+                                                                 const std::array<u32, 4>& corners,
+                                                                 std::vector<TetPoint>& points) {
   const auto tensors = matrices(exact, corners);
-  const auto dual = dual_basis(tensors);
   const auto rest = complement(tensors);
-  require(determinant(rest[0]) != 0,
-          "tetrahedron ({}, {}, {}, {}): its conic is a pair of lines, not listed as special",
-          corners[0], corners[1], corners[2], corners[3]);
+  if (rest.empty() || determinant(rest[0]) == 0) return std::nullopt;
   require(points.size() % 2 == 0, "tetrahedron ({}, {}, {}, {}): an odd number of points",
           corners[0], corners[1], corners[2], corners[3]);
-  if (points.empty()) return {};
-  if (points.size() == 2) return {{0, 1}};
+  if (points.empty()) return std::vector<std::array<std::size_t, 2>>();
+  if (points.size() == 2) return std::vector<std::array<std::size_t, 2>>{{0, 1}};
+  const auto dual = dual_basis(tensors);
   Order order(rest[0], points);
   const auto sorted = order.sorted();
   const bool ahead = order.rise(dual[points[0].opposite]) == points[0].point.type;

@@ -12,10 +12,10 @@ struct TetPoint {
   unsigned opposite;
 };
 
-/// Pairs of places in `points`. Throws Reject where the tensors are dependent or the conic is a
-/// pair of lines.
-std::vector<std::array<std::size_t, 2>> find_arcs(modes::ExactTensors& exact,
-                                                  const std::array<u32, 4>& corners,
-                                                  std::vector<TetPoint>& points);
+/// Pairs of places in `points`; nothing where the tensors are dependent or the conic is a pair of
+/// lines.
+std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTensors& exact,
+                                                                 const std::array<u32, 4>& corners,
+                                                                 std::vector<TetPoint>& points);
 
 }  // namespace crest::certify::curves
