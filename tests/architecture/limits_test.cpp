@@ -17,7 +17,6 @@ constexpr std::size_t kHeader = 300, kSource = 700, kClass = 150, kFunction = 60
 const std::map<std::string, std::size_t>& known_bodies() {
   static const std::map<std::string, std::size_t> table = {
       {"reference_modes.cpp Producer", 432},
-      {"mutation_test.cpp edits", 166},  // of tests/certify_modes
       {"refinement.cpp Refinement", 274},
       {"face_test.cpp FaceTest::State", 264},
       {"blow_up.cpp BlowUp", 240},
