@@ -2,6 +2,7 @@
 #include "algorithms/modes/curves_certificate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -12,18 +13,35 @@ namespace {
 
 constexpr std::uint32_t kDropped = ~std::uint32_t{0};
 
+std::array<FaceCorners, 4> faces_of(TetCorners k) {
+  std::sort(k.begin(), k.end());
+  return {{{k[1], k[2], k[3]}, {k[0], k[2], k[3]}, {k[0], k[1], k[3]}, {k[0], k[1], k[2]}}};
+}
+
+/// What is special, undecided or beyond the claim, and the tets with such a face.
+void add_special(const DegenerateCurves& curves, certify::ModesCurvesCertificate& c) {
+  std::set<FaceCorners> faces(curves.multiple_faces.begin(), curves.multiple_faces.end());
+  for (const SpecialFace& f : curves.special_faces) faces.insert(f.face);
+  std::set<std::uint32_t> tets(curves.undecided.begin(), curves.undecided.end());
+  tets.insert(curves.singular_tets.begin(), curves.singular_tets.end());
+  for (const SpecialTet& t : curves.special_tets) tets.insert(t.tet);
+  for (std::uint32_t t = 0; t < c.tets.size(); ++t)
+    for (const FaceCorners& f : faces_of(c.tets[t]))
+      if (faces.contains(f)) tets.insert(t);
+  c.special_faces.assign(faces.begin(), faces.end());
+  c.special_tets.assign(tets.begin(), tets.end());
+}
+
 /// Faces and points but for those of special faces, of which nothing is claimed. Returns the new
 /// number of each point.
 std::vector<std::uint32_t> add_points(const DegenerateCurves& curves,
                                       certify::ModesCurvesCertificate& c) {
-  std::set<FaceCorners> special;
-  for (const SpecialFace& f : curves.special_faces) special.insert(f.face);
   std::vector<std::uint32_t> number;
   std::uint32_t last = kDropped;
   for (const FacePoint& p : curves.points) {
     const FaceCorners& face = curves.faces[p.face];
     number.push_back(kDropped);
-    if (special.contains(face)) continue;
+    if (std::binary_search(c.special_faces.begin(), c.special_faces.end(), face)) continue;
     if (p.face != last) c.faces.push_back(face);
     last = p.face;
     number.back() = static_cast<std::uint32_t>(c.face_points.size());
@@ -37,12 +55,8 @@ std::vector<std::uint32_t> add_points(const DegenerateCurves& curves,
 /// Components of the points by the arcs: touched if a point is on a face of a special tetrahedron.
 void count_curves(certify::ModesCurvesCertificate& c) {
   std::set<FaceCorners> special;
-  for (const std::uint32_t t : c.special_tets) {
-    auto k = c.tets[t];
-    std::sort(k.begin(), k.end());
-    for (std::size_t i = 0; i < 4; ++i)
-      special.insert({k[i == 0 ? 1 : 0], k[i <= 1 ? 2 : 1], k[i <= 2 ? 3 : 2]});
-  }
+  for (const std::uint32_t t : c.special_tets)
+    for (const FaceCorners& f : faces_of(c.tets[t])) special.insert(f);
   kernel::DisjointSets sets(static_cast<std::uint32_t>(c.face_points.size()));
   for (const auto& a : c.arcs) sets.unite(a.points[0], a.points[1]);
   struct Component {
@@ -74,19 +88,16 @@ certify::ModesCurvesCertificate curves_certificate(std::span<const kernel::Vec3>
   c.points.assign(points.begin(), points.end());
   c.tets.assign(tets.begin(), tets.end());
   c.tensors.assign(tensors.begin(), tensors.end());
+  add_special(curves, c);
   const auto number = add_points(curves, c);
   for (const DegenerateArc& a : curves.arcs) {
+    if (std::binary_search(c.special_tets.begin(), c.special_tets.end(), a.tet)) continue;
     const std::uint32_t first = number[a.ends[0]], second = number[a.ends[1]];
-    if (first != kDropped && second != kDropped)
-      c.arcs.push_back({a.tet, {std::min(first, second), std::max(first, second)}});
+    c.arcs.push_back({a.tet, {std::min(first, second), std::max(first, second)}});
   }
   std::sort(c.arcs.begin(), c.arcs.end(), [](const auto& a, const auto& b) {
     return a.tet != b.tet ? a.tet < b.tet : a.points < b.points;
   });
-  for (const SpecialFace& f : curves.special_faces) c.special_faces.push_back(f.face);
-  for (const SpecialTet& t : curves.special_tets) c.special_tets.push_back(t.tet);
-  c.special_tets.insert(c.special_tets.end(), curves.undecided.begin(), curves.undecided.end());
-  std::sort(c.special_tets.begin(), c.special_tets.end());
   count_curves(c);
   return c;
 }
