@@ -83,11 +83,13 @@ TEST_CASE("crest modes: the same bytes each time, for any number of threads") {
       CHECK(read_text(folder / (threads + end)) == read_text(folder / ("1" + end)));
 }
 
-TEST_CASE("crest modes --degenerate: curves, their report and picture") {
+TEST_CASE("crest modes --degenerate: curves, their report, picture and certificate") {
   const TemporaryFolder folder;
   REQUIRE(run_crest(kSample, folder.path()).exit_code == 0);
   const auto run = run_crest(
-      "crest modes s.vtu --degenerate -o c.vtp --picture c.png --report c.json", folder.path());
+      "crest modes s.vtu --degenerate -o c.vtp --picture c.png --report c.json --certificate "
+      "c.crest",
+      folder.path());
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
   const auto curves = read_json(folder / "c.json")["degenerate_curves"];
@@ -96,6 +98,9 @@ TEST_CASE("crest modes --degenerate: curves, their report and picture") {
       CHECK(curves[type].contains(key));
   CHECK(curves["linear"]["count"].get<int>() + curves["planar"]["count"].get<int>() > 0);
   CHECK(curves["undecided"].empty());
+  const auto verify = run_crest("crest-verify c.crest --input s.vtu", folder.path());
+  INFO(verify.out << verify.err);
+  CHECK(verify.exit_code == 0);
 }
 
 TEST_CASE("crest modes: one line and the right exit code for what cannot be done") {
