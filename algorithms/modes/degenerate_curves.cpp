@@ -217,10 +217,8 @@ class Extraction {
     std::vector<int> uses(faces_.size(), 0);
     for (const auto& faces : faces_of_tet_)
       for (const std::uint32_t f : faces) ++uses[f];
-    bool any = false;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      any = any || (roots_[i].special && uses[i] == 1);
-    if (any) drop_excluded(tets_, excluded_, faces_, roots_);
+      if (roots_[i].special && uses[i] == 1) return drop_excluded(tets_, excluded_, faces_, roots_);
   }
 
   void add_point(const FaceCorners& f, const FaceRoot& root) {
