@@ -2,6 +2,7 @@
 #include "certify/modes/decode.hpp"
 
 #include "certify/container/plain_numbers.hpp"
+#include "certify/surface/tensor_data.hpp"
 
 namespace crest::certify {
 namespace {
@@ -82,16 +83,8 @@ constexpr std::size_t kEmptyLevel = 16 + 8 * 4 + 8 + 4;
 ModesCertificate decode_modes(std::span<const std::uint8_t> data,
                               std::span<const std::uint8_t> claims) {
   ModesCertificate c;
-  ByteReader reader(data);
-  const std::size_t vertices = reader.integer<std::uint32_t>();
-  const std::size_t tets = reader.integer<std::uint32_t>();
-  reader.rows(c.tets, tets);
-  reader.rows(c.points, vertices);
-  require_plain_rows(c.points, "positions");
-  reader.rows(c.tensors, vertices);
-  require_plain_rows(c.tensors, "tensors");
-  if (reader.left() != 0) throw Malformed("data section: bytes left over");
-  reader = ByteReader(claims);
+  read_tensor_data(data, c);
+  ByteReader reader(claims);
   const std::size_t zeros = reader.integer<std::uint32_t>();
   if (zeros > reader.left() / 9) throw Malformed("zeros: longer than their bytes");
   c.zeros.resize(zeros);

@@ -2,6 +2,7 @@
 #include "certify/modes/encode.hpp"
 
 #include "certify/container/compose.hpp"
+#include "certify/surface/tensor_data.hpp"
 
 namespace crest::certify {
 namespace {
@@ -65,13 +66,7 @@ void write_level(ByteWriter& out, const ModeLevel& level) {
 }  // namespace
 
 Bytes encode(const ModesCertificate& c) {
-  const auto write_data = [&](ByteWriter& out) {
-    out.count(c.points.size());
-    out.count(c.tets.size());
-    for (const auto& tet : c.tets) write(out, tet);
-    out.rows(c.points);
-    out.rows(c.tensors);
-  };
+  const auto write_data = [&](ByteWriter& out) { write_tensor_data(out, c); };
   const auto write_claims = [&](ByteWriter& out) {
     out.count(c.zeros.size());
     for (const ZeroRecord& zero : c.zeros) {
@@ -81,8 +76,7 @@ Bytes encode(const ModesCertificate& c) {
     out.count(c.levels.size());
     for (const ModeLevel& level : c.levels) write_level(out, level);
   };
-  const std::size_t size = 8 + 16 * c.tets.size() + 24 * c.points.size() + 48 * c.tensors.size();
-  return compose({kModes, kModesVersion}, size, write_data, write_claims);
+  return compose({kModes, kModesVersion}, tensor_data_size(c), write_data, write_claims);
 }
 
 }  // namespace crest::certify

@@ -2,6 +2,7 @@
 #include "certify/modes_curves/decode.hpp"
 
 #include "certify/container/plain_numbers.hpp"
+#include "certify/surface/tensor_data.hpp"
 
 namespace crest::certify {
 namespace {
@@ -32,16 +33,8 @@ void read_list(ByteReader& reader, std::vector<Record>& list, std::size_t size, 
 ModesCurvesCertificate decode_modes_curves(std::span<const std::uint8_t> data,
                                            std::span<const std::uint8_t> claims) {
   ModesCurvesCertificate c;
-  ByteReader reader(data);
-  const std::size_t vertices = reader.integer<std::uint32_t>();
-  const std::size_t tets = reader.integer<std::uint32_t>();
-  reader.rows(c.tets, tets);
-  reader.rows(c.points, vertices);
-  require_plain_rows(c.points, "positions");
-  reader.rows(c.tensors, vertices);
-  require_plain_rows(c.tensors, "tensors");
-  if (reader.left() != 0) throw Malformed("data section: bytes left over");
-  reader = ByteReader(claims);
+  read_tensor_data(data, c);
+  ByteReader reader(claims);
   read_rows(reader, c.faces);
   read_list(reader, c.face_points, 37, [&](DegeneratePoint& point) {
     point.face = reader.integer<std::uint32_t>();

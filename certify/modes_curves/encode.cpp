@@ -2,6 +2,7 @@
 #include "certify/modes_curves/encode.hpp"
 
 #include "certify/container/compose.hpp"
+#include "certify/surface/tensor_data.hpp"
 
 namespace crest::certify {
 namespace {
@@ -30,13 +31,7 @@ void write_list(ByteWriter& out, const std::vector<Record>& list) {
 }  // namespace
 
 Bytes encode(const ModesCurvesCertificate& c) {
-  const auto write_data = [&](ByteWriter& out) {
-    out.count(c.points.size());
-    out.count(c.tets.size());
-    for (const auto& tet : c.tets) write(out, tet);
-    out.rows(c.points);
-    out.rows(c.tensors);
-  };
+  const auto write_data = [&](ByteWriter& out) { write_tensor_data(out, c); };
   const auto write_claims = [&](ByteWriter& out) {
     write_list(out, c.faces);
     write_list(out, c.face_points);
@@ -47,8 +42,8 @@ Bytes encode(const ModesCurvesCertificate& c) {
     for (const CurveCounts* counts : {&c.linear, &c.planar})
       for (const auto number : {counts->open, counts->closed, counts->touched}) out.integer(number);
   };
-  const std::size_t size = 8 + 16 * c.tets.size() + 24 * c.points.size() + 48 * c.tensors.size();
-  return compose({kModesCurves, kModesCurvesVersion}, size, write_data, write_claims);
+  return compose({kModesCurves, kModesCurvesVersion}, tensor_data_size(c), write_data,
+                 write_claims);
 }
 
 }  // namespace crest::certify
