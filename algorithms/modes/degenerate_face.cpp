@@ -130,7 +130,7 @@ Direction direction(const Tensor& t) {
   const double norm = std::sqrt(dot(d, d));
   if (!(norm > 0x1p-10 * largest)) return {};
   for (double& x : d) x /= norm;
-  return {d, true};
+  return {d, true, 64 * kernel::kUnitRoundoff * largest / norm};
 }
 
 bool cone_excludes(std::span<const Direction> u) {
@@ -141,11 +141,14 @@ bool cone_excludes(std::span<const Direction> u) {
   }
   const double square = dot(sum, sum), norm = std::sqrt(square);
   if (!(norm > 0.5)) return false;
-  double c = 1e300;
-  for (const Direction& d : u) c = std::min(c, dot(d.x, sum));
+  double c = 1e300, error = 0;
+  for (const Direction& d : u) {
+    c = std::min(c, dot(d.x, sum));
+    error = std::max(error, d.error);
+  }
   c /= norm;
   const double mode = std::fabs(determinant(sum)) / (square * norm) * (3 * 2.449489742783178);
-  return c > 0.5 && c * (4 * c * c - 3) > mode + 1e-10;
+  return c > 0.5 && c * (4 * c * c - 3) > mode + 9 * error + 2000 * kernel::kUnitRoundoff;
 }
 
 bool cones_exclude(std::span<const Direction> u, int depth) {
@@ -162,6 +165,8 @@ bool cones_exclude(std::span<const Direction> u, int depth) {
   if (!(norm > 0.1) || !u[a].usable || !u[b].usable) return false;
   for (double& x : middle.x) x /= norm;
   middle.usable = true;
+  const double ends = u[a].error + u[b].error;
+  middle.error = (ends + 16 * kernel::kUnitRoundoff) / (norm - ends);
   std::array<Direction, 4> part;
   for (const std::size_t end : {a, b}) {
     std::copy(u.begin(), u.end(), part.begin());
