@@ -162,10 +162,10 @@ bool cones_exclude(std::span<const Direction> u, int depth) {
   Direction middle;
   for (std::size_t k = 0; k < 5; ++k) middle.x[k] = u[a].x[k] + u[b].x[k];
   const double norm = std::sqrt(dot(middle.x, middle.x));
-  if (!(norm > 0.1) || !u[a].usable || !u[b].usable) return false;
+  const double ends = u[a].error + u[b].error;
+  if (!(norm > 0.1 + ends) || !u[a].usable || !u[b].usable) return false;
   for (double& x : middle.x) x /= norm;
   middle.usable = true;
-  const double ends = u[a].error + u[b].error;
   middle.error = (ends + 16 * kernel::kUnitRoundoff) / (norm - ends);
   std::array<Direction, 4> part;
   for (const std::size_t end : {a, b}) {
