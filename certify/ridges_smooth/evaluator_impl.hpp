@@ -31,7 +31,7 @@ kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x) {
 template <class M>
 template <int n>
 kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit(const Point& x, const Frame& frame) {
-  if constexpr (!std::is_same_v<M, MpModel>) {
+  if constexpr (!MpModel<M>) {
     return in_frame(implicit<n>(x), frame);
   } else {
     // Without weights that are rounded to doubles.

@@ -4,6 +4,8 @@
 
 namespace crest::certify::smooth {
 
-CREST_SMOOTH_EVALUATOR(MpModel);
+CREST_SMOOTH_EVALUATOR(MpModel3);
+CREST_SMOOTH_EVALUATOR(MpModel4);
+CREST_SMOOTH_EVALUATOR(MpModel5);
 
 }  // namespace crest::certify::smooth

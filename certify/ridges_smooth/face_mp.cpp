@@ -4,6 +4,8 @@
 
 namespace crest::certify::smooth {
 
-template class FaceProver<MpModel>;
+template class FaceProver<MpModel3>;
+template class FaceProver<MpModel4>;
+template class FaceProver<MpModel5>;
 
 }  // namespace crest::certify::smooth

@@ -64,7 +64,7 @@ auto FaceProver<M>::step(const Place& at, std::uint32_t face, std::size_t i, std
 /// (J) at the s of the foot. It is far from zero on small faces: double intervals nearly always do.
 template <class M>
 bool FaceProver<M>::keeps_orientation(const Place& at, std::uint32_t face) const {
-  if constexpr (!std::is_same_v<M, MpModel>) {
+  if constexpr (!MpModel<M>) {
     using kernel::Interval;
     const kernel::Range range = at.s.range();
     const kernel::RoundUpward guard;

@@ -4,6 +4,7 @@
 
 namespace crest::certify::smooth {
 
-template class PatchProver<MpModel>;
+template class PatchProver<MpModel3>;
+template class PatchProver<MpModel5>;
 
 }  // namespace crest::certify::smooth

@@ -119,7 +119,7 @@ void PatchProver<M>::divide(const RayInterval& t, int depth, unsigned open, Witn
   for (std::size_t j = 0; j < 2; ++j) {
     in.check(((open >> j & 1U) == 0) == (code[j] == kSaidAbove), "says a thing twice, or never");
     if (code[j] == kOpen || code[j] == kSaidAbove) continue;
-    constexpr int kFurther = std::is_same_v<M, MpModel> ? 4 : 0;
+    constexpr int kFurther = MpModel<M> ? 4 : 0;
     if (!say(t, f, j, static_cast<RayCode>(code[j]), combination, kFurther))
       in.fail(j == 0 ? "blue branches" : "red branches");
     open &= ~(1U << j);

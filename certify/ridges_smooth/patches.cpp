@@ -38,7 +38,9 @@ class PatchChecker {
       check_square(p);
       for (const u32 f : p.faces) check_face(p, f);
     }
-    if (claim_.arithmetic == Arithmetic::mpfr) return check_umbilic<MpModel>(p, sign, in);
+    if (claim_.arithmetic == Arithmetic::mpfr)
+      return p.order == 3 ? check_umbilic<MpModel3>(p, sign, in)
+                          : check_umbilic<MpModel5>(p, sign, in);
     return p.order == 3 ? check_umbilic<Model3>(p, sign, in) : check_umbilic<Model5>(p, sign, in);
   }
 

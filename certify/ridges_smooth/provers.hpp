@@ -48,12 +48,13 @@ class FaceProvers {
   /// Calls f with the prover of this order.
   template <class F>
   auto at_order(int order, F&& f) {
-    if (claim_.arithmetic == Arithmetic::mpfr) return f(get(mp_));
+    if (claim_.arithmetic == Arithmetic::mpfr)
+      return order == 3 ? f(get(mp_three_)) : order == 4 ? f(get(mp_four_)) : f(get(mp_five_));
     return order == 3 ? f(get(three_)) : order == 4 ? f(get(four_)) : f(get(five_));
   }
   template <class F>
   auto precisely(F&& f) {
-    return f(get(mp_));
+    return f(get(mp_four_));
   }
 
   /// Shows `open` on the face as a division with statements says; `findings` on the whole face.
@@ -110,7 +111,9 @@ class FaceProvers {
   std::unique_ptr<FaceProver<Model3>> three_;
   std::unique_ptr<FaceProver<Model4>> four_;
   std::unique_ptr<FaceProver<Model5>> five_;
-  std::unique_ptr<FaceProver<MpModel>> mp_;
+  std::unique_ptr<FaceProver<MpModel3>> mp_three_;
+  std::unique_ptr<FaceProver<MpModel4>> mp_four_;
+  std::unique_ptr<FaceProver<MpModel5>> mp_five_;
 };
 
 /// "chart, blue verdict" and the like.

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "certify/ridges_smooth/records.hpp"
@@ -17,7 +18,13 @@ namespace crest::certify::smooth {
 using Model3 = kernel::TaylorModel<3>;
 using Model4 = kernel::TaylorModel<4>;
 using Model5 = kernel::TaylorModel<5>;
-using MpModel = kernel::MpTaylorModel<3>;
+using MpModel3 = kernel::MpTaylorModel<3>;
+using MpModel4 = kernel::MpTaylorModel<4>;
+using MpModel5 = kernel::MpTaylorModel<5>;
+/// Models over MPFR intervals.
+template <class M>
+concept MpModel = std::is_same_v<M, MpModel3> || std::is_same_v<M, MpModel4> ||
+                  std::is_same_v<M, MpModel5>;
 
 /// Vectors p, q, m of exact doubles.
 using Frame = std::array<std::array<double, 3>, 3>;
