@@ -129,7 +129,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto* const arithmetic =
       app.add_option("--arithmetic", arguments.options.arithmetic,
                      "double (with proven bounds, default) or mpfr (directed rounding;\n"
-                     "hundreds of times slower for ridges of smooth surfaces)")
+                     "about a thousand times slower for ridges of smooth surfaces)")
           ->transform(CLI::CheckedTransformer(kArithmetic))
           ->default_str("double");
   auto* const input = app.add_option("--input", arguments.input,
