@@ -41,9 +41,9 @@ struct ModesCurvesCertificate {
   std::vector<std::array<std::uint32_t, 3>> special_faces;  ///< nothing is claimed there
   std::vector<std::uint32_t> special_tets;
   std::vector<std::array<std::uint32_t, 2>>
-      degenerate_edges;  ///< every tensor is degenerate there
+      degenerate_edges{};  ///< every tensor is degenerate there
   std::vector<std::array<std::uint32_t, 3>>
-      plane_faces;  ///< special faces whose two conics have a line in common
+      plane_faces{};  ///< special faces whose two conics have a line in common
   CurveCounts linear, planar;
 };
 
