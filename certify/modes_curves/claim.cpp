@@ -38,7 +38,8 @@ NearPoint enclosing(const FacePoint& point) {
   for (const Range& r : v) unit = std::max({unit, Rational(abs(r.low)), Rational(abs(r.high))});
   return {point.type,
           point.listed,
-          {enclosing(v[0], unit), enclosing(v[1], unit), enclosing(v[2], unit)}};
+          {WideBall(enclosing(v[0], unit)), WideBall(enclosing(v[1], unit)),
+           WideBall(enclosing(v[2], unit))}};
 }
 
 /// Points of faces, arcs of tetrahedra.

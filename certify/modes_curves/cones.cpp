@@ -28,24 +28,30 @@ double cosine_bound(const std::array<double, 6>& u) {
 
 }  // namespace
 
+/// The direction is wrong by kError at most, or is one itself.
+void Cones::normalise(Axis& axis) {
+  double squares = 0;
+  for (const double x : axis.direction) squares += x * x;
+  const double norm = std::sqrt(squares);
+  for (double& x : axis.direction) x /= norm;
+  axis.cosine = squares > 0x1p-7 ? cosine_bound(axis.direction) + 3 * kError : 2;
+}
+
 Cones::Cones(const modes::Field& field) {
   axes_.reserve(field.fixed());
   for (std::uint32_t v = 0; v < field.fixed(); ++v) {
     const auto& t = field.approximate(v);
-    Axis axis{};
-    int exponent = 0;
-    std::frexp(t.largest, &exponent);
-    double squares = 0;
-    for (std::size_t k = 0; k < 6; ++k) {
-      axis.direction[k] = std::ldexp(t.entries[k], -exponent) * (k < 3 ? 1 : 1.4142135623730951);
-      squares += axis.direction[k] * axis.direction[k];
-    }
-    const double norm = std::sqrt(squares);
-    for (double& x : axis.direction) x /= norm;
-    // Entries wrong by e turn the vector by at most 3 e / |D|, |D| >= 0.9 largest.
+    // Entries wrong by e turn the vector by at most 6 e / |D|, |D| >= 0.9 largest.
     const bool known = t.error < 0x1p-37 * t.largest && t.largest > 0x1p-900;
-    if (!known) axis.direction.fill(std::numeric_limits<double>::quiet_NaN());
-    axis.cosine = known ? cosine_bound(axis.direction) + 3 * kError : 2;
+    Axis axis{{}, 2};
+    axis.direction.fill(std::numeric_limits<double>::quiet_NaN());
+    if (known) {
+      int exponent = 0;
+      std::frexp(t.largest, &exponent);
+      for (std::size_t k = 0; k < 6; ++k)
+        axis.direction[k] = std::ldexp(t.entries[k], -exponent) * (k < 3 ? 1 : 1.4142135623730951);
+      normalise(axis);
+    }
     axes_.push_back(axis);
   }
 }

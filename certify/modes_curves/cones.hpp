@@ -16,20 +16,18 @@ class Cones {
  public:
   explicit Cones(const modes::Field& field);
 
-  /// Whether all corners lie clearly in the free cone around one of them.
+  /// Whether all corners lie clearly in the free cone around one of them, or around their mean.
   template <std::size_t n>
   bool free(const std::array<std::uint32_t, n>& corners) const {
-    std::uint32_t centre = corners[0];
-    for (const auto v : corners)
-      if (axes_[v].cosine < axes_[centre].cosine) centre = v;
-    const Axis& axis = axes_[centre];
-    bool all = true;
+    Axis mean{};
+    std::uint32_t best = corners[0];
     for (const auto v : corners) {
-      double sum = 0;
-      for (std::size_t k = 0; k < 6; ++k) sum += axis.direction[k] * axes_[v].direction[k];
-      all &= v == centre || sum > axis.cosine;
+      if (axes_[v].cosine < axes_[best].cosine) best = v;
+      for (std::size_t k = 0; k < 6; ++k) mean.direction[k] += axes_[v].direction[k];
     }
-    return all && axis.cosine < 1;
+    if (holds(axes_[best], corners)) return true;
+    normalise(mean);
+    return holds(mean, corners);
   }
 
  private:
@@ -37,6 +35,19 @@ class Cones {
     std::array<double, 6> direction;  ///< not a number where it is not known well
     double cosine;                    ///< with room for all errors; 2: no cone
   };
+  /// Makes the direction one, and finds the cosine.
+  static void normalise(Axis& axis);
+  template <std::size_t n>
+  bool holds(const Axis& axis, const std::array<std::uint32_t, n>& corners) const {
+    bool all = true;
+    for (const auto v : corners) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 6; ++k) sum += axis.direction[k] * axes_[v].direction[k];
+      all &= sum > axis.cosine;
+    }
+    return all;
+  }
+
   std::vector<Axis> axes_;
 };
 

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The first stage of faces and tetrahedra: doubles with errors. Where it says nothing, integers
-// decide (face_points.hpp, tet_arcs.hpp).
+// The first stages of faces and tetrahedra: doubles with errors, then pairs of doubles. Where these
+// say nothing, integers decide (face_points.hpp, tet_arcs.hpp).
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "certify/modes_curves/box.hpp"
-#include "kernel/arithmetic/ball.hpp"
+#include "certify/modes_curves/wide_ball.hpp"
 
 namespace crest::certify::curves {
-
-using kernel::Ball;
 
 /// A degenerate tensor of a face and its eigenvector v, up to a factor.
 struct NearPoint {
   int type;    ///< +1 linear, -1 planar
   u32 listed;  ///< place among the listed points
-  std::array<Ball, 3> v;
+  std::array<WideBall, 3> v;
 };
 
 /// A point on the face opposite to a corner of a tetrahedron.
@@ -27,7 +25,6 @@ struct NearTetPoint {
   unsigned opposite;
 };
 
-using Tensors = std::span<const std::array<double, 6>>;
 template <std::size_t n>
 using Corners = std::array<const std::array<double, 6>*, n>;
 

@@ -7,36 +7,46 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/arithmetic/ball.hpp"
+#include "certify/modes_curves/wide_ball.hpp"
 
 namespace crest::certify::curves {
 
-using kernel::Ball;
-
 /// xx yy zz xy yz xz.
-using Symmetric = std::array<Ball, 6>;
-using Vector = std::array<Ball, 3>;
+template <class Number>
+using Symmetric = std::array<Number, 6>;
+template <class Number>
+using Vector = std::array<Number, 3>;
 
-inline Ball dot(const Vector& a, const Vector& b) {
+template <class Number>
+Number dot(const Vector<Number>& a, const Vector<Number>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Vector cross(const Vector& a, const Vector& b) {
+template <class Number>
+Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline Vector times(const Symmetric& m, const Vector& v) {
+template <class Number>
+Vector<Number> times(const Symmetric<Number>& m, const Vector<Number>& v) {
   return {m[0] * v[0] + m[3] * v[1] + m[5] * v[2], m[3] * v[0] + m[1] * v[1] + m[4] * v[2],
           m[5] * v[0] + m[4] * v[1] + m[2] * v[2]};
 }
-inline Ball determinant(const Symmetric& m) {
+template <class Number>
+Number determinant(const Symmetric<Number>& m) {
   return m[0] * (m[1] * m[2] - m[4] * m[4]) - m[3] * (m[3] * m[2] - m[4] * m[5]) +
          m[5] * (m[3] * m[4] - m[1] * m[5]);
 }
 inline int sign_of(const Ball& x) {
   return x.mid > x.rad ? 1 : x.mid < -x.rad ? -1 : 0;
 }
+inline double near(const Ball& x) {
+  return x.mid;
+}
+inline double near(const WideBall& x) {
+  return x.hi;
+}
 
 /// n tensors, reduced: L in the basis of n pivot columns is the unit matrix and a rest.
-template <std::size_t n>
+template <class Number, std::size_t n>
 class Span {
  public:
   /// Scaled by a power of two, so that the largest number is near 1.
@@ -47,12 +57,13 @@ class Span {
     int exponent = 0;
     std::frexp(most, &exponent);
     // Halves, as 2^1024 is no double; what underflows is in the radius.
-    const Ball half = std::ldexp(1.0, -(exponent / 2)), rest = std::ldexp(1.0, exponent / 2 - exponent);
+    const double half = std::ldexp(1.0, -(exponent / 2)),
+                 rest = std::ldexp(1.0, exponent / 2 - exponent);
     for (std::size_t i = 0; i < n; ++i) {
-      std::array<Ball, 6> t;
-      for (std::size_t k = 0; k < 6; ++k) t[k] = scaled((*tensors[i])[k], half.mid, rest.mid);
+      std::array<Number, 6> t;
+      for (std::size_t k = 0; k < 6; ++k) t[k] = scaled((*tensors[i])[k], half, rest);
       rows_[i] = {t[0] - t[2], t[1] - t[2], t[3] + t[3], t[4] + t[4], t[5] + t[5]};
-      for (std::size_t j = 0; j < n; ++j) inverse_[i][j] = i == j ? 1 : 0;
+      for (std::size_t j = 0; j < n; ++j) inverse_[i][j] = Number(i == j ? 1 : 0);
     }
     reduce();
   }
@@ -61,27 +72,27 @@ class Span {
   bool independent() const { return independent_; }
 
   /// v.B_i v = b_i / s.
-  Symmetric dual(std::size_t i) const {
-    Symmetric b{};
+  Symmetric<Number> dual(std::size_t i) const {
+    Symmetric<Number> b{};
     for (std::size_t r = 0; r < n; ++r) add(inverse_[r][i], pivots_[r], b);
     return b;
   }
   /// v.C v = 0 iff v v^T - I / 3 is in the span: for each k < 5 - n.
-  Symmetric conic(std::size_t k) const {
-    Symmetric c{};
-    add(1, free_[k], c);
+  Symmetric<Number> conic(std::size_t k) const {
+    Symmetric<Number> c{};
+    add(Number(1), free_[k], c);
     for (std::size_t r = 0; r < n; ++r) add(-rows_[r][free_[k]], pivots_[r], c);
     return c;
   }
 
  private:
-  static Ball scaled(double x, double a, double b) {
+  static Number scaled(double x, double a, double b) {
     const double y = x * a * b;
-    return {y, std::fabs(y) < 0x1p-960 ? 0x1p-1020 : 0};
+    return Number(Ball(y, std::fabs(y) < 0x1p-960 ? 0x1p-1020 : 0));
   }
 
   /// Adds factor M_k.
-  static void add(const Ball& factor, std::size_t k, Symmetric& m) {
+  static void add(const Number& factor, std::size_t k, Symmetric<Number>& m) {
     if (k < 2) {
       m[k] = m[k] + factor;
       m[2] = m[2] - factor;
@@ -98,18 +109,18 @@ class Span {
       double best = -1;
       for (std::size_t i = step; i < n; ++i)
         for (std::size_t k = 0; k < 5; ++k)
-          if (!used[k] && std::fabs(rows_[i][k].mid) > best)
-            best = std::fabs(rows_[i][k].mid), row = i, column = k;
-      if (!(best > rows_[row][column].rad)) return;
+          if (!used[k] && std::fabs(near(rows_[i][k])) > best)
+            best = std::fabs(near(rows_[i][k])), row = i, column = k;
+      if (sign_of(rows_[row][column]) == 0) return;
       std::swap(rows_[row], rows_[step]);
       std::swap(inverse_[row], inverse_[step]);
       used[column] = true;
       pivots_[step] = column;
-      const Ball factor = Ball(1) / rows_[step][column];
-      rows_[step][column] = 1;
+      const Number factor = Number(1) / rows_[step][column];
+      rows_[step][column] = Number(1);
       for (std::size_t k = 0; k < 5; ++k)
         if (!used[k]) rows_[step][k] = rows_[step][k] * factor;
-      for (Ball& x : inverse_[step]) x = x * factor;
+      for (Number& x : inverse_[step]) x = x * factor;
       for (std::size_t i = 0; i < n; ++i)
         if (i != step) subtract(i, step, column, used);
     }
@@ -119,16 +130,16 @@ class Span {
   }
   void subtract(std::size_t i, std::size_t step, std::size_t column,
                 const std::array<bool, 5>& used) {
-    const Ball factor = rows_[i][column];
-    rows_[i][column] = 0;
+    const Number factor = rows_[i][column];
+    rows_[i][column] = Number(0);
     for (std::size_t k = 0; k < 5; ++k)
       if (!used[k]) rows_[i][k] = rows_[i][k] - factor * rows_[step][k];
     for (std::size_t j = 0; j < n; ++j)
       inverse_[i][j] = inverse_[i][j] - factor * inverse_[step][j];
   }
 
-  std::array<std::array<Ball, 5>, n> rows_;
-  std::array<std::array<Ball, n>, n> inverse_;
+  std::array<std::array<Number, 5>, n> rows_;
+  std::array<std::array<Number, n>, n> inverse_;
   std::array<std::size_t, n> pivots_{};
   std::array<std::size_t, 5 - n> free_{};
   bool independent_ = false;
