@@ -7,10 +7,10 @@
 
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
-#include "certify/container/container.hpp"
 #include "certify/modes_curves/decode.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/verify.hpp"
+#include "tests/certify_modes/byte_mutants.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/failures.hpp"
@@ -260,34 +260,8 @@ TEST_CASE("modes-curves: edited bytes, bound again, are rejected unless true") {
   Random random(kSeed);
   Judge judge;
   for (const auto& original : originals()) {
-    const Bytes bytes = encode(original);
-    for (std::uint64_t i = 0; i < scaled(32); ++i) {
-      Bytes mutant = bytes;
-      const auto at = kHeaderSize + random() % (mutant.size() - kHeaderSize);
-      const auto kind = i % 16;
-      if (kind == 0)
-        mutant.resize(at);
-      else if (kind < 5)
-        mutant[at] = static_cast<std::uint8_t>(random());
-      else
-        mutant[at] ^= static_cast<std::uint8_t>(1U << random() % 8);
-      if (mutant == bytes) continue;
-      CHECK_FALSE(verify(mutant).accepted);
-      try {
-        rebind(mutant);
-      } catch (const std::invalid_argument&) {
-        continue;
-      }
-      Certificate decoded;
-      try {
-        const Container container = open_container(mutant);
-        decoded = decode_modes_curves(container.data, container.claims);
-      } catch (const Malformed&) {
-        CHECK_FALSE(verify(mutant).accepted);
-        continue;
-      }
-      judge(original, decoded);
-    }
+    try_bytes(encode(original), scaled(32), random, decode_modes_curves,
+              [&](const Certificate& mutant) { judge(original, mutant); });
   }
   std::cout << "bytes: " << judge.mutants << " mutants, " << judge.accepted << " accepted, "
             << judge.anew << " of them made anew\n";
