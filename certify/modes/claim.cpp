@@ -99,7 +99,7 @@ void require_counts(const SurfaceCounts& stated, const SurfaceCounts& found, con
           "level {}: {} stated, {} found", level, in_words(stated), in_words(found));
 }
 
-/// Theorem 13: what is stated of positions.
+/// Theorem 16: what is stated of positions.
 void check_positions(const LevelContext& context, const Domain& domain,
                      const std::vector<CellPieces>& pieces, bool embedded, Verdict& verdict) {
   const Positions positions(context);

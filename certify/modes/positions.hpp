@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Positions of pieces: polygons that are simple and nested across w (SPEC.md, theorem 13).
+// Positions of pieces: polygons that are simple and nested across w (SPEC.md, theorem 16).
 #include "certify/modes/cells.hpp"
 
 namespace crest::certify::modes {

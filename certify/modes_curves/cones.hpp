@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Simplices far from all degenerate tensors, by angles at their corners (SPEC.md, lemma 9).
+// Simplices far from all degenerate tensors, by angles at their corners (SPEC.md, lemma 11).
 #include <array>
 #include <span>
 #include <vector>
