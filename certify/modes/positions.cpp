@@ -117,8 +117,8 @@ class PolylineList {
     const EdgeNode& edge = context_.trees.edges[node.edges[k].node];
     const unsigned n = context_.field.parts(context_.trees.edges[edge.other].first).n;
     auto near = corners, far = corners;
-    near[next] = far[k] = between(corners[k], corners[next],
-                                  Number((node.edges[k].reversed ? 64 - n : n) / 64.0));
+    near[next] = far[k] =
+        between(corners[k], corners[next], Number((node.edges[k].reversed ? 64 - n : n) / 64.0));
     add(node.near, near);
     add(node.far, far);
   }

@@ -42,10 +42,10 @@ NearPoint enclosing(const FacePoint& point) {
            WideBall(enclosing(v[2], unit))}};
 }
 
-/// Points of faces, arcs of tetrahedra.
-class PlaceCheck {
+/// Points of faces.
+class FaceCheck {
  public:
-  PlaceCheck(const ModesCurvesCertificate& c, Verdict& verdict)
+  FaceCheck(const ModesCurvesCertificate& c, Verdict& verdict)
       : c_(c), verdict_(verdict), places_(c, verdict), field_(c.tensors), cones_(field_) {}
 
  protected:
@@ -79,14 +79,16 @@ class PlaceCheck {
       if (places_.special_face(f)) return;
       const u32 listed = places_.listed(f);
       if (listed != kNoTet) return check_listed(listed, exact);
-      const bool away = std::ranges::any_of(
-          faces[f].tets, [&](u32 t) { return t != kNoTet && free_[t] != 0; });
+      const bool away =
+          std::ranges::any_of(faces[f].tets, [&](u32 t) { return t != kNoTet && free_[t] != 0; });
       if (!away && !is_free(field_, faces[f].corners)) check_empty(faces[f].corners, exact);
     });
     prove(verdict_, "faces: {} degenerate points on {} faces; {} special ones",
           c_.face_points.size(), c_.faces.size(), c_.special_faces.size());
     for_all(c_.plane_faces.size(),
             [&](std::size_t i, ExactTensors& exact) { check_plane(c_.plane_faces[i], exact); });
+    if (!c_.plane_faces.empty())
+      prove(verdict_, "{} faces whose conics have a line in common", c_.plane_faces.size());
   }
 
   void check_listed(u32 listed, ExactTensors& exact) {
@@ -136,6 +138,22 @@ class PlaceCheck {
             corners[1], corners[2]);
   }
 
+  const ModesCurvesCertificate& c_;
+  Verdict& verdict_;
+  Places places_;
+  Field field_;
+  Cones cones_;
+  std::vector<std::uint8_t> free_;              ///< tetrahedra far from degenerate tensors
+  std::vector<std::vector<NearPoint>> points_;  ///< of listed faces
+  std::atomic<std::uint64_t> calls_{0}, exact_{0};
+};
+
+/// Named edges, arcs of tetrahedra.
+class TetCheck : public FaceCheck {
+ public:
+  using FaceCheck::FaceCheck;
+
+ protected:
   void check_edges() {
     const auto& list = c_.degenerate_edges;
     require(std::ranges::is_sorted(list, std::less_equal<>()) &&
@@ -195,8 +213,8 @@ class PlaceCheck {
     }
     std::vector<std::array<u32, 2>> found;
     for (const auto& [a, b] : *arcs) {
-      require(points[a].point->type == points[b].point->type,
-              "tetrahedron {}: an arc of two types", t);
+      require(points[a].point->type == points[b].point->type, "tetrahedron {}: an arc of two types",
+              t);
       const auto [low, high] = std::minmax(points[a].point->listed, points[b].point->listed);
       found.push_back({low, high});
     }
@@ -218,20 +236,11 @@ class PlaceCheck {
     }
     return find_arcs(exact, corners, points);
   }
-
-  const ModesCurvesCertificate& c_;
-  Verdict& verdict_;
-  Places places_;
-  Field field_;
-  Cones cones_;
-  std::vector<std::uint8_t> free_;              ///< tetrahedra far from degenerate tensors
-  std::vector<std::vector<NearPoint>> points_;  ///< of listed faces
-  std::atomic<std::uint64_t> calls_{0}, exact_{0};
 };
 
-class CurveCheck : public PlaceCheck {
+class CurveCheck : public TetCheck {
  public:
-  using PlaceCheck::PlaceCheck;
+  using TetCheck::TetCheck;
 
   void run() {
     check_faces();

@@ -16,8 +16,8 @@ double cosine_bound(const std::array<double, 6>& u) {
   // u is wrong by kError: det by less than that, mode = 3 sqrt(6) det by less than 7.4 times.
   constexpr double root = 0.70710678118654752;
   const double xy = root * u[3], yz = root * u[4], xz = root * u[5];
-  const double det = u[0] * (u[1] * u[2] - yz * yz) - xy * (xy * u[2] - yz * xz) +
-                     xz * (xy * yz - u[1] * xz);
+  const double det =
+      u[0] * (u[1] * u[2] - yz * yz) - xy * (xy * u[2] - yz * xz) + xz * (xy * yz - u[1] * xz);
   const double mode = 7.3484692283495345 * std::fabs(det) + 10 * kError;
   if (!(mode < 1)) return 2;
   const double y = std::cos(std::acos(mode) / 3) + kError;

@@ -18,8 +18,8 @@ using namespace certify;
 /// What a certificate claims about the surfaces of a level.
 inline auto statement(const ModeLevel& level) {
   return std::tuple(level.numerator, level.denominator, level.positive.components,
-                    level.positive.touched, level.negative.components, level.negative.touched, level.placed,
-                    level.not_placed);
+                    level.positive.touched, level.negative.components, level.negative.touched,
+                    level.placed, level.not_placed);
 }
 
 inline bool same_field(const ModesCertificate& a, const ModesCertificate& b) {

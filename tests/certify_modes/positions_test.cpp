@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claim 6: positions of pieces, against rationals from the definition; edited ones.
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -128,9 +128,8 @@ class WholeCell {
       std::size_t from = left[0].first;
       const std::size_t start = from;
       do {
-        auto at = std::ranges::find_if(left, [&](const Line& l) {
-          return l.first == from || l.second == from;
-        });
+        auto at = std::ranges::find_if(
+            left, [&](const Line& l) { return l.first == from || l.second == from; });
         if (at->first != from) std::ranges::reverse(at->points);
         for (std::size_t i = 0; i + 1 < at->points.size(); ++i)
           loop.push_back(project(at->points[i]));
@@ -153,8 +152,9 @@ class WholeCell {
             if (a == b || c == d) return false;
             const bool next = m == n && k == i + 1, last = m == n && (k + 1) % q == i;
             if (next && last) return false;
-            if (next ? on(d, a, b) || on(a, c, d)
-                     : last ? on(c, a, b) || on(b, c, d) : meet(a, b, c, d))
+            if (next   ? on(d, a, b) || on(a, c, d)
+                : last ? on(c, a, b) || on(b, c, d)
+                       : meet(a, b, c, d))
               return false;
           }
     return true;

@@ -425,10 +425,10 @@ struct Judge {
         for (std::size_t k = 0; k < 6; ++k) d[k] = (1 - t) * c.tensors[a][k] + t * c.tensors[b][k];
         const double third = (d[0] + d[1] + d[2]) / 3;
         for (std::size_t k = 0; k < 3; ++k) d[k] -= third;
-        const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] +
-                              2 * (d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
-        const double det = d[0] * (d[1] * d[2] - d[4] * d[4]) -
-                           d[3] * (d[3] * d[2] - d[4] * d[5]) + d[5] * (d[3] * d[4] - d[1] * d[5]);
+        const double square =
+            d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 2 * (d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
+        const double det = d[0] * (d[1] * d[2] - d[4] * d[4]) - d[3] * (d[3] * d[2] - d[4] * d[5]) +
+                           d[5] * (d[3] * d[4] - d[1] * d[5]);
         CHECK(54 * det * det == Approx(square * square * square));
       }
   }

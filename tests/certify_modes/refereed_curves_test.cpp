@@ -69,8 +69,8 @@ std::optional<std::size_t> exact_points(const Certificate& c) {
 }  // namespace
 
 TEST_CASE("modes-curves: hole 9, a multiple point inside a face is special") {
-  const auto c = one_tet({kAxis + kFirst, kAxis + -1 * kFirst + kSecond, kAxis + -1 * kSecond,
-                          kOther});
+  const auto c =
+      one_tet({kAxis + kFirst, kAxis + -1 * kFirst + kSecond, kAxis + -1 * kSecond, kOther});
   CHECK_FALSE(exact_points(c));
   require_accepted(special_but(c));
   CHECK(reason(special_but(c, {0, 1, 2})).find("multiple point") != std::string::npos);
@@ -101,12 +101,12 @@ TEST_CASE("modes-curves: hole 9, a tetrahedron whose conic is a pair of lines") 
                 xz = {0, 0, 0, 0, 0, 1};
   // All four near one free tensor: no point on a face, so none inside.
   const Entries mid = xy + yz;
-  const auto empty = one_tet({mid + 0.1 * axis, mid + 0.1 * xz, mid + -0.1 * axis + 0.05 * xy,
-                              mid + -0.1 * xz});
+  const auto empty =
+      one_tet({mid + 0.1 * axis, mid + 0.1 * xz, mid + -0.1 * axis + 0.05 * xy, mid + -0.1 * xz});
   require_accepted(empty);
   // Around diag(-1, -1, 2), whose v = (0, 0, 1) is where both lines meet.
-  const auto crossing = one_tet({axis + xz, axis + -1 * xz + yz, axis + xy + -1 * yz,
-                                 axis + -1 * xy});
+  const auto crossing =
+      one_tet({axis + xz, axis + -1 * xz + yz, axis + xy + -1 * yz, axis + -1 * xy});
   require_accepted(special_but(crossing));
   auto bare = crossing;
   CHECK_FALSE(verify(encode(bare)).accepted);

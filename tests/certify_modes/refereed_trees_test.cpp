@@ -145,8 +145,8 @@ TEST_CASE("modes: hole 7, faces between the parts of a tetrahedron are faces lik
   std::size_t inner = 0, tried = 0;
   const auto& level = c.levels[0];
   for (const auto& face : trees.faces) {
-    const bool of_mesh = std::ranges::all_of(
-        face.corners, [&](modes::u32 v) { return v < c.tensors.size(); });
+    const bool of_mesh =
+        std::ranges::all_of(face.corners, [&](modes::u32 v) { return v < c.tensors.size(); });
     if (!face.leaf() || of_mesh || face.arcs == 0) continue;
     ++inner;
     for (modes::u32 i = face.arc; i < face.arc + face.arcs && tried < 20; ++i, ++tried) {
@@ -241,8 +241,7 @@ TEST_CASE("modes: hole 8, splits of splits of splits end at 64") {
     CAPTURE(depth, reason(c));
     // The edge may itself be a split's part.
     if (depth < 60) CHECK(verify(encode(c)).accepted);
-    if (depth > 64)
-      CHECK(reason(c).find("more than 64 splits") != std::string::npos);
+    if (depth > 64) CHECK(reason(c).find("more than 64 splits") != std::string::npos);
   }
 }
 
@@ -251,11 +250,11 @@ TEST_CASE("modes: hole 10, blocks that touch in an edge have each their own root
   input.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   input.tets = {{0, 1, 2, 3}, {0, 1, 4, 5}};
   for (std::size_t v = 0; v < 6; ++v)
-    input.tensors.push_back(tensor(v == 0 ? Traceless{2, -1, 0, 0, 0} : Traceless{1, -2, 0.1, 0, 0}));
+    input.tensors.push_back(
+        tensor(v == 0 ? Traceless{2, -1, 0, 0, 0} : Traceless{1, -2, 0.1, 0, 0}));
   const auto c = reference_modes(input, {{0, 1}});
   require_accepted(c);
-  CHECK(c.levels[0].positive.components ==
-        std::vector<SurfaceComponent>{{1, 1}, {1, 1}});
+  CHECK(c.levels[0].positive.components == std::vector<SurfaceComponent>{{1, 1}, {1, 1}});
 }
 
 namespace {

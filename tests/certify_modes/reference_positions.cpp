@@ -4,6 +4,7 @@
 
 #include "certify/modes/positions.hpp"
 #include "tests/certify_modes/reference_modes.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 namespace {
@@ -32,7 +33,7 @@ void place_roots(const ModeLevel& level, const EdgeNode& edge, std::vector<doubl
 }  // namespace
 
 void add_positions(ModesCertificate& c, unsigned points, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
+  Random random(seed);
   Field field(c.tensors);
   const Domain domain = build_domain(c, field);
   for (ModeLevel& level : c.levels) {

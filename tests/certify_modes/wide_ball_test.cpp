@@ -36,7 +36,8 @@ Held random_held(Random& random) {
   const double hi = sized(-60, 60);
   double lo = random() % 4 == 0 ? 0 : hi * 0x1p-54 * unit(random);
   if (hi + lo != hi) lo = 0;
-  const double radius = random() % 3 == 0 ? 0 : std::fabs(hi) * std::ldexp(1.0, -static_cast<int>(random() % 130));
+  const double radius =
+      random() % 3 == 0 ? 0 : std::fabs(hi) * std::ldexp(1.0, -static_cast<int>(random() % 130));
   // Often at the end of the ball.
   const double part = random() % 2 == 0 ? (random() % 2 == 0 ? 1 : -1) : unit(random);
   return {{hi, lo, radius}, Rational(hi) + Rational(lo) + Rational(radius) * Rational(part)};
@@ -51,9 +52,9 @@ TEST_CASE("modes-curves: pairs of doubles hold the exact results") {
   for (std::uint64_t i = 0; i < scaled(20000); ++i) {
     Held a = random_held(random), b = random_held(random);
     if (random() % 4 == 0) b = {-a.ball, -a.number};  // cancels
-    if (random() % 4 == 0)
-      b.ball = b.ball + WideBall(-a.ball.hi), b.number -= Rational(a.ball.hi);
-    failures.expect(Held{a.ball + b.ball, a.number + b.number}.holds(), "sum", a.ball.hi, b.ball.hi);
+    if (random() % 4 == 0) b.ball = b.ball + WideBall(-a.ball.hi), b.number -= Rational(a.ball.hi);
+    failures.expect(Held{a.ball + b.ball, a.number + b.number}.holds(), "sum", a.ball.hi,
+                    b.ball.hi);
     failures.expect(Held{a.ball - b.ball, a.number - b.number}.holds(), "difference", a.ball.hi,
                     b.ball.hi);
     failures.expect(Held{a.ball * b.ball, a.number * b.number}.holds(), "product", a.ball.hi,
@@ -74,9 +75,9 @@ TEST_CASE("modes-curves: pairs of doubles hold the exact results") {
 
 TEST_CASE("modes-curves: nothing is certain of what overflowed or is undefined") {
   const WideBall big(0x1p1000), zero(0.0), ball(1, 0, 2);
-  for (const WideBall& x : {big * big, big * big - big * big, WideBall(1) / zero,
-                            WideBall(1) / ball, zero / zero, WideBall(HUGE_VAL) - WideBall(1),
-                            WideBall(std::nan("")) * WideBall(2), ball, zero}) {
+  for (const WideBall& x :
+       {big * big, big * big - big * big, WideBall(1) / zero, WideBall(1) / ball, zero / zero,
+        WideBall(HUGE_VAL) - WideBall(1), WideBall(std::nan("")) * WideBall(2), ball, zero}) {
     CAPTURE(x.hi, x.lo, x.rad);
     CHECK(sign_of(x) == 0);
     CHECK(sign_of(-x) == 0);
