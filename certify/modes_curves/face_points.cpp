@@ -321,32 +321,34 @@ int FacePoint::certain_sign(const Polynomial& polynomial) const {
   return sign_of(value(approximate(trimmed(polynomial, negative_)), Ball(middle, radius)));
 }
 
-std::optional<int> FacePoint::sign(const Polynomial& polynomial) {
+std::optional<int> FacePoint::sign(const Polynomial& polynomial, unsigned halvings) {
   if (const int certain = certain_sign(polynomial); certain != 0) return certain;
-  return exact_sign(trimmed(polynomial, negative_));
+  return exact_sign(trimmed(polynomial, negative_), halvings);
 }
 
 bool FacePoint::avoids(const Polynomial& other) {
-  return exact_sign(other).has_value();
+  return exact_sign(other, kMostHalvings).has_value();
 }
 
-std::optional<int> FacePoint::exact_sign(const Polynomial& list) {
+std::optional<int> FacePoint::exact_sign(const Polynomial& list, unsigned halvings) {
   if (list.empty()) return std::nullopt;
   if (list.size() == 1) return list[0] > 0 ? 1 : -1;
-  constexpr unsigned kMostHalvings = 60;
-  for (unsigned i = 0; i < kMostHalvings; ++i) {
+  constexpr unsigned kFew = 96;
+  for (unsigned i = 0; i < halvings; ++i) {
     if (i % 4 == 0)
       if (const int found = sign_between(list, low_, high_); found != 0) return found;
+    if (i == kFew && may_vanish(list)) return std::nullopt;
     refine();
   }
-  const Sturm other(list);
-  FacePoint at = *this;
-  for (int i = 0; i < 400; ++i) {
-    const int low = other.sign(at.low_), high = other.sign(at.high_);
-    if (low != 0 && low == high && other.distinct(at.low_, at.high_) == 0) return low;
-    at.refine();
-  }
   return std::nullopt;
+}
+
+/// A common root of both is a multiple one of their product.
+bool FacePoint::may_vanish(const Polynomial& list) const {
+  const Polynomial common = Sturm(*polynomial_ * list).multiple();
+  if (common.size() == 1) return false;
+  const Sturm roots(common);
+  return roots.sign(low_) == 0 || roots.sign(high_) == 0 || roots.distinct(low_, high_) > 0;
 }
 
 Range FacePoint::at() const {
@@ -523,13 +525,11 @@ int common_sign(FacePoint& point, const std::array<Polynomial, 3>& weights,
     const auto [low, high] = std::ranges::minmax(signs);
     return low < 0 && high > 0;
   };
-  bool open = false;
-  for (unsigned i = 0; i < 3 && !differ(); ++i) {
-    if (signs[i] != 0) continue;
-    const auto sign = point.sign(weights[i]);
-    open |= !sign;
-    signs[i] = sign.value_or(0);
-  }
+  // A weight that is zero, or nearly, takes long: two others that differ make it needless.
+  for (const unsigned halvings : {24U, FacePoint::kMostHalvings})
+    for (unsigned i = 0; i < 3 && !differ(); ++i)
+      if (signs[i] == 0) signs[i] = point.sign(weights[i], halvings).value_or(0);
+  const bool open = std::ranges::find(signs, 0) != signs.end();
   if (differ()) return 0;
   require(!open, "face ({}, {}, {}): a point on an edge, not listed as special", corners[0],
           corners[1], corners[2]);

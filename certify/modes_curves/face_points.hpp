@@ -39,6 +39,7 @@ Range operator*(const Range& a, const Range& b);
 class FacePoint {
  public:
   using Curve = std::array<Polynomial, 3>;
+  static constexpr unsigned kMostHalvings = 400;
   FacePoint(std::shared_ptr<const Polynomial> polynomial, modes::Place low, modes::Place high,
             bool negative, std::shared_ptr<const Curve> v);
 
@@ -46,8 +47,9 @@ class FacePoint {
   u32 listed = 0;         ///< place among the listed points
   bool multiple = false;  ///< or not known to be a simple common point
 
-  /// The sign at the root of a polynomial in u; empty if it may be zero. Narrows the interval.
-  std::optional<int> sign(const Polynomial& polynomial);
+  /// The sign at the root of a polynomial in u; empty if it may be zero, as far as these halvings
+  /// of the interval tell.
+  std::optional<int> sign(const Polynomial& polynomial, unsigned halvings = kMostHalvings);
   /// The same by doubles with errors: 0 where these do not tell.
   int certain_sign(const Polynomial& polynomial) const;
   /// Whether a polynomial in the variable of this one, t / (1 - t), is certainly not zero here.
@@ -59,7 +61,8 @@ class FacePoint {
 
  private:
   Range at() const;
-  std::optional<int> exact_sign(const Polynomial& list);
+  std::optional<int> exact_sign(const Polynomial& list, unsigned halvings);
+  bool may_vanish(const Polynomial& list) const;
   void refine_by_doubles();
 
   std::shared_ptr<const Polynomial> polynomial_;
