@@ -29,6 +29,8 @@ class Sturm {
 
   /// No root is multiple, real or not.
   bool square_free() const { return chain_.back().size() == 1; }
+  /// The greatest common divisor with the derivative.
+  const std::vector<Integer>& multiple() const { return chain_.back(); }
   int sign(const Place& t) const { return modes::sign_at(chain_[0], t); }
   /// Distinct roots strictly between two places. Requires: it is not zero at either.
   int distinct(const Place& low, const Place& high) const;

@@ -167,10 +167,10 @@ class CellCheck {
     std::ranges::sort(loops);
     loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
     const auto count = static_cast<u32>(loops.size());
-    const u32 found = count <= 1 ? count : count_pieces(level);
+    const u32 found = count <= 1 ? count : count_pieces(count, level);
     require_here(stated == found, "{} pieces of level {} listed, {} found", stated, int{level},
                  found);
-    require_here(found == count || found == 1,
+    require_here(is_pairing_known(count, found),
                  "{} loops bound {} pieces: which of them bound one is not known", count, found);
     const auto first = static_cast<u32>(pieces_.levels.size());
     for (u32 i = 0; i < found; ++i) {
@@ -186,8 +186,7 @@ class CellCheck {
     }
   }
 
-  /// #above + #below - 1 of lemma 7.
-  u32 count_pieces(int level) const {
+  u32 count_pieces(u32 loops, int level) const {
     std::vector<u32> left, entered;
     for (unsigned i = 0; i < 4; ++i) {
       const int turn = level * (w_[i] > 0 ? 1 : w_[i] < 0 ? -1 : 0);
@@ -196,7 +195,8 @@ class CellCheck {
       half.insert(half.end(), leaves_[i].begin(), leaves_[i].end());
     }
     Regions regions(context_, worker_, level);
-    return regions.count(left, true) + regions.count(entered, false) - 1;
+    const u32 above = regions.count(left, true);
+    return count_components(loops, above, regions.count(entered, false));
   }
 
   const LevelContext& context_;

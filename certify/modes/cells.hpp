@@ -28,6 +28,16 @@ struct FaceArc {
 void list_leaves(const Trees& trees, u32 face, std::vector<u32>& leaves);
 void list_arcs(const LevelContext& context, u32 leaf, std::vector<FaceArc>& arcs);
 
+/// Lemma 7 (b): components of a level in a cell, by its boundary loops, the components of what is
+/// above where w leaves and of what is not where it enters.
+constexpr u32 count_components(u32 loops, u32 above, u32 below) {
+  return loops <= 1 ? loops : above + below - 1;
+}
+/// Whether that tells which loops bound one component: the three cases.
+constexpr bool is_pairing_known(u32 loops, u32 components) {
+  return components == loops || components == 1;
+}
+
 /// Throws Reject unless the cell is rejected rightly, or its witness holds and its pieces are as
 /// many as listed and known.
 CellPieces check_cell(const LevelContext& context, const Cell& cell, Worker& worker);

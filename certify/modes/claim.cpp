@@ -2,6 +2,7 @@
 // Claim 6, modes: level sets of the mode of a piecewise linear tensor field (SPEC.md). The
 // library compares no file with it; the program compares digests (cli/crest_verify.cpp).
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/modes/decode.hpp"
+#include "certify/modes/positions.hpp"
 #include "certify/modes/surface.hpp"
 
 namespace crest::certify {
@@ -97,7 +99,33 @@ void require_counts(const SurfaceCounts& stated, const SurfaceCounts& found, con
           "level {}: {} stated, {} found", level, in_words(stated), in_words(found));
 }
 
-void verify_level(const ModeLevel& stated, const Domain& domain, Field& field, Verdict& verdict) {
+/// Theorem 16: what is stated of positions.
+void check_positions(const LevelContext& context, const Domain& domain,
+                     const std::vector<CellPieces>& pieces, bool embedded, Verdict& verdict) {
+  const Positions positions(context);
+  if (!positions.stated()) return;
+  const Trees& trees = context.trees;
+  std::atomic<u32> placed{0}, all{0};
+  const auto count = [&](const PlacedPieces& found) {
+    if (embedded) placed += found.placed;
+    all += found.placed + found.not_placed;
+  };
+  check_all(trees.cells.size(), context.field, verdict, [&](std::size_t i, Worker&) {
+    if (!pieces[i].levels.empty()) count(positions.place_cell(trees.cells[i], pieces[i]));
+  });
+  check_all(domain.tets.size(), context.field, verdict, [&](std::size_t t, Worker&) {
+    const auto corners = nonzero_corners(context.field, domain.tets[t]);
+    if (corners.size() != 3 || std::ranges::binary_search(trees.open_tets, t)) return;
+    count(positions.place_cones(trees.face({corners[0], corners[1], corners[2]})));
+  });
+  require_equal(context.stated.placed, placed.load(), "pieces that are simple and nested");
+  require_equal(context.stated.not_placed, all - placed, "pieces that are not");
+  prove(verdict, "positions: {} of {} pieces are simple and nested across their directions",
+        placed.load(), all.load());
+}
+
+void verify_level(const ModeLevel& stated, const Domain& domain, bool embedded, Field& field,
+                  Verdict& verdict) {
   require_level(stated);
   field.drop_splits();
   Trees trees = read_trees(stated, domain, field);
@@ -121,6 +149,7 @@ void verify_level(const ModeLevel& stated, const Domain& domain, Field& field, V
         in_words(surfaces.positive),
         open == 0 ? "" : fmt::format("; nothing is claimed in {} cells", open));
   if (stated.numerator != 0) prove(verdict, "mode -{}: {}", mode, in_words(surfaces.negative));
+  check_positions(context, domain, pieces, embedded, verdict);
 }
 
 /// Cost: n log n; some microseconds a cell.
@@ -135,7 +164,10 @@ void verify_modes(std::span<const std::uint8_t> data, std::span<const std::uint8
   const Domain domain = build_domain(c, field);
   prove(verdict, "data: {} vertices, {} tetrahedra, {} zeros inside; digests match",
         c.points.size(), c.tets.size(), c.zeros.size());
-  for (const ModeLevel& level : c.levels) verify_level(level, domain, field, verdict);
+  const bool positions =
+      std::ranges::any_of(c.levels, [](const ModeLevel& l) { return !l.root_places.empty(); });
+  const bool embedded = positions && is_embedded(c);
+  for (const ModeLevel& level : c.levels) verify_level(level, domain, embedded, field, verdict);
 }
 
 }  // namespace

@@ -36,6 +36,16 @@ void read(ByteReader& reader, SurfaceComponent& component) {
   component.boundary_loops = reader.integer<std::uint32_t>();
 }
 
+void read(ByteReader& reader, double& place) {
+  place = read_number(reader);
+}
+void read(ByteReader& reader, std::uint16_t& count) {
+  count = reader.integer<std::uint16_t>();
+}
+void read(ByteReader& reader, std::array<double, 2>& weights) {
+  for (double& w : weights) w = read_number(reader);
+}
+
 /// A record takes at least `size` bytes: no length is believed before it is compared.
 template <class Record>
 void read_list(ByteReader& reader, std::vector<Record>& list, std::size_t size) {
@@ -73,10 +83,15 @@ void read_level(ByteReader& reader, ModeLevel& level) {
   read_counts(reader, level.positive);
   if (level.numerator != 0) read_counts(reader, level.negative);
   level.open_tets = reader.integer<std::uint32_t>();
+  read_list(reader, level.root_places, 8);
+  read_list(reader, level.arc_points, 2);
+  read_list(reader, level.points, 16);
+  level.placed = reader.integer<std::uint32_t>();
+  level.not_placed = reader.integer<std::uint32_t>();
 }
 
 /// Bytes of a level whose lists are empty.
-constexpr std::size_t kEmptyLevel = 16 + 8 * 4 + 8 + 4;
+constexpr std::size_t kEmptyLevel = 16 + 8 * 4 + 8 + 4 + 3 * 4 + 8;
 
 }  // namespace
 

@@ -29,6 +29,15 @@ void write(ByteWriter& out, const SurfaceComponent& component) {
   out.integer(component.euler_characteristic);
   out.integer(component.boundary_loops);
 }
+void write(ByteWriter& out, double place) {
+  out.number(place);
+}
+void write(ByteWriter& out, std::uint16_t count) {
+  out.integer(count);
+}
+void write(ByteWriter& out, const std::array<double, 2>& weights) {
+  out.numbers(std::span<const double>(weights));
+}
 template <std::size_t n>
 void write(ByteWriter& out, const std::array<std::uint32_t, n>& corners) {
   out.numbers(std::span<const std::uint32_t>(corners));
@@ -61,6 +70,11 @@ void write_level(ByteWriter& out, const ModeLevel& level) {
   write_counts(out, level.positive);
   if (level.numerator != 0) write_counts(out, level.negative);
   out.integer(level.open_tets);
+  write_list(out, level.root_places);
+  write_list(out, level.arc_points);
+  write_list(out, level.points);
+  out.integer(level.placed);
+  out.integer(level.not_placed);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kModes = 6, kModesVersion = 1;
+inline constexpr std::uint32_t kModes = 6, kModesVersion = 2;
 
 /// Codes of the nodes of trees, which are written in preorder (SPEC.md, "Trees").
 namespace modes_code {
@@ -80,6 +80,12 @@ struct ModeLevel {
   std::vector<TetWitness> tet_witnesses;
   SurfaceCounts positive, negative;  ///< mode 0: positive only
   std::uint32_t open_tets = 0;       ///< leaves and whole tetrahedra where nothing is claimed
+  // Positions, or nothing: all empty and 0.
+  std::vector<double> root_places{};        ///< of each root on its leaf edge
+  std::vector<std::uint16_t> arc_points{};  ///< inner points of each arc's polyline
+  std::vector<std::array<double, 2>>
+      points{};  ///< these, from an arc's first root on: weights of its face's corners 0 and 1
+  std::uint32_t placed = 0, not_placed = 0;  ///< pieces of cells and cones
 };
 
 /// Claim modes: level sets of the mode of a piecewise linear tensor field.

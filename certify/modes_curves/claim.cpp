@@ -2,18 +2,20 @@
 // Claim 7, modes-curves: where a piecewise linear tensor field is degenerate (SPEC.md). The
 // library compares no file with it; the program compares digests (cli/crest_verify.cpp).
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <functional>
 #include <memory>
-#include <tuple>
 
 #include "certify/container/checker.hpp"
 #include "certify/container/parallel.hpp"
 #include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/modes_curves/cones.hpp"
 #include "certify/modes_curves/decode.hpp"
+#include "certify/modes_curves/free.hpp"
+#include "certify/modes_curves/near.hpp"
+#include "certify/modes_curves/places.hpp"
 #include "certify/modes_curves/tet_arcs.hpp"
-#include "certify/surface/tetrahedra.hpp"
 #include "certify/surface/union_find.hpp"
 
 namespace crest::certify {
@@ -23,101 +25,30 @@ using namespace curves;
 using modes::ExactTensors;
 using modes::Field;
 
-/// Whether |mode| < 1 everywhere on the simplex, clearly.
-template <std::size_t n>
-bool is_free(const Field& field, const std::array<u32, n>& corners) {
-  const auto products = modes::approximate_products<n>(field, corners);
-  const auto norm = norm_form(products);
-  const auto cube = cube_form(products);
-  const auto f = scaled(3.0, cube * cube) - scaled(2.0, norm * norm * norm);
-  return hull(f) == modes::Hull::negative;
+/// A ball around numbers between two rationals.
+Ball enclosing(const Range& r, const Rational& unit) {
+  const auto low = static_cast<double>(Rational(r.low / unit));
+  const auto high = static_cast<double>(Rational(r.high / unit));
+  const double mid = low + (high - low) / 2;
+  return {mid, (high - low) + 0x1p-50 * (std::fabs(low) + std::fabs(high)) + 0x1p-1000};
+}
+NearPoint enclosing(const FacePoint& point) {
+  const auto v = point.direction();
+  Rational unit = 0;
+  for (const Range& r : v) unit = std::max({unit, Rational(abs(r.low)), Rational(abs(r.high))});
+  return {point.type,
+          point.listed,
+          {WideBall(enclosing(v[0], unit)), WideBall(enclosing(v[1], unit)),
+           WideBall(enclosing(v[2], unit))}};
 }
 
-/// The same of parts, cut in halves until it is clear, or `budget` parts are looked at.
-template <std::size_t n>
-bool is_free_in_parts(Field& field, const std::array<u32, n>& corners, unsigned depth,
-                      unsigned& budget) {
-  if (is_free(field, corners)) return true;
-  if (depth == modes::kMostGenerations || budget == 0) return false;
-  --budget;
-  // All edges in turn: between the first corners, the others move up.
-  const u32 middle = field.split(corners[0], corners[1], 32);
-  for (unsigned k = 0; k < 2; ++k) {
-    std::array<u32, n> part = corners;
-    part[k] = middle;
-    std::ranges::rotate(part, part.begin() + 1);
-    if (!is_free_in_parts(field, part, depth + 1, budget)) return false;
-  }
-  return true;
-}
-template <std::size_t n>
-bool is_free_in_parts(const ModesCurvesCertificate& c, const std::array<u32, n>& corners) {
-  std::vector<std::array<double, 6>> tensors;
-  std::array<u32, n> local{};
-  for (unsigned i = 0; i < n; ++i) local[i] = i, tensors.push_back(c.tensors[corners[i]]);
-  Field field(tensors);
-  unsigned budget = 4096;
-  return is_free_in_parts(field, local, 0, budget);
-}
-
-/// Points of faces, arcs of tetrahedra.
-class PlaceCheck {
+/// Points of faces.
+class FaceCheck {
  public:
-  PlaceCheck(const ModesCurvesCertificate& c, Verdict& verdict)
-      : c_(c), verdict_(verdict), field_(c.tensors) {}
+  FaceCheck(const ModesCurvesCertificate& c, Verdict& verdict)
+      : c_(c), verdict_(verdict), places_(c, verdict), field_(c.tensors), cones_(field_) {}
 
  protected:
-  void build() {
-    require(c_.points.size() >= 4 && !c_.tets.empty() && c_.tets.size() < modes::kNone / 16,
-            "data: no tetrahedra, or too many");
-    tets_ = c_.tets;
-    for (auto& t : tets_) {
-      std::ranges::sort(t);
-      require(t[3] < c_.points.size(), "data: no vertex {}", t[3]);
-      require(t[0] != t[1] && t[1] != t[2] && t[2] != t[3],
-              "data: a tetrahedron has a corner twice");
-    }
-    faces_ = list_faces(tets_, c_.points.size());
-    prove(verdict_, "data: {} vertices, {} tetrahedra; digests match", c_.points.size(),
-          c_.tets.size());
-  }
-
-  void check_lists() {
-    for (const auto* list : {&c_.faces, &c_.special_faces}) {
-      require(std::ranges::is_sorted(*list, std::less_equal<>()), "faces: not ascending");
-      for (const auto& f : *list)
-        require(find_face(faces_, f) != kNoTet, "faces: no face ({}, {}, {})", f[0], f[1], f[2]);
-    }
-    require(std::ranges::is_sorted(c_.special_tets, std::less_equal<>()) &&
-                (c_.special_tets.empty() || c_.special_tets.back() < tets_.size()),
-            "special tetrahedra: not ascending, or not there");
-    special_.assign(tets_.size(), 0);
-    for (const u32 t : c_.special_tets) special_[t] = 1;
-    boxes_.resize(c_.faces.size());
-    for (u32 i = 0; i < c_.face_points.size(); ++i) {
-      const DegeneratePoint& p = c_.face_points[i];
-      require(p.face < c_.faces.size() && (i == 0 || c_.face_points[i - 1].face <= p.face),
-              "points: not by face");
-      require(p.type == 1 || p.type == -1, "points: type {}", int{p.type});
-      for (unsigned k = 0; k < 2; ++k)
-        require(std::isfinite(p.low[k]) && std::isfinite(p.high[k]), "points: {} has no box", i);
-      for (const Box& box : boxes_[p.face]) {
-        bool apart = false;
-        for (unsigned k = 0; k < 2; ++k)
-          apart |= box.high[k] <= p.low[k] || p.high[k] <= box.low[k];
-        require(apart, "points: the boxes of {} and {} overlap", box.listed, i);
-      }
-      require(boxes_[p.face].size() < 4, "points: more than four on a face");
-      boxes_[p.face].push_back({p.low, p.high, p.type, i});
-    }
-    for (std::size_t f = 0; f < boxes_.size(); ++f)
-      require(!boxes_[f].empty(), "faces: {} has no point", f);
-  }
-
-  bool is_special(const std::array<u32, 3>& face) const {
-    return std::ranges::binary_search(c_.special_faces, face);
-  }
-
   template <class Check>
   void for_all(std::size_t count, const Check& check) {
     constexpr std::size_t kBatch = 64;
@@ -129,98 +60,191 @@ class PlaceCheck {
                  });
   }
 
+  template <std::size_t n>
+  Corners<n> tensors(const std::array<u32, n>& corners) const {
+    Corners<n> list;
+    for (std::size_t i = 0; i < n; ++i) list[i] = &c_.tensors[corners[i]];
+    return list;
+  }
+
   void check_faces() {
-    free_.assign(tets_.size(), 0);
-    for_all(tets_.size(),
-            [&](std::size_t t, ExactTensors&) { free_[t] = is_free(field_, tets_[t]); });
-    points_.resize(faces_.size());
-    for_all(faces_.size(), [&](std::size_t f, ExactTensors& exact) {
-      const TetFace& face = faces_[f];
-      const auto at = std::ranges::lower_bound(c_.faces, face.corners);
-      const bool listed = at != c_.faces.end() && *at == face.corners;
-      if (is_special(face.corners)) return require(!listed, "special faces: one has points");
-      static const std::vector<Box> none;
-      const auto& boxes = listed ? boxes_[static_cast<std::size_t>(at - c_.faces.begin())] : none;
+    const auto& tets = places_.tets();
+    const auto& faces = places_.faces();
+    free_.assign(tets.size(), 0);
+    for_all(tets.size(), [&](std::size_t t, ExactTensors&) {
+      free_[t] = cones_.free(tets[t]) || is_free(field_, tets[t]);
+    });
+    points_.resize(c_.faces.size());
+    for_all(faces.size(), [&](std::size_t f, ExactTensors& exact) {
+      if (places_.special_face(f)) return;
+      const u32 listed = places_.listed(f);
+      if (listed != kNoTet) return check_listed(listed, exact);
       const bool away =
-          std::ranges::any_of(face.tets, [&](u32 t) { return t != kNoTet && free_[t] != 0; });
-      if (boxes.empty() && (away || is_free(field_, face.corners))) return;
-      auto found = find_points(exact, face.corners, boxes);
-      if (!found) {
-        require(boxes.empty() && is_free_in_parts(c_, face.corners),
-                "face ({}, {}, {}): no quartic with simple roots, not listed as special",
-                face.corners[0], face.corners[1], face.corners[2]);
-        return;
-      }
-      points_[f] = std::move(*found);
+          std::ranges::any_of(faces[f].tets, [&](u32 t) { return t != kNoTet && free_[t] != 0; });
+      if (!away && !is_free(field_, faces[f].corners)) check_empty(faces[f].corners, exact);
     });
     prove(verdict_, "faces: {} degenerate points on {} faces; {} special ones",
           c_.face_points.size(), c_.faces.size(), c_.special_faces.size());
+    for_all(c_.plane_faces.size(),
+            [&](std::size_t i, ExactTensors& exact) { check_plane(c_.plane_faces[i], exact); });
+    if (!c_.plane_faces.empty())
+      prove(verdict_, "{} faces whose conics have a line in common", c_.plane_faces.size());
   }
 
-  void check_tets() {
-    std::vector<std::size_t> first(tets_.size() + 1, 0);
-    for (std::size_t i = 0; i < c_.arcs.size(); ++i) {
-      const auto key = [](const DegenerateArc& a) { return std::tuple(a.tet, a.points); };
-      require(c_.arcs[i].tet < tets_.size() && (i == 0 || key(c_.arcs[i - 1]) < key(c_.arcs[i])),
-              "arcs: not ascending");
-      ++first[c_.arcs[i].tet + 1];
-    }
-    for (std::size_t t = 0; t < tets_.size(); ++t) first[t + 1] += first[t];
-    for_all(tets_.size(), [&](std::size_t t, ExactTensors& exact) {
-      const auto stated = std::span(c_.arcs).subspan(first[t], first[t + 1] - first[t]);
-      if (special_[t] != 0 || free_[t] != 0)
-        return require(stated.empty(), "arcs: one in tetrahedron {}", t);
-      check_tet(t, stated, exact);
-    });
-    prove(verdict_, "tetrahedra: {} arcs; {} special ones", c_.arcs.size(), c_.special_tets.size());
-  }
-
-  void check_tet(std::size_t t, std::span<const DegenerateArc> stated, ExactTensors& exact) {
-    std::vector<TetPoint> points;
-    for (unsigned i = 0; i < 4; ++i) {
-      std::array<u32, 3> corners{};
-      for (unsigned k = 0, at = 0; k < 4; ++k)
-        if (k != i) corners[at++] = tets_[t][k];
-      require(!is_special(corners), "tetrahedron {}: a face is special, it is not", t);
-      for (const FacePoint& point : points_[find_face(faces_, corners)])
-        points.push_back({point, i});
-    }
-    const auto arcs = find_arcs(exact, tets_[t], points);
-    if (!arcs) {
-      require(points.empty() && stated.empty() && is_free_in_parts(c_, tets_[t]),
-              "tetrahedron {}: dependent tensors or a pair of lines, not listed as special", t);
+  void check_listed(u32 listed, ExactTensors& exact) {
+    const auto& corners = c_.faces[listed];
+    ++calls_;
+    auto near = find_near_points(tensors(corners), places_.boxes(listed));
+    if (near) {
+      points_[listed] = std::move(*near);
       return;
     }
-    std::vector<std::array<u32, 2>> found;
-    for (const auto& [a, b] : *arcs) {
-      require(points[a].point.type == points[b].point.type, "tetrahedron {}: an arc of two types",
-              t);
-      const auto [low, high] = std::minmax(points[a].point.listed, points[b].point.listed);
-      found.push_back({low, high});
+    ++exact_;
+    const auto found = find_points(exact, corners, places_.boxes(listed));
+    require_listed(corners, found.has_value());
+    for (const FacePoint& point : *found) points_[listed].push_back(enclosing(point));
+  }
+
+  void check_empty(const std::array<u32, 3>& corners, ExactTensors& exact) {
+    static const std::vector<Box> none;
+    ++calls_;
+    if (find_near_points(tensors(corners), none)) return;
+    ++exact_;
+    if (find_points(exact, corners, none)) return;
+    if (complement(matrices(exact, corners)).empty()) {
+      // Dependent tensors: a degenerate one inside implies one on an edge.
+      const auto [a, b, c] = corners;
+      return require_listed(
+          corners, is_free(exact, {a, b}) && is_free(exact, {b, c}) && is_free(exact, {a, c}));
     }
-    std::ranges::sort(found);
-    require(std::ranges::equal(stated, found, {}, &DegenerateArc::points),
-            "tetrahedron {}: the arcs listed are not those found", t);
+    std::array<std::array<double, 6>, 3> of_corners;
+    for (unsigned i = 0; i < 3; ++i) of_corners[i] = c_.tensors[corners[i]];
+    require_listed(corners, is_free_in_parts(of_corners));
+  }
+  static void require_listed(const std::array<u32, 3>& corners, bool decided) {
+    require(decided,
+            "face ({}, {}, {}): dependent tensors, conics with a common line or a multiple point, "
+            "not listed as special",
+            corners[0], corners[1], corners[2]);
+  }
+
+  void check_plane(const std::array<u32, 3>& corners, ExactTensors& exact) {
+    const u32 face = find_face(places_.faces(), corners);
+    require(face != kNoTet && places_.special_face(face),
+            "plane faces: ({}, {}, {}) is no special face", corners[0], corners[1], corners[2]);
+    const auto conics = complement(matrices(exact, corners));
+    require(!conics.empty() && share_line(conics[0], conics[1]),
+            "plane faces: the conics of ({}, {}, {}) have no line in common", corners[0],
+            corners[1], corners[2]);
   }
 
   const ModesCurvesCertificate& c_;
   Verdict& verdict_;
+  Places places_;
   Field field_;
-  std::vector<std::array<u32, 4>> tets_;
-  std::vector<TetFace> faces_;
-  std::vector<std::uint8_t> special_, free_;
-  std::vector<std::vector<Box>> boxes_;         ///< of listed faces
-  std::vector<std::vector<FacePoint>> points_;  ///< of all faces
+  Cones cones_;
+  std::vector<std::uint8_t> free_;              ///< tetrahedra far from degenerate tensors
+  std::vector<std::vector<NearPoint>> points_;  ///< of listed faces
+  std::atomic<std::uint64_t> calls_{0}, exact_{0};
 };
 
-class CurveCheck : public PlaceCheck {
+/// Named edges, arcs of tetrahedra.
+class TetCheck : public FaceCheck {
  public:
-  using PlaceCheck::PlaceCheck;
+  using FaceCheck::FaceCheck;
+
+ protected:
+  void check_edges() {
+    const auto& list = c_.degenerate_edges;
+    require(std::ranges::is_sorted(list, std::less_equal<>()) &&
+                std::ranges::is_sorted(c_.plane_faces, std::less_equal<>()),
+            "degenerate edges, plane faces: not ascending");
+    if (list.empty()) return;
+    std::vector<std::array<u32, 2>> edges;
+    for (const TetFace& face : places_.faces()) {
+      const auto [a, b, c] = face.corners;
+      edges.insert(edges.end(), {{a, b}, {b, c}, {a, c}});
+    }
+    std::ranges::sort(edges);
+    for_all(list.size(), [&](std::size_t i, ExactTensors& exact) {
+      require(std::ranges::binary_search(edges, list[i]), "degenerate edges: no edge ({}, {})",
+              list[i][0], list[i][1]);
+      require(is_degenerate(exact, list[i]),
+              "degenerate edges: not all tensors of ({}, {}) are degenerate", list[i][0],
+              list[i][1]);
+    });
+    prove(verdict_, "{} edges of degenerate tensors", list.size());
+  }
+
+  void check_tets() {
+    const auto& faces = places_.faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (!places_.special_face(f)) continue;
+      for (const u32 t : faces[f].tets)
+        require(t == kNoTet || places_.special_tet(t) || free_[t] != 0,
+                "tetrahedron {}: a face is special, it is not", t);
+    }
+    for_all(places_.tets().size(), [&](std::size_t t, ExactTensors& exact) {
+      const auto around = places_.around(t);
+      const bool listed = std::ranges::any_of(around, [](u32 f) { return f != kNoTet; });
+      if (places_.special_tet(t) || !listed)
+        return require(places_.arcs(t).empty(), "arcs: one in tetrahedron {}", t);
+      check_tet(t, around, exact);
+    });
+    prove(verdict_, "tetrahedra: {} arcs; {} special ones", c_.arcs.size(), c_.special_tets.size());
+    verdict_.signs.calls += calls_;
+    verdict_.signs.exact += exact_;
+  }
+
+  void check_tet(std::size_t t, const std::array<u32, 4>& around, ExactTensors& exact) {
+    std::vector<NearTetPoint> points;
+    for (unsigned i = 0; i < 4; ++i)
+      if (around[i] != kNoTet)
+        for (const NearPoint& point : points_[around[i]]) points.push_back({&point, i});
+    const auto& corners = places_.tets()[t];
+    require(points.size() % 2 == 0, "tetrahedron {}: an odd number of points", t);
+    ++calls_;
+    auto arcs = find_near_arcs(tensors(corners), points);
+    if (!arcs) {
+      ++exact_;
+      arcs = find_exact_arcs(corners, around, exact);
+      require(arcs.has_value(),
+              "tetrahedron {}: dependent tensors or a pair of lines, not listed as special", t);
+    }
+    std::vector<std::array<u32, 2>> found;
+    for (const auto& [a, b] : *arcs) {
+      require(points[a].point->type == points[b].point->type, "tetrahedron {}: an arc of two types",
+              t);
+      const auto [low, high] = std::minmax(points[a].point->listed, points[b].point->listed);
+      found.push_back({low, high});
+    }
+    std::ranges::sort(found);
+    require(std::ranges::equal(places_.arcs(t), found, {}, &DegenerateArc::points),
+            "tetrahedron {}: the arcs listed are not those found", t);
+  }
+
+  /// The points in the order of the faces, and within each as `points_` has them.
+  std::optional<std::vector<std::array<std::size_t, 2>>> find_exact_arcs(
+      const std::array<u32, 4>& corners, const std::array<u32, 4>& around, ExactTensors& exact) {
+    std::vector<TetPoint> points;
+    for (unsigned i = 0; i < 4; ++i) {
+      if (around[i] == kNoTet) continue;
+      const auto found = find_points(exact, c_.faces[around[i]], places_.boxes(around[i]));
+      if (!found) throw Undecided("a face decided by doubles that integers leave open");
+      for (const NearPoint& point : points_[around[i]])
+        points.push_back({*std::ranges::find(*found, point.listed, &FacePoint::listed), i});
+    }
+    return find_arcs(exact, corners, points);
+  }
+};
+
+class CurveCheck : public TetCheck {
+ public:
+  using TetCheck::TetCheck;
 
   void run() {
-    build();
-    check_lists();
     check_faces();
+    check_edges();
     check_tets();
     count_curves();
   }
@@ -235,13 +259,13 @@ class CurveCheck : public PlaceCheck {
       for (const u32 p : arc.points) ++ends[p];
     }
     for (u32 p = 0; p < points.size(); ++p) {
-      const TetFace& face = faces_[find_face(faces_, c_.faces[points[p].face])];
+      const TetFace& face = places_.faces()[places_.face(points[p].face)];
       unsigned sides = 0;
       for (const u32 t : face.tets) {
         if (t == kNoTet) continue;
         ++sides;
-        touched[curves.find(p)] |= special_[t];
-        sides -= special_[t];
+        touched[curves.find(p)] |= static_cast<std::uint8_t>(places_.special_tet(t));
+        sides -= places_.special_tet(t);
       }
       require(ends[p] == sides, "point {}: {} arcs at {} tetrahedra", p, ends[p], sides);
       open[curves.find(p)] |= face.tets[1] == kNoTet;
@@ -252,16 +276,15 @@ class CurveCheck : public PlaceCheck {
       CurveCounts& of_type = counts[points[p].type > 0 ? 0 : 1];
       ++(touched[p] != 0 ? of_type.touched : open[p] != 0 ? of_type.open : of_type.closed);
     }
-    const auto compare = [&](const CurveCounts& stated, const CurveCounts& found,
-                             const char* name) {
-      require_equal(stated.open, found.open, name);
-      require_equal(stated.closed, found.closed, name);
-      require_equal(stated.touched, found.touched, name);
-      prove(verdict_, "{}: {} open, {} closed; {} that touch special places", name, found.open,
-            found.closed, found.touched);
-    };
     compare(c_.linear, counts[0], "linear curves");
     compare(c_.planar, counts[1], "planar curves");
+  }
+  void compare(const CurveCounts& stated, const CurveCounts& found, const char* name) {
+    require_equal(stated.open, found.open, name);
+    require_equal(stated.closed, found.closed, name);
+    require_equal(stated.touched, found.touched, name);
+    prove(verdict_, "{}: {} open, {} closed; {} that touch special places", name, found.open,
+          found.closed, found.touched);
   }
 };
 

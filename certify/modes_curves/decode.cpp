@@ -48,6 +48,8 @@ ModesCurvesCertificate decode_modes_curves(std::span<const std::uint8_t> data,
   });
   read_rows(reader, c.special_faces);
   reader.words(c.special_tets, reader.integer<std::uint32_t>());
+  read_rows(reader, c.degenerate_edges);
+  read_rows(reader, c.plane_faces);
   for (CurveCounts* counts : {&c.linear, &c.planar})
     for (auto* number : {&counts->open, &counts->closed, &counts->touched})
       *number = reader.integer<std::uint32_t>();

@@ -39,6 +39,8 @@ Bytes encode(const ModesCurvesCertificate& c) {
     write_list(out, c.special_faces);
     out.count(c.special_tets.size());
     out.numbers(c.special_tets);
+    write_list(out, c.degenerate_edges);
+    write_list(out, c.plane_faces);
     for (const CurveCounts* counts : {&c.linear, &c.planar})
       for (const auto number : {counts->open, counts->closed, counts->touched}) out.integer(number);
   };

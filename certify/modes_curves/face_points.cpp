@@ -174,14 +174,37 @@ bool isolate(const Sturm& sturm, const Place& low, const Place& high, Intervals&
   return false;
 }
 
-std::optional<Intervals> isolate(const Polynomial& quartic) {
-  Intervals list;
-  if (isolate_by_doubles(quartic, list)) return list;
-  list.clear();
-  const Sturm sturm(quartic);
-  if (!sturm.square_free() || !isolate(sturm, modes::place(0), modes::place(1), list))
+/// a / b, which divides it.
+Polynomial quotient(Polynomial a, const Polynomial& b) {
+  Polynomial q(a.size() - b.size() + 1);
+  for (std::size_t k = q.size(); k-- > 0;) {
+    q[k] = a[k + b.size() - 1] / b.back();
+    for (std::size_t i = 0; i < b.size(); ++i) a[k + i] -= q[k] * b[i];
+  }
+  return q;
+}
+
+/// The roots in (0, 1) of a quartic, as simple ones of `simple`; those of `multiple` are multiple.
+struct Roots {
+  std::shared_ptr<const Polynomial> simple;
+  Polynomial multiple = {1};
+  Intervals intervals;
+};
+std::optional<Roots> find_roots(Polynomial quartic) {
+  Roots roots;
+  if (isolate_by_doubles(quartic, roots.intervals)) {
+    roots.simple = std::make_shared<const Polynomial>(std::move(quartic));
+    return roots;
+  }
+  roots.intervals.clear();
+  Integer divisor = 0;
+  for (const Integer& x : quartic) divisor = gcd(divisor, x);
+  for (Integer& x : quartic) x /= divisor;
+  roots.multiple = Sturm(quartic).multiple();
+  roots.simple = std::make_shared<const Polynomial>(quotient(quartic, roots.multiple));
+  if (!isolate(Sturm(*roots.simple), modes::place(0), modes::place(1), roots.intervals))
     return std::nullopt;
-  return list;
+  return roots;
 }
 
 /// Changes of coordinates to be tried, so that no two points lie on a line with the centre.
@@ -192,15 +215,26 @@ constexpr std::array<std::array<std::array<int, 3>, 3>, 5> kCoordinates = {
      {{{2, 9, -5}, {-7, 1, 3}, {4, 2, 11}}},
      {{{13, 2, -1}, {3, -8, 5}, {-6, 1, 9}}}}};
 
+/// Two conics in some coordinates; z = -a / b at their common points.
+struct Elimination {
+  Integer p0, q0;
+  Polynomial a, b, resultant;
+
+  Elimination(const Matrix<Integer>& p_there, const Matrix<Integer>& q_there,
+              const std::array<std::array<int, 3>, 3>& m) {
+    const InZ p(congruent(p_there, m)), q(congruent(q_there, m));
+    p0 = p.p0, q0 = q.p0;
+    a = scaled(p.p0, q.p2) - scaled(q.p0, p.p2);
+    b = scaled(p.p0, q.p1) - scaled(q.p0, p.p1);
+    resultant = a * a - b * (p.p1 * q.p2 - q.p1 * p.p2);
+  }
+};
+
 /// The common points of two conics in some coordinates; empty if these do not show them.
-std::optional<std::vector<FacePoint>> common_points(const Matrix<Integer>& p_there,
-                                                    const Matrix<Integer>& q_there,
+std::optional<std::vector<FacePoint>> common_points(const Matrix<Integer>& p,
+                                                    const Matrix<Integer>& q,
                                                     const std::array<std::array<int, 3>, 3>& m) {
-  const InZ p(congruent(p_there, m)), q(congruent(q_there, m));
-  const Polynomial a = scaled(p.p0, q.p2) - scaled(q.p0, p.p2);
-  const Polynomial b = scaled(p.p0, q.p1) - scaled(q.p0, p.p1);
-  const Polynomial c = p.p1 * q.p2 - q.p1 * p.p2;
-  const Polynomial resultant = a * a - b * c;
+  const auto [p0, q0, a, b, resultant] = Elimination(p, q, m);
   if (resultant.size() < 5 || resultant[4] == 0 || resultant[0] == 0) return std::nullopt;
   // z = -a / b: v = (x b, b, -a), turned back.
   const FacePoint::Curve local = {Polynomial{0, 1} * b, b, scaled(-1, a)};
@@ -210,13 +244,14 @@ std::optional<std::vector<FacePoint>> common_points(const Matrix<Integer>& p_the
   const auto v = std::make_shared<const FacePoint::Curve>(std::move(turned));
   std::vector<FacePoint> points;
   for (const bool negative : {false, true}) {
-    const auto quartic = std::make_shared<const Polynomial>(trimmed(resultant, negative));
-    const auto intervals = isolate(*quartic);
-    if (!intervals) return std::nullopt;
-    for (const auto& [low, high] : *intervals) {
-      points.emplace_back(quartic, low, high, negative, v);
-      const auto denominator = points.back().sign(b);
+    const auto roots = find_roots(trimmed(resultant, negative));
+    if (!roots) return std::nullopt;
+    for (const auto& [low, high] : roots->intervals) {
+      FacePoint& point = points.emplace_back(roots->simple, low, high, negative, v);
+      const auto denominator = point.sign(b);
       if (!denominator || *denominator == 0) return std::nullopt;
+      // In the same variable as the quartic, trimmed and turned already.
+      point.multiple = !point.avoids(roots->multiple);
     }
   }
   return points;
@@ -286,24 +321,34 @@ int FacePoint::certain_sign(const Polynomial& polynomial) const {
   return sign_of(value(approximate(trimmed(polynomial, negative_)), Ball(middle, radius)));
 }
 
-std::optional<int> FacePoint::sign(const Polynomial& polynomial) {
+std::optional<int> FacePoint::sign(const Polynomial& polynomial, unsigned halvings) {
   if (const int certain = certain_sign(polynomial); certain != 0) return certain;
-  const auto list = trimmed(polynomial, negative_);
+  return exact_sign(trimmed(polynomial, negative_), halvings);
+}
+
+bool FacePoint::avoids(const Polynomial& other) {
+  return exact_sign(other, kMostHalvings).has_value();
+}
+
+std::optional<int> FacePoint::exact_sign(const Polynomial& list, unsigned halvings) {
   if (list.empty()) return std::nullopt;
-  constexpr unsigned kMostHalvings = 60;
-  for (unsigned i = 0; i < kMostHalvings; ++i) {
+  if (list.size() == 1) return list[0] > 0 ? 1 : -1;
+  constexpr unsigned kFew = 96;
+  for (unsigned i = 0; i < halvings; ++i) {
     if (i % 4 == 0)
       if (const int found = sign_between(list, low_, high_); found != 0) return found;
+    if (i == kFew && may_vanish(list)) return std::nullopt;
     refine();
   }
-  const Sturm other(list);
-  FacePoint at = *this;
-  for (int i = 0; i < 400; ++i) {
-    const int low = other.sign(at.low_), high = other.sign(at.high_);
-    if (low != 0 && low == high && other.distinct(at.low_, at.high_) == 0) return low;
-    at.refine();
-  }
   return std::nullopt;
+}
+
+/// A common root of both is a multiple one of their product.
+bool FacePoint::may_vanish(const Polynomial& list) const {
+  const Polynomial common = Sturm(*polynomial_ * list).multiple();
+  if (common.size() == 1) return false;
+  const Sturm roots(common);
+  return roots.sign(low_) == 0 || roots.sign(high_) == 0 || roots.distinct(low_, high_) > 0;
 }
 
 Range FacePoint::at() const {
@@ -480,13 +525,11 @@ int common_sign(FacePoint& point, const std::array<Polynomial, 3>& weights,
     const auto [low, high] = std::ranges::minmax(signs);
     return low < 0 && high > 0;
   };
-  bool open = false;
-  for (unsigned i = 0; i < 3 && !differ(); ++i) {
-    if (signs[i] != 0) continue;
-    const auto sign = point.sign(weights[i]);
-    open |= !sign;
-    signs[i] = sign.value_or(0);
-  }
+  // A weight that is zero, or nearly, takes long: two others that differ make it needless.
+  for (const unsigned halvings : {24U, FacePoint::kMostHalvings})
+    for (unsigned i = 0; i < 3 && !differ(); ++i)
+      if (signs[i] == 0) signs[i] = point.sign(weights[i], halvings).value_or(0);
+  const bool open = std::ranges::find(signs, 0) != signs.end();
   if (differ()) return 0;
   require(!open, "face ({}, {}, {}): a point on an edge, not listed as special", corners[0],
           corners[1], corners[2]);
@@ -494,6 +537,16 @@ int common_sign(FacePoint& point, const std::array<Polynomial, 3>& weights,
 }
 
 }  // namespace
+
+bool share_line(const Matrix<Integer>& p, const Matrix<Integer>& q) {
+  // Conics whose equations have no square of z both go through the centre: other coordinates.
+  for (const auto& coordinates : kCoordinates) {
+    const Elimination by_z(p, q, coordinates);
+    if (by_z.p0 == 0 && by_z.q0 == 0) continue;
+    return std::ranges::all_of(by_z.resultant, [](const Integer& x) { return x == 0; });
+  }
+  return false;
+}
 
 std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
                                                   const std::array<u32, 3>& corners,
@@ -521,6 +574,7 @@ std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
   for (FacePoint& point : *all) {
     point.type = common_sign(point, weights, corners);
     if (point.type == 0) continue;
+    if (point.multiple) return std::nullopt;
     const auto inside = [&](const Box& box) {
       for (unsigned i = 0; i < 2; ++i) {
         const auto above = point.sign(beyond(weights[i], box.low[i], sum));

@@ -10,12 +10,12 @@
 
 #include "certify/exact/sturm.hpp"
 #include "certify/exact/tensor_field.hpp"
+#include "certify/modes_curves/box.hpp"
 
 namespace crest::certify::curves {
 
 using kernel::Rational;
 using modes::Integer;
-using modes::u32;
 
 using Polynomial = std::vector<Integer>;
 
@@ -39,16 +39,21 @@ Range operator*(const Range& a, const Range& b);
 class FacePoint {
  public:
   using Curve = std::array<Polynomial, 3>;
+  static constexpr unsigned kMostHalvings = 400;
   FacePoint(std::shared_ptr<const Polynomial> polynomial, modes::Place low, modes::Place high,
             bool negative, std::shared_ptr<const Curve> v);
 
-  int type = 0;    ///< +1 linear, -1 planar
-  u32 listed = 0;  ///< place among the listed points
+  int type = 0;           ///< +1 linear, -1 planar
+  u32 listed = 0;         ///< place among the listed points
+  bool multiple = false;  ///< or not known to be a simple common point
 
-  /// The sign at the root of a polynomial in u; empty if it may be zero. Narrows the interval.
-  std::optional<int> sign(const Polynomial& polynomial);
+  /// The sign at the root of a polynomial in u; empty if it may be zero, as far as these halvings
+  /// of the interval tell.
+  std::optional<int> sign(const Polynomial& polynomial, unsigned halvings = kMostHalvings);
   /// The same by doubles with errors: 0 where these do not tell.
   int certain_sign(const Polynomial& polynomial) const;
+  /// Whether a polynomial in the variable of this one, t / (1 - t), is certainly not zero here.
+  bool avoids(const Polynomial& other);
   const Curve& curve() const { return *v_; }
   /// Around v, at the present interval of u.
   Triple<Range> direction() const;
@@ -56,6 +61,8 @@ class FacePoint {
 
  private:
   Range at() const;
+  std::optional<int> exact_sign(const Polynomial& list, unsigned halvings);
+  bool may_vanish(const Polynomial& list) const;
   void refine_by_doubles();
 
   std::shared_ptr<const Polynomial> polynomial_;
@@ -63,13 +70,6 @@ class FacePoint {
   double near_low_ = 0, near_high_ = 1;  ///< doubles around them
   bool negative_;
   std::shared_ptr<const Curve> v_;
-};
-
-/// A listed point's box of weights of corners 0 and 1.
-struct Box {
-  std::array<double, 2> low, high;
-  int type;
-  u32 listed;
 };
 
 /// The tensors of a simplex as matrices of integers, to one common scale.
@@ -82,9 +82,12 @@ std::vector<Matrix<Integer>> dual_basis(const std::vector<Matrix<Integer>>& tens
 std::vector<Matrix<Integer>> complement(const std::vector<Matrix<Integer>>& tensors);
 Integer determinant(const Matrix<Integer>& m);
 
+/// Whether the conics of independent tensors have a line in common.
+bool share_line(const Matrix<Integer>& p, const Matrix<Integer>& q);
+
 /// All points of a face, each matched with the box that holds it; nothing if the tensors are
-/// dependent, or no quartic with simple roots is found. Throws Reject if the points are not those
-/// of the boxes, or one is on an edge.
+/// dependent, no quartic but zero is found, or a point is multiple. Throws Reject if the points are
+/// not those of the boxes, or one is on an edge.
 std::optional<std::vector<FacePoint>> find_points(modes::ExactTensors& exact,
                                                   const std::array<u32, 3>& corners,
                                                   const std::vector<Box>& boxes);

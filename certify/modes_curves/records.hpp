@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kModesCurves = 7, kModesCurvesVersion = 1;
+inline constexpr std::uint32_t kModesCurves = 7, kModesCurvesVersion = 2;
 
 /// A degenerate tensor inside a face: the only one whose weights of corners 0 and 1 (they and the
 /// third sum to 1) lie in these intervals.
@@ -40,6 +40,10 @@ struct ModesCurvesCertificate {
   std::vector<DegenerateArc> arcs;           ///< by tetrahedron, then points
   std::vector<std::array<std::uint32_t, 3>> special_faces;  ///< nothing is claimed there
   std::vector<std::uint32_t> special_tets;
+  std::vector<std::array<std::uint32_t, 2>>
+      degenerate_edges{};  ///< every tensor is degenerate there
+  std::vector<std::array<std::uint32_t, 3>>
+      plane_faces{};  ///< special faces whose two conics have a line in common
   CurveCounts linear, planar;
 };
 

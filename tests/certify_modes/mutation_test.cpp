@@ -6,10 +6,11 @@
 #include <iostream>
 #include <map>
 
-#include "certify/container/container.hpp"
 #include "certify/modes/decode.hpp"
 #include "certify/modes/encode.hpp"
 #include "certify/verify.hpp"
+#include "tests/certify_modes/byte_mutants.hpp"
+#include "tests/certify_modes/modes_judge.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
 #include "tests/support/failures.hpp"
 
@@ -54,85 +55,14 @@ const std::vector<ModesCertificate>& originals() {
   return all;
 }
 
-/// What a certificate claims about the surfaces of a level.
-auto statement(const ModeLevel& level) {
-  return std::tuple(level.numerator, level.denominator, level.positive.components,
-                    level.positive.touched, level.negative.components, level.negative.touched);
-}
-
-bool same_field(const ModesCertificate& a, const ModesCertificate& b) {
-  return a.tets == b.tets && a.tensors == b.tensors;
-}
-
-/// Made anew by the reference producer, zeros as given.
-bool is_true(const ModesCertificate& c) {
-  for (const ModeLevel& level : c.levels) {
-    if (level.positive.touched + level.negative.touched + level.open_tets > 0) continue;
-    const auto anew = reference_modes({c.points, c.tets, c.tensors},
-                                      {{level.numerator, level.denominator}}, 40, c.zeros);
-    if (anew.levels[0].open_tets == 0 && statement(anew.levels[0]) != statement(level))
-      return false;
-  }
-  return true;
-}
-
-struct Tally {
-  std::uint64_t mutants = 0, accepted = 0, compared = 0;
-  std::map<std::string, std::uint64_t> by_kind;
-
-  /// Accepted mutants of the same field must state the same of the same level.
-  void judge(const std::string& kind, const ModesCertificate& original,
-             const ModesCertificate& mutant) {
-    ++mutants;
-    if (!verify(encode(mutant)).accepted) return;
-    ++accepted;
-    ++by_kind[kind];
-    CAPTURE(kind);
-    if (same_field(original, mutant) && original.levels.size() == mutant.levels.size()) {
-      bool same = true;
-      for (std::size_t i = 0; i < original.levels.size(); ++i)
-        same &= statement(original.levels[i]) == statement(mutant.levels[i]);
-      if (same) return;
-    }
-    ++compared;
-    CHECK(is_true(mutant));
-  }
-};
-
 }  // namespace
 
 TEST_CASE("modes: edited bytes, bound again, are rejected unless true") {
   Random random(kSeed);
   Tally tally;
   for (const auto& original : originals()) {
-    const Bytes bytes = encode(original);
-    for (std::uint64_t i = 0; i < scaled(32); ++i) {
-      Bytes mutant = bytes;
-      const auto at = kHeaderSize + random() % (mutant.size() - kHeaderSize);
-      const auto kind = i % 16;  // all three in every certificate
-      if (kind == 0)
-        mutant.resize(at);
-      else if (kind < 5)
-        mutant[at] = static_cast<std::uint8_t>(random());
-      else
-        mutant[at] ^= static_cast<std::uint8_t>(1U << random() % 8);
-      if (mutant == bytes) continue;
-      CHECK_FALSE(verify(mutant).accepted);
-      try {
-        rebind(mutant);
-      } catch (const std::invalid_argument&) {
-        continue;
-      }
-      ModesCertificate decoded;
-      try {
-        const Container container = open_container(mutant);
-        decoded = decode_modes(container.data, container.claims);
-      } catch (const Malformed&) {
-        CHECK_FALSE(verify(mutant).accepted);
-        continue;
-      }
-      tally.judge("byte", original, decoded);
-    }
+    try_bytes(encode(original), scaled(32), random, decode_modes,
+              [&](const ModesCertificate& mutant) { tally.judge("byte", original, mutant); });
   }
   std::cout << "bytes: " << tally.mutants << " mutants, " << tally.accepted << " accepted, "
             << tally.compared << " of them made anew\n";

@@ -24,4 +24,10 @@ certify::ModesCertificate reference_modes(const ModesInput& input,
                                           unsigned most_depth = 30,
                                           std::vector<certify::ZeroRecord> zeros = {});
 
+/// Each root in the middle of its enclosure, or of what is free where it has none; arcs without
+/// points, or `points` of them each, at random in their faces, in the order of a line.
+void add_positions(certify::ModesCertificate& c, unsigned points = 0, std::uint64_t seed = 1);
+/// The pieces placed and not, as the checker counts them.
+void count_positions(certify::ModesCertificate& c);
+
 }  // namespace crest::tests
