@@ -29,10 +29,13 @@ class CellTopology {
   /// Facet i lies opposite corner i of a cell with direction w (sum 0). Requires: all facets are
   /// closed.
   CellTopology(Faces& faces, const std::array<Index, 4>& facets,
-               const std::array<std::int16_t, 4>& w);
+               const std::array<std::int16_t, 4>& w)
+      : faces_(faces), facets_(facets), w_(w) {}
 
-  /// The pieces of a side; nothing where the rule does not tell.
-  std::optional<std::vector<Piece>> pieces(Side side);
+  /// The number of pieces of a side; nothing where the rule does not tell.
+  std::optional<std::size_t> count(Side side);
+  /// The pieces. Requires: count() was that many. Only reads the trees.
+  std::vector<Piece> pieces(Side side, std::size_t count) const;
 
  private:
   struct Interval {
@@ -50,7 +53,7 @@ class CellTopology {
   void unite(Index a, Index b);
 
   Faces& faces_;
-  std::array<std::vector<Index>, 4> leaves_;
+  std::array<Index, 4> facets_;
   std::array<std::int16_t, 4> w_;
   std::vector<Interval> intervals_;
 };

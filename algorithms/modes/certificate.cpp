@@ -118,27 +118,28 @@ class Recorder {
   }
 
   void record() {
-    std::vector<std::pair<std::array<Index, 3>, Index>> faces;
-    for (const auto& [mesh_face, f] : extraction_.mesh_faces())
-      if (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected)
-        faces.emplace_back(faces_.face(f).corners, f);
-    std::sort(faces.begin(), faces.end());
+    // Faces of the mesh come in their corners' order.
+    std::vector<Index> faces;
+    for (const Index f : extraction_.mesh_faces())
+      if (f != kNone && (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected))
+        faces.push_back(f);
     std::vector<std::pair<std::array<Index, 2>, Index>> edges;
-    for (const auto& [corners, f] : faces)
-      for (const Index e : faces_.face(f).edges)
-        edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
+    std::vector<bool> listed(faces_.edge_count());
+    const auto list = [&](Index e) {
+      if (!listed[e]) edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
+      listed[e] = true;
+    };
+    for (const Index f : faces)
+      for (const Index e : faces_.face(f).edges) list(e);
     for (const Cone& c : extraction_.cones())
-      if (c.zeros.size() == 2)
-        edges.push_back(
-            {{c.others[0], c.others[1]}, extraction_.edge_between(c.others[0], c.others[1])});
+      if (c.zeros.size() == 2) list(extraction_.edge_between(c.others[0], c.others[1]));
     std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [corners, e] : edges) {
       to_.edges.push_back(corners);
       edges_.record(e, false);
     }
-    for (const auto& [corners, f] : faces) {
-      to_.faces.push_back(corners);
+    for (const Index f : faces) {
+      to_.faces.push_back(faces_.face(f).corners);
       face(f);
     }
     for (const Extraction::Tree& tree : extraction_.trees()) {

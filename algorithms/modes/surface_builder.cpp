@@ -382,16 +382,10 @@ Index SurfaceBuilder::zero_point(Index vertex) {
 }
 
 void SurfaceBuilder::add_cone(Index tet, Index apex, Index f) {
-  std::vector<Index> leaves;
-  faces_.leaves(f, leaves);
-  for (const Index leaf : leaves) {
-    const Face& face = faces_.face(leaf);
-    for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
-      if (faces_.arcs()[a].side == side_) {
-        cones_.push_back({tet, apex, a});
-        bend(a);
-      }
-  }
+  faces_.for_each_arc(f, side_, [&](Index a) {
+    cones_.push_back({tet, apex, a});
+    bend(a);
+  });
 }
 
 void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {

@@ -61,10 +61,9 @@ TetMesh::TetMesh(std::vector<Vec3> points, std::vector<Tet> tets)
     std::size_t end = i;
     while (end < sides.size() && sides[end].corners == sides[i].corners) ++end;
     const auto& v = sides[i].corners;
-    const std::string face =
-        "face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]);
     if (end - i > 2)
-      throw InputError(face + ": is in " + std::to_string(end - i) +
+      throw InputError("face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                       std::to_string(v[2]) + ": is in " + std::to_string(end - i) +
                        " tetrahedra; a face may have two at most");
     if (end - i == 2 && sorted(sides[i].tet) == sorted(sides[i + 1].tet))
       throw InputError("tetrahedron " + std::to_string(sides[i + 1].tet) + " (" +
