@@ -2,6 +2,8 @@
 #pragma once
 
 // The forms of eight simplices, lane by lane, and what their signs say.
+#include <cstring>
+
 #include "algorithms/modes/cell_test.hpp"
 #include "algorithms/modes/forms.hpp"
 
@@ -33,6 +35,16 @@ struct Neutral {
     return neutral_growth_form(forms, k);
   }
 };
+
+/// Lanes as the compiler's own vectors, for what it does not turn into vector instructions: choices
+/// and divisions. By reference: without AVX-512 such vectors are not passed by value.
+using Wide = double __attribute__((vector_size(8 * Lanes::count)));
+inline void load(const Lanes& from, Wide& to) {
+  std::memcpy(&to, from.x.data(), sizeof(to));
+}
+inline void store(const Wide& from, Lanes& to) {
+  std::memcpy(to.x.data(), &from, sizeof(from));
+}
 
 template <int D>
 struct EightTensors {
@@ -66,21 +78,24 @@ struct HullMasks {
   /// As kernel::certain_hull.
   template <class B>
   explicit HullMasks(const kernel::Form<RealLanes, B>& f) {
-    Lanes low = HUGE_VAL, most = -HUGE_VAL, least = HUGE_VAL, high = -HUGE_VAL;
+    Wide error, s;
+    load(f.error, error);
+    Wide low = error * 0 + HUGE_VAL, least = low, most = -low, high = -low;
     for (std::size_t i = 0; i < B::count; ++i) {
       // Where a difference is not zero its sign is right.
-      const Lanes e = Lanes(B::weights[i]) * f.error, down = f.s[i] - e, up = f.s[i] + e;
-      low = smaller(low, down);
-      most = larger(most, down);
-      least = smaller(least, up);
-      high = larger(high, up);
+      load(f.s[i], s);
+      const Wide e = B::weights[i] * error, down = s - e, up = s + e;
+      low = down < low ? down : low;
+      most = down > most ? down : most;
+      least = up < least ? up : least;
+      high = up > high ? up : high;
     }
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const unsigned bit = 1U << i;
-      positive |= low.x[i] > 0 ? bit : 0;
-      some_positive |= most.x[i] > 0 ? bit : 0;
-      some_negative |= least.x[i] < 0 ? bit : 0;
-      negative |= high.x[i] < 0 ? bit : 0;
+      positive |= low[i] > 0 ? bit : 0;
+      some_positive |= most[i] > 0 ? bit : 0;
+      some_negative |= least[i] < 0 ? bit : 0;
+      negative |= high[i] < 0 ? bit : 0;
     }
   }
   HullMasks() = default;

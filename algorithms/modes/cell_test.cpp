@@ -25,14 +25,6 @@ struct Prepared {
   std::array<std::array<Lanes, D + 1>, Basis::count> vectors;
 };
 
-/// 0 for what is at most `least`.
-Lanes reciprocal(const Lanes& x, double least) {
-  Lanes r;
-  for (std::size_t l = 0; l < Lanes::count; ++l) r.x[l] = x.x[l] > least ? x.x[l] : HUGE_VAL;
-  for (std::size_t l = 0; l < Lanes::count; ++l) r.x[l] = 1 / r.x[l];
-  return r;
-}
-
 template <int D, class Kind>
 CREST_WIDE_CLONES void prepare(const EightTensors<D>& cells, const Level& level,
                                Prepared<D, Kind>& r) {
@@ -42,27 +34,39 @@ CREST_WIDE_CLONES void prepare(const EightTensors<D>& cells, const Level& level,
   r.signs = HullMasks(r.f);
   if ((r.signs.positive | r.signs.negative) == (1U << Lanes::count) - 1) return;
   for (std::size_t k = 0; k < D; ++k) r.growth[k] = Kind::growth(forms, level, k);
+  Wide zero, infinity;
+  load(0, zero);
+  load(HUGE_VAL, infinity);
   for (std::size_t k = 0; k <= D; ++k) {
     const auto& form = k < D ? r.growth[k] : r.f;
-    Lanes largest = 0;
-    for (std::size_t i = 0; i < Basis::count; ++i)
-      for (std::size_t l = 0; l < Lanes::count; ++l) {
-        const double x = form.s[i].x[l] / Basis::weights[i];
-        r.vectors[i][k].x[l] = x;
-        largest.x[l] = largest.x[l] < std::fabs(x) ? std::fabs(x) : largest.x[l];
-      }
-    r.scale[k] = reciprocal(largest, 0);
+    Wide largest = zero, x;
+    for (std::size_t i = 0; i < Basis::count; ++i) {
+      load(form.s[i], x);
+      x /= Basis::weights[i];
+      store(x, r.vectors[i][k]);
+      const Wide size = x < 0 ? -x : x;
+      largest = largest < size ? size : largest;
+    }
+    store(1 / (largest > 0 ? largest : infinity), r.scale[k]);
   }
   for (auto& v : r.vectors) {
-    Lanes norm = 0;
+    Wide norm = zero, x, scale;
     for (std::size_t k = 0; k <= D; ++k) {
-      v[k] = v[k] * r.scale[k];
-      norm = norm + v[k] * v[k];
+      load(v[k], x);
+      load(r.scale[k], scale);
+      x *= scale;
+      store(x, v[k]);
+      norm += x * x;
     }
     Lanes length;
-    for (std::size_t l = 0; l < Lanes::count; ++l) length.x[l] = std::sqrt(norm.x[l]);
-    const Lanes factor = reciprocal(length, 1e-12);
-    for (Lanes& x : v) x = x * factor;
+    store(norm, length);
+    for (std::size_t l = 0; l < Lanes::count; ++l) length.x[l] = std::sqrt(length.x[l]);
+    load(length, norm);
+    const Wide factor = 1 / (norm > 1e-12 ? norm : infinity);
+    for (Lanes& y : v) {
+      load(y, x);
+      store(x * factor, y);
+    }
   }
 }
 
@@ -196,14 +200,17 @@ struct Ranges {
 template <class Form>
 void range(const Form& f, Lanes& low, Lanes& high) {
   using B = typename Form::Basis;
-  low = HUGE_VAL;
-  high = -HUGE_VAL;
-  for (std::size_t i = 0; i < B::count; ++i)
-    for (std::size_t l = 0; l < Lanes::count; ++l) {
-      const double x = f.s[i].x[l] / B::weights[i];
-      low.x[l] = x < low.x[l] ? x : low.x[l];
-      high.x[l] = high.x[l] < x ? x : high.x[l];
-    }
+  Wide x, least, most;
+  load(f.s[0], least);
+  most = least /= B::weights[0];
+  for (std::size_t i = 1; i < B::count; ++i) {
+    load(f.s[i], x);
+    x /= B::weights[i];
+    least = x < least ? x : least;
+    most = x > most ? x : most;
+  }
+  store(least, low);
+  store(most, high);
 }
 
 /// By the ranges; the factors cover the divisions' roundings.
@@ -235,7 +242,7 @@ std::optional<Finding> by_bound(const TensorForms<RealLanes, 3>& forms, const Ra
 CREST_WIDE_CLONES void scan(const EightTensors<3>& cells, const Level& level,
                             std::array<std::optional<Finding>, kTogether>& findings,
                             unsigned& known) {
-  const auto forms = bounded_forms<Lanes, 3>(cells.t, cells.largest, cells.error);
+  const auto forms = bounded_forms<Lanes, 3, false>(cells.t, cells.largest, cells.error);
   Ranges ranges;
   range(forms.c, ranges.c_low, ranges.c_high);
   range(forms.n, ranges.n_low, ranges.n_high);
@@ -275,7 +282,8 @@ void cell_signs(std::span<const Corners<3>> cells, const ExactCorners<3>& exact,
   for (std::size_t l = 0; l < cells.size(); ++l) {
     if (!findings[l]) {
       const auto forms = integer_forms<3>(exact(l));
-      findings[l] = level.neutral() ? exact_finding(forms.c) : exact_finding(level_form(forms, level));
+      findings[l] =
+          level.neutral() ? exact_finding(forms.c) : exact_finding(level_form(forms, level));
     }
     results[l] = {*findings[l], (bounds >> l & 1U) != 0};
   }

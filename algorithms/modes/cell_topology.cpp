@@ -14,7 +14,8 @@ std::optional<std::size_t> piece_count(std::size_t loops, std::size_t above, std
   return std::nullopt;
 }
 
-bool CellTopology::make_loops(Side side, std::vector<Loop>& loops) const {
+template <class Start, class Add>
+bool CellTopology::trace(Side side, Start&& start, Add&& add) const {
   struct End {
     Index root;
     std::uint32_t arc;  ///< its place in the list
@@ -45,14 +46,14 @@ bool CellTopology::make_loops(Side side, std::vector<Loop>& loops) const {
   }
   for (std::uint32_t first = 0; first < arcs.size(); ++first) {
     if (arcs[first].used) continue;
-    Loop& loop = loops.emplace_back();
+    start();
     Index root = faces_.arcs()[arcs[first].arc].roots[0];
     for (std::uint32_t i = first; !arcs[i].used;) {
       Link& link = arcs[i];
       link.used = true;
       const auto& roots = faces_.arcs()[link.arc].roots;
       const bool forward = roots[0] == root;
-      loop.push_back({link.arc, forward});
+      add(LoopArc{link.arc, forward});
       root = roots[forward ? 1 : 0];
       i = link.next[forward ? 1 : 0];
     }
@@ -135,18 +136,30 @@ std::size_t CellTopology::components(Side side, int sign, bool above) {
   return count;
 }
 
-std::optional<std::size_t> CellTopology::count(Side side) {
-  std::vector<Loop> loops;
-  if (!make_loops(side, loops)) return std::nullopt;
+std::optional<std::size_t> CellTopology::loop_count(Side side) const {
+  std::size_t loops = 0;
+  const bool closed = trace(
+      side, [&] { ++loops; }, [](const LoopArc&) {});
+  return closed ? std::optional(loops) : std::nullopt;
+}
+
+std::optional<std::size_t> CellTopology::count_by_loops(Side side) const {
+  const auto loops = loop_count(side);
   // One loop bounds a disk: every component has a loop.
-  if (loops.size() <= 1) return loops.size();
+  return loops && *loops <= 1 ? loops : std::nullopt;
+}
+
+std::optional<std::size_t> CellTopology::count(Side side) {
+  const auto loops = loop_count(side);
+  if (!loops || *loops <= 1) return loops;
   // w leaves the cell through facets with w_i < 0.
-  return piece_count(loops.size(), components(side, -1, true), components(side, 1, false));
+  return piece_count(*loops, components(side, -1, true), components(side, 1, false));
 }
 
 std::vector<Piece> CellTopology::pieces(Side side, std::size_t count) const {
   std::vector<Loop> loops;
-  make_loops(side, loops);
+  trace(
+      side, [&] { loops.emplace_back(); }, [&](const LoopArc& a) { loops.back().push_back(a); });
   std::vector<Piece> pieces;
   if (count == loops.size())
     for (Loop& loop : loops) pieces.push_back({std::move(loop)});

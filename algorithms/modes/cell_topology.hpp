@@ -34,6 +34,8 @@ class CellTopology {
 
   /// The number of pieces of a side; nothing where the rule does not tell.
   std::optional<std::size_t> count(Side side);
+  /// The same where loops alone tell. Only reads the trees.
+  std::optional<std::size_t> count_by_loops(Side side) const;
   /// The pieces. Requires: count() was that many. Only reads the trees.
   std::vector<Piece> pieces(Side side, std::size_t count) const;
 
@@ -44,7 +46,10 @@ class CellTopology {
     Index parent;
     bool above;
   };
-  bool make_loops(Side side, std::vector<Loop>& loops) const;
+  /// Walks around all loops: start() each, add() its arcs. False if they do not close.
+  template <class Start, class Add>
+  bool trace(Side side, Start&& start, Add&& add) const;
+  std::optional<std::size_t> loop_count(Side side) const;
   /// Components of the closed half where w has that sign, above or below.
   std::size_t components(Side side, int sign, bool above);
   void add_face(Side side, Index face);

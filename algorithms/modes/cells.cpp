@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/cells.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -90,8 +93,7 @@ void Cells::decide() {
     test(std::move(asked));
     close_facets();
     asked.clear();
-    for (; settled_ < graphs_.size(); ++settled_)
-      if (!settle(graphs_[settled_])) refine(graphs_[settled_], asked);
+    settle_all(asked);
   }
   // Other cells may have cut the facets of those that were settled.
   close_facets();
@@ -100,17 +102,33 @@ void Cells::decide() {
       if (cells_[c].state == State::graph && !faces_.is_closed(f)) cells_[c].state = State::open;
 }
 
-/// Counts the pieces of a cell with a witness; false if that is not known.
-bool Cells::settle(Index c) {
-  bool closed = true;
-  for (const Index f : cells_[c].faces) closed = faces_.is_closed(f) && closed;
-  if (!closed) return false;
-  CellTopology topology(faces_, cells_[c].faces, cells_[c].witness.w);
+/// Counts the pieces of the cells that got witnesses; the parts of those where that does not tell.
+void Cells::settle_all(std::vector<Index>& next) {
+  for (std::size_t i = settled_; i < graphs_.size(); ++i)
+    for (const Index f : cells_[graphs_[i]].faces) faces_.is_closed(f);
+  // Where loops tell, which is nearly everywhere, the trees are only read.
+  std::vector<char> simple(graphs_.size() - settled_);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(settled_, graphs_.size(), 256),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        simple[i - settled_] = settle(cells_[graphs_[i]], true) ? 1 : 0;
+                    });
+  for (std::size_t i = settled_; i < graphs_.size(); ++i)
+    if (simple[i - settled_] == 0 && !settle(cells_[graphs_[i]], false)) refine(graphs_[i], next);
+  settled_ = graphs_.size();
+}
+
+/// Counts the pieces of a cell with a witness, by its loops alone or not; false if that does not
+/// tell.
+bool Cells::settle(Cell& cell, bool by_loops) {
+  for (const Index f : cell.faces)
+    if (!faces_.face(f).closed) return false;
+  CellTopology topology(faces_, cell.faces, cell.witness.w);
   for (const Side side : {Side::minus, Side::neutral, Side::plus}) {
     if (level_.neutral() != (side == Side::neutral)) continue;
-    const auto pieces = topology.count(side);
+    const auto pieces = by_loops ? topology.count_by_loops(side) : topology.count(side);
     if (!pieces || *pieces > 255) return false;
-    cells_[c].pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] =
+    cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] =
         static_cast<std::uint8_t>(*pieces);
   }
   return true;

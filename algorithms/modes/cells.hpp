@@ -48,7 +48,8 @@ class Cells {
   void refine(Index cell, std::vector<Index>& next);
   void test(std::vector<Index> asked);
   void close_facets();
-  bool settle(Index cell);
+  void settle_all(std::vector<Index>& next);
+  bool settle(Cell& cell, bool by_loops);
   void split(Index cell);
   Index edge(const Cell& cell, std::size_t i, std::size_t j) const;
 
@@ -56,8 +57,8 @@ class Cells {
   Level level_;
   Limits limits_;
   std::vector<Cell> cells_;
-  std::vector<Index> graphs_;   ///< leaves with a witness
-  std::size_t settled_ = 0;     ///< of them, whose pieces are known
+  std::vector<Index> graphs_;  ///< leaves with a witness
+  std::size_t settled_ = 0;    ///< of them, whose pieces are known
   Counters counters_;
   std::uint64_t uniform_ = 0;
   bool exhausted_ = false;

@@ -2,6 +2,7 @@
 #include "algorithms/modes/certificate.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <span>
 
@@ -26,7 +27,7 @@ class EdgeRecorder {
   }
 
   void record(Index e, bool clear) {
-    const Edge edge = faces_.edge(e);
+    const Edge& edge = faces_.edge(e);
     clear = clear || (e < clear_.size() && clear_[e] != 0);
     if (edge.middle != kNone) {
       to_.codes.push_back(faces_.vertices().cut(edge.middle).n);
@@ -50,9 +51,9 @@ class EdgeRecorder {
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
     const auto& list = faces_.lines().roots(faces_.edge(e).line);
-    std::vector<certify::RootRecord> records;
+    boost::container::small_vector<certify::RootRecord, 6> records;
     for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
-    separate(e, {list.data() + range.first, range.count}, records);
+    separate(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
   }
 
@@ -65,7 +66,7 @@ class EdgeRecorder {
     if (root.number && lines.compare_place(r, edge.begin) == kernel::Sign::zero)
       return {0, 0, level};
     if (root.number && lines.compare_place(r, edge.end) == kernel::Sign::zero) return {1, 1, level};
-    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const double begin = edge.from, length = edge.to - begin;
     const double slack = 8 * 0x1p-52 * (2 + 2 / length);  // of begin, end, difference, quotient
     const double low = (root.low - begin) / length - slack,
                  high = (root.high - begin) / length + slack;
@@ -87,7 +88,7 @@ class EdgeRecorder {
   }
 
   /// Two roots at one place have one enclosure; others that overlap are converted exactly.
-  void separate(Index e, std::span<const Index> list, std::vector<certify::RootRecord>& records) {
+  void separate(Index e, std::span<const Index> list, std::span<certify::RootRecord> records) {
     for (std::size_t i = 0; i + 1 < records.size(); ++i) {
       auto &a = records[i], &b = records[i + 1];
       if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;

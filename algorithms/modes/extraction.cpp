@@ -58,7 +58,7 @@ Index Extraction::face(Index mesh_face) {
   const auto& v = field_.mesh.faces()[mesh_face].corners;
   const std::array<Index, 3> edges = {edge(v[0], v[1]), edge(v[1], v[2]), edge(v[2], v[0])};
   f = faces_.add_face(v, edges, 0, faces_.add_account());
-  if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet) boundary_faces_.insert(f);
+  if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet) faces_.mark_boundary(f);
   return f;
 }
 
@@ -179,7 +179,7 @@ void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
 
 /// Only reads the trees.
 ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
-  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), boundary_faces_, open_faces_);
+  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
   ModeSurface s = builder.build();
   const auto boundary = count(s);

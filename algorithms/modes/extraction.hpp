@@ -67,7 +67,6 @@ class Extraction {
   std::vector<Tree> trees_;
   std::vector<Cone> cones_;
   std::vector<Index> mesh_faces_;
-  std::unordered_set<Index> boundary_faces_;  ///< among Faces, on the domain's boundary
   std::unordered_map<std::uint64_t, Index> mesh_edges_;
   ModeCounts counts_;
   std::vector<Index> open_;

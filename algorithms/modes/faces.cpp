@@ -40,7 +40,7 @@ Dyadic between(const Dyadic& begin, const Dyadic& end, long n) {
 Index Faces::add_edge(Index first, Index second) {
   const double measure = angle_measure(vertices_.tensor(first), vertices_.tensor(second));
   edges_.push_back(
-      {first, second, lines_.add(first, second), {Integer(0), 0}, {Integer(1), 0}, measure});
+      {first, second, lines_.add(first, second), {Integer(0), 0}, {Integer(1), 0}, 0, 1, measure});
   return static_cast<Index>(edges_.size() - 1);
 }
 
@@ -76,7 +76,7 @@ void Faces::cut(Index e) {
   const Index m = vertices_.add(edge.first, edge.second, n);
   const Dyadic t = between(edge.begin, edge.end, n);
   const auto add = [&](Index from, Index to, const Dyadic& begin, const Dyadic& end) {
-    edges_.push_back({from, to, edge.line, begin, end,
+    edges_.push_back({from, to, edge.line, begin, end, begin.lower(), end.lower(),
                       angle_measure(vertices_.tensor(from), vertices_.tensor(to))});
     return static_cast<Index>(edges_.size() - 1);
   };
@@ -225,10 +225,8 @@ RootRange Faces::roots(Index e) {
       while (k < list.size() && lines_.is_below(list[k], t)) ++k;
       return static_cast<Index>(k);
     };
-    const Index first = edge.begin.mantissa.is_zero() ? 0 : below(edge.begin);
-    const Index end = edge.end.exponent == 0 && edge.end.mantissa == 1
-                          ? static_cast<Index>(list.size())
-                          : below(edge.end);
+    const Index first = edge.from == 0 ? 0 : below(edge.begin);
+    const Index end = edge.to == 1 ? static_cast<Index>(list.size()) : below(edge.end);
     edge.first_root = first;
     edge.root_count = end - first;
   }

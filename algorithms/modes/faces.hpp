@@ -18,6 +18,7 @@ inline constexpr Index kNone = ~Index{0};
 struct Edge {
   Index first, second, line;
   kernel::Dyadic begin, end;  ///< of the line
+  double from, to;            ///< the same, rounded down
   double measure;             ///< signed squared cosine of the angle between the ends' tensors
   Index middle = kNone;       ///< the vertex that cuts it
   Index part[2] = {kNone, kNone};
@@ -35,8 +36,9 @@ struct Face {
   Index account = 0;       ///< where its tests are counted
   std::int8_t split = -1;  ///< the edge that is cut
   std::uint8_t depth = 0;
-  bool closed = false;  ///< all leaves below are rejected or graphs
-  Index inner = kNone;  ///< edge from the opposite corner to the new vertex
+  bool closed = false;    ///< all leaves below are rejected or graphs
+  bool boundary = false;  ///< of the domain; of a tree's root
+  Index inner = kNone;    ///< edge from the opposite corner to the new vertex
   Index part[2] = {kNone, kNone};
   Witness<2> witness{};
   Index first_arc = 0, arc_count = 0;
@@ -98,6 +100,7 @@ class Faces {
   void split(Index face);
   /// The part that keeps the corner. Requires: split.
   Index part_with(Index face, Index corner) const;
+  void mark_boundary(Index face) { faces_[face].boundary = true; }
   /// Decides the faces' leaves, in parallel, cutting where needed.
   void close(std::span<const Index> faces);
   /// Whether all leaves are decided, after close().

@@ -77,8 +77,8 @@ struct TensorNets {
 ///   12 roundings of parts of 54 M^3: 648 u M^3.
 /// Differences of two: twice that and one rounding more; weights: one rounding more. The constants
 /// below are these, increased for the bounds' own roundings. Requires: entries below 2^100.
-/// P: double or Lanes. `largest`: M, `error`: e.
-template <class P, int D>
+/// P: double or Lanes. `largest`: M, `error`: e. Without `growth` n and c alone.
+template <class P, int D, bool growth = true>
 TensorForms<kernel::Bounded<P>, D> bounded_forms(const std::array<Entries<P>, D + 1>& t,
                                                  const P& largest, const P& error) {
   constexpr double u = kernel::kUnitRoundoff;
@@ -99,6 +99,7 @@ TensorForms<kernel::Bounded<P>, D> bounded_forms(const std::array<Entries<P>, D 
   TensorForms<kernel::Bounded<P>, D> r;
   r.n = bounded(nets.n, n_error);
   r.c = bounded(nets.c, c_error);
+  if constexpr (!growth) return r;
   for (std::size_t k = 1; k <= D; ++k) {
     r.nk[k - 1] =
         bounded(TensorNets<P, D>::template along<kernel::SimplexBasis<D, 1>, 2>(nets.n, k),
@@ -161,7 +162,7 @@ kernel::SimplexForm<N, D, 6> growth_form(const TensorForms<N, D>& t, const Level
 template <class N, int D>
 kernel::SimplexForm<N, D, 3> neutral_growth_form(const TensorForms<N, D>& t, std::size_t k) {
   kernel::SimplexForm<N, D, 1> one;
-  auto ones = one.s;
+  decltype(one.s) ones;
   ones.fill(1);
   if constexpr (std::is_same_v<N, Integer>)
     one.s = ones;

@@ -100,8 +100,8 @@ Lines::RootList Lines::isolated(Index line) {
   const auto forms = real_forms<1>({vertices_.tensor(a), vertices_.tensor(b)});
   const Segment c(forms.c);
   RootList roots;
-  if (!isolate_in_doubles(
-          line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c}, roots))
+  if (!isolate_in_doubles(line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c},
+                          roots))
     roots = isolate_exactly(line);
   separate(roots);
   return roots;
@@ -190,8 +190,7 @@ Lines::RootList Lines::isolate_exactly(Index line) {
   if (now == Sign::zero) {
     for (const Integer& x : kernel::bernstein_coefficients(f))
       if (now == Sign::zero) now = kernel::sign_of(x);
-    if (now == Sign::negative)
-      add(side_of(level_, at[0].det), 1, AlgebraicNumber(Rational(0)));
+    if (now == Sign::negative) add(side_of(level_, at[0].det), 1, AlgebraicNumber(Rational(0)));
   }
   for (const kernel::RealRoot& r : kernel::unit_roots(f).roots) {
     const Side side =

@@ -10,15 +10,15 @@ using kernel::Vec3;
 
 SurfaceBuilder::SurfaceBuilder(Faces& faces, const Level& level, Side side,
                                const std::vector<Vec3>& mesh_points,
-                               const std::unordered_set<Index>& boundary_faces,
                                const std::unordered_set<Index>& open_faces)
     : faces_(faces),
       level_(level),
       side_(side),
       function_(level, side),
       places_(mesh_points),
-      boundary_faces_(boundary_faces),
-      open_faces_(open_faces) {
+      open_faces_(open_faces),
+      inside_of_(faces.arcs().size(), kNone),
+      root_points_(faces.lines().root_count(), kNone) {
   surface_.sign = static_cast<int>(side);
   surface_.mode = surface_.sign * level.value();
 }
@@ -54,20 +54,20 @@ Index SurfaceBuilder::add_point(const Vec3& p, const Symmetric& t) {
 }
 
 Index SurfaceBuilder::root_point(Index root) {
-  const auto [at, fresh] = root_points_.try_emplace(root, kNone);
-  if (fresh) {
+  Index& point = root_points_[root];
+  if (point == kNone) {
     const Root& r = faces_.lines().root(root);
     const auto& line = faces_.lines().line(r.line);
     const Vec3 a = place(line.a), b = place(line.b);
     Vec3 p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = (1 - r.t) * a[k] + r.t * b[k];
-    at->second = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
+    point = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
   }
-  return at->second;
+  return point;
 }
 
 Index SurfaceBuilder::arc_point(Index arc, std::size_t k) {
-  ArcPoint& a = inside_.at(arc)[k];
+  ArcPoint& a = inside(arc)[k];
   if (a.point == kNone) {
     const auto corners = faces_.face(faces_.arcs()[arc].face).corners;
     Vec3 p{};
@@ -118,7 +118,7 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const Edge& edge = faces_.edge(face.edges[k]);
     if (edge.line != r.line) continue;
-    const double begin = edge.begin.lower(), end = edge.end.lower();
+    const double begin = edge.from, end = edge.to;
     constexpr double room = 1e-13;  // of the edge: a root next to its end is not in its end
     double s = std::clamp((r.t - begin) / (end - begin), room, 1 - room);
     if (edge.first != face.corners[k]) s = 1 - s;
@@ -131,14 +131,13 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
 }
 
 /// A point on the arc over the middle of part k of its polyline.
-SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) const {
+SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) {
   const Arc& arc = faces_.arcs()[a];
   const Face& face = faces_.face(arc.face);
   const auto from = root_in_face(arc.roots[0], arc.face), to = root_in_face(arc.roots[1], arc.face);
-  const auto inside = inside_.find(a);
-  const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
-  const double last = k == 0 ? 0 : inside->second[k - 1].place,
-               next = k < n ? inside->second[k].place : 1;
+  const auto points = inside(a);
+  const double last = k == 0 ? 0 : points[k - 1].place,
+               next = k < points.size() ? points[k].place : 1;
   const double place = 0.5 * (last + next);
   std::array<double, 3> base, w;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -151,19 +150,23 @@ SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) const {
 /// Halves these parts of a polyline, given in ascending order.
 void SurfaceBuilder::refine(Index a, const std::set<std::size_t>& parts) {
   std::vector<ArcPoint> points;
-  const std::vector<ArcPoint> old = inside_[a];
+  const auto old = inside(a);
   for (std::size_t k = 0; k <= old.size(); ++k) {
     if (parts.contains(k)) points.push_back(middle(a, k));
     if (k < old.size()) points.push_back(old[k]);
   }
-  inside_[a] = std::move(points);
+  if (inside_of_[a] == kNone) {
+    inside_of_[a] = static_cast<Index>(inside_.size());
+    inside_.emplace_back();
+  }
+  inside_[inside_of_[a]] = std::move(points);
 }
 
 /// Two faces at a line may both join the same two roots of it: their chords would be one edge.
 void SurfaceBuilder::bend(Index arc) {
   const auto& [from, to] = faces_.arcs()[arc].roots;
   const auto& lines = faces_.lines();
-  if (lines.root(from).line == lines.root(to).line && !inside_.contains(arc)) refine(arc, {0});
+  if (lines.root(from).line == lines.root(to).line && inside_of_[arc] == kNone) refine(arc, {0});
 }
 
 void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces) {
@@ -192,8 +195,13 @@ SurfaceBuilder::Barycentric SurfaceBuilder::in_cell(const Cell& cell,
 }
 
 /// The loops' points: in the cell's barycentrics, and projected along w.
-SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
-  Layout r;
+void SurfaceBuilder::lay_out(const Job& job, Layout& r) {
+  r.planar.points.clear();
+  r.planar.facets.clear();
+  r.planar.loops.clear();
+  r.at.clear();
+  r.points.clear();
+  r.parts.clear();
   std::unordered_map<Index, Barycentric> known;
   const auto add = [&](Index f, const std::array<double, 3>& at, Index point) {
     Barycentric b{};
@@ -215,12 +223,12 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
       const Arc& arc = faces_.arcs()[a.arc];
       const Index root = arc.roots[a.forward ? 0 : 1];
       add(arc.face, root_in_face(root, arc.face), root_point(root));
-      const auto inside = inside_.find(a.arc);
-      const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+      const auto points = inside(a.arc);
+      const std::size_t n = points.size();
       for (std::size_t k = 0; k <= n; ++k) r.parts.emplace_back(a.arc, a.forward ? k : n - k);
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t k = a.forward ? i : n - 1 - i;
-        add(arc.face, inside->second[k].at, arc_point(a.arc, k));
+        add(arc.face, points[k].at, arc_point(a.arc, k));
       }
     }
   }
@@ -237,7 +245,6 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
     r.planar.points.push_back(
         {b[r.order[0]] - k * w[r.order[0]], b[r.order[1]] - k * w[r.order[1]]});
   }
-  return r;
 }
 
 /// A point of the line along w that the planar point stands for.
@@ -351,7 +358,8 @@ void SurfaceBuilder::mesh(const Job& job) {
 }
 
 void SurfaceBuilder::mesh_piece(const Job& job) {
-  Layout layout = lay_out(job);
+  Layout& layout = layout_;
+  lay_out(job, layout);
   if (job.done) return emit(job, layout, job.planar, job.triangles, true);
   // As its loops say, but not proven to project injectively.
   ++surface_.unproven_pieces;
@@ -365,10 +373,9 @@ void SurfaceBuilder::mesh_piece(const Job& job) {
 /// Counts the arc's segments if they are on the boundary; whether it is at an open cell.
 bool SurfaceBuilder::count_segments(Index arc) {
   const Index f = faces_.arcs()[arc].face;
-  const auto inside = inside_.find(arc);
   const bool open = open_faces_.contains(f);
-  if (boundary_faces_.contains(faces_.face(f).whole) && !open)
-    boundary_segments_ += 1 + (inside == inside_.end() ? 0 : inside->second.size());
+  if (faces_.face(faces_.face(f).whole).boundary && !open)
+    boundary_segments_ += 1 + inside(arc).size();
   return open;
 }
 
@@ -403,8 +410,7 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   const bool open = count_segments(job.arc);
   const Arc& arc = faces_.arcs()[job.arc];
   std::vector<Index> line{root_point(arc.roots[0])};
-  if (const auto inside = inside_.find(job.arc); inside != inside_.end())
-    for (std::size_t k = 0; k < inside->second.size(); ++k) line.push_back(arc_point(job.arc, k));
+  for (std::size_t k = 0; k < inside(job.arc).size(); ++k) line.push_back(arc_point(job.arc, k));
   line.push_back(root_point(arc.roots[1]));
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     surface_.triangles.push_back({zero_point(job.apex), line[k], line[k + 1]});
@@ -492,7 +498,8 @@ void SurfaceBuilder::refine_all() {
     Parts parts;
     for (Job& job : jobs_) {
       if (job.done) continue;
-      const Layout layout = lay_out(job);
+      Layout& layout = layout_;
+      lay_out(job, layout);
       job.planar = layout.planar;
       auto triangles = triangulate(job.planar);
       const auto over = triangles ? missed(job, layout, job.planar) : std::vector<std::size_t>{};

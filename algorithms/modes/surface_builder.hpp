@@ -4,6 +4,7 @@
 // Triangles of the pieces: their loops' polylines, shared with the cells next door, projected along
 // the witness, triangulated and lifted to where the mode is right.
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,7 +19,6 @@ class SurfaceBuilder {
  public:
   SurfaceBuilder(Faces& faces, const Level& level, Side side,
                  const std::vector<kernel::Vec3>& mesh_points,
-                 const std::unordered_set<Index>& boundary_faces,
                  const std::unordered_set<Index>& open_faces);
 
   /// Prepares the pieces of a leaf cell with closed facets. `orientation`: of the cell, corners in
@@ -67,10 +67,14 @@ class SurfaceBuilder {
   Barycentric in_cell(const Cell& cell, std::unordered_map<Index, Barycentric>& known,
                       Index vertex) const;
   std::array<double, 3> root_in_face(Index root, Index face) const;
-  ArcPoint middle(Index arc, std::size_t part) const;
+  std::span<ArcPoint> inside(Index arc) {
+    if (inside_of_[arc] == kNone) return {};
+    return inside_[inside_of_[arc]];
+  }
+  ArcPoint middle(Index arc, std::size_t part);
   void refine(Index arc, const std::set<std::size_t>& parts);
   void bend(Index arc);
-  Layout lay_out(const Job& job);
+  void lay_out(const Job& job, Layout& layout);
   static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
   std::vector<std::size_t> missed(const Job& job, const Layout& layout,
                                   const PlanarPiece& planar) const;
@@ -101,13 +105,16 @@ class SurfaceBuilder {
   Side side_;
   ModeFunction function_;
   std::vector<kernel::Vec3> places_;
-  const std::unordered_set<Index>&boundary_faces_, &open_faces_;
+  const std::unordered_set<Index>& open_faces_;
   std::vector<char> touches_;  ///< triangles
   std::vector<Job> jobs_;
   std::vector<ConeJob> cones_;
   std::size_t boundary_segments_ = 0;
-  std::unordered_map<Index, std::vector<ArcPoint>> inside_;  ///< arcs
-  std::unordered_map<Index, Index> root_points_, zero_points_;
+  std::vector<Index> inside_of_;  ///< by arc: where its points are; kNone: it is a segment
+  std::vector<std::vector<ArcPoint>> inside_;
+  std::vector<Index> root_points_;  ///< by root
+  std::unordered_map<Index, Index> zero_points_;
+  Layout layout_;  ///< of the job at hand
   ModeSurface surface_;
 };
 

@@ -85,10 +85,10 @@ PointSigns Vertices::exact_signs(Index v) {
     const auto& x = exact_one(v).t;
     const Integer en = product(x, x), ec = product(anticommutator(x, x), x);
     const Sign det = kernel::sign_of(ec);
-    const Sign f =
-        level_.neutral() ? det
-                         : kernel::sign_of(Integer(3) * level_.q * level_.q * ec * ec -
-                                           Integer(2) * level_.p * level_.p * en * en * en);
+    const Sign f = level_.neutral()
+                       ? det
+                       : kernel::sign_of(Integer(3) * level_.q * level_.q * ec * ec -
+                                         Integer(2) * level_.p * level_.p * en * en * en);
     at->second = {f, det};
   }
   return at->second;
