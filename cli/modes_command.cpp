@@ -201,11 +201,11 @@ Outcome work(Run& run, const ModesOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   ModesOptions& o = *options;
-  add_common_options(app, o.common, "solids with a tensor at each point (.vtu .vtk .msh)",
+  add_common_options(app, o.common, "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
                      "surfaces (.vtp .ply .obj)");
   app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
       ->type_name("NAME");
-  app.add_option("--order", o.tensor.order, "of 6 numbers (default: xx,yy,zz,xy,yz,xz, as VTK's)")
+  app.add_option("--order", o.tensor.order, "of 6 numbers (default: the format's, xx,yy,zz,xy,yz,xz in VTK's)")
       ->type_name("WORDS");
   app.add_option("--mode", o.modes, "levels: decimals or fractions p/q; each gives +MU and -MU")
       ->delimiter(',')
