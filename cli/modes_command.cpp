@@ -11,12 +11,14 @@
 #include "algorithms/modes/certificate.hpp"
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
+#include "algorithms/modes/surface_geometry.hpp"
 #include "certify/certificate.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/verify.hpp"
 #include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
+#include "io/formats/files.hpp"
 #include "io/modes/domain_outline.hpp"
 #include "io/modes/mode_writer.hpp"
 #include "io/read/tet_reader.hpp"
@@ -93,8 +95,10 @@ std::vector<Wanted> parse_modes(const ModesOptions& o) {
 }
 
 io::TensorFile read_input(Run& run, const ModesOptions& o) {
+  io::TensorRequest request = o.tensor;
+  request.step = o.common.step;
   auto file = run.step("read", "reading " + o.common.input,
-                       [&] { return io::read_tensors(o.common.input, o.tensor); });
+                       [&] { return io::read_tensors(o.common.input, request); });
   for (const std::string& warning : file.warnings) run.warn(warning);
   if (file.max_asymmetry > 0)
     run.warn(fmt::format("'{}' is not symmetric (by up to {:.3g}): its symmetric part is taken",
@@ -179,6 +183,10 @@ Outcome work(Run& run, const ModesOptions& o) {
       run.write_certificate("modes", bytes, report.undecided());
     });
   }
+  if (run.wanted("-o") && io::lower_extension(o.common.output) == ".vtp")
+    run.step("geometry", "curvatures", [&] {
+      for (auto& s : scene.surfaces) modes::add_geometry(field, s);
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
     const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -207,6 +215,7 @@ std::function<int()> add(CLI::App& app) {
       ->type_name("NAME");
   app.add_option("--order", o.tensor.order, "of 6 numbers (default: the format's, xx,yy,zz,xy,yz,xz in VTK's)")
       ->type_name("WORDS");
+  add_step_option(app, o.common);
   app.add_option("--mode", o.modes, "levels: decimals or fractions p/q; each gives +MU and -MU")
       ->delimiter(',')
       ->type_name("MU");

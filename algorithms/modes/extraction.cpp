@@ -178,7 +178,7 @@ void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
 }
 
 /// Only reads the trees.
-ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
+ModeSurface Extraction::surface(Side side) {
   SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
   ModeSurface s = builder.build();
@@ -186,7 +186,7 @@ ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;
   // Each of these is an edge of one triangle: no others, if there are as many.
-  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims + s.zero_rims;
+  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
   s.face_loops = face_loops(side);
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
@@ -244,6 +244,30 @@ std::size_t Extraction::face_loops(Side side) const {
   return count;
 }
 
+Perturbed Extraction::perturbed(Side side) {
+  Perturbed p;
+  p.uniform_tets = counts_.uniform;
+  for (Index v = 0; v < vertices_.mesh_size(); ++v) {
+    if (vertices_.is_zero(v)) continue;
+    const PointSigns s = vertices_.signs(v);
+    const int det = static_cast<int>(s.det);
+    p.vertices += s.f == kernel::Sign::zero && det == static_cast<int>(side) ? 1 : 0;
+  }
+  for (const auto& [corners, e] : mesh_edges_) {
+    const Lines::Line& line = lines_.line(faces_.edge(e).line);
+    // A place touched from below has two roots, one before and one behind it.
+    for (std::size_t i = 1; i < line.roots.size(); ++i) {
+      const Root &a = lines_.root(line.roots[i - 1]), &b = lines_.root(line.roots[i]);
+      p.edge_touches += a.side == side && b.side == side && a.shift < 0 && b.shift > 0 &&
+                                a.number && b.number &&
+                                kernel::compare(*a.number, *b.number) == kernel::Sign::zero
+                            ? 1
+                            : 0;
+    }
+  }
+  return p;
+}
+
 Index Extraction::opposite_face(const Cone& c) const {
   const auto v = field_.mesh.sorted(c.tet);
   const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), c.zeros[0]) - v.begin());
@@ -255,11 +279,10 @@ ModeResult Extraction::result() {
   r.level = level_;
   std::vector<Side> sides = {Side::plus, Side::minus};
   if (level_.neutral()) sides = {Side::neutral};
-  std::vector<std::size_t> rims;
-  for (const Side side : sides) rims.push_back(cone_rims(side));
   r.surfaces.resize(sides.size());
   tbb::parallel_for(std::size_t{0}, sides.size(),
-                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i], rims[i]); });
+                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i]); });
+  for (std::size_t i = 0; i < sides.size(); ++i) r.surfaces[i].perturbed = perturbed(sides[i]);
   r.counts = counts_;
   r.undecided = open_;
   r.exhausted = cells_.exhausted();

@@ -51,10 +51,11 @@ class Extraction {
   int orientation(const Cell& cell) const;
   Index opposite_face(const Cone& cone) const;
   void add_pieces(SurfaceBuilder& builder, Side side);
-  ModeSurface surface(Side side, std::size_t cone_rims);
+  ModeSurface surface(Side side);
   void add_leaves(SurfaceBuilder& builder, Side side, Index cell, int orientation);
   std::size_t face_loops(Side side) const;
   std::size_t cone_rims(Side side);
+  Perturbed perturbed(Side side);
 
   const ModeField& field_;
   int scale_;
