@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <numeric>
 
@@ -32,7 +33,7 @@ struct ModesOptions {
   std::vector<std::string> modes;
   bool neutral = false, degenerate = false, keep_sign = false;
   modes::ModeOptions extraction;
-  double min_magnitude = 0;
+  double min_magnitude = 0, deviation = 0;
 };
 
 /// A level and, with --signed, the sign that is kept.
@@ -139,6 +140,16 @@ bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& f
   return certified && curves.undecided.empty();
 }
 
+double diagonal(const std::vector<kernel::Vec3>& points) {
+  kernel::Vec3 low = points[0], high = points[0];
+  for (const kernel::Vec3& p : points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::fmin(low[k], p[k]);
+      high[k] = std::fmax(high[k], p[k]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
   io::TensorFile file = read_input(run, o);
@@ -152,12 +163,14 @@ Outcome work(Run& run, const ModesOptions& o) {
   const modes::ZeroSet zeros =
       run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
   scene.min_magnitude = o.min_magnitude;
+  modes::ModeOptions extraction = o.extraction;
+  extraction.deviation = o.deviation * diagonal(field.mesh.points());
   ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
     auto result = run.step("extract", fmt::format("mode {}", w.level.value()),
-                           [&] { return modes::extract(field, w.level, o.extraction, record); });
+                           [&] { return modes::extract(field, w.level, extraction, record); });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;
     });
@@ -229,6 +242,10 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--budget", o.extraction.budget, "tests a tetrahedron (default: 100000)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->type_name("N");
+  app.add_option("--deviation", o.deviation,
+                 "refine triangles until they are this near to the surface, of the box's diagonal")
+      ->check(finite_number(0))
+      ->type_name("D");
   app.add_option("--min-magnitude", o.min_magnitude,
                  "leave triangles with a smaller |T| out of the file")
       ->check(finite_number(0))

@@ -31,6 +31,7 @@ Extraction::Extraction(const ModeField& field, const Level& level, const ModeOpt
       scale_(scale_of(field.tensors)),
       level_(level),
       limits_{options.max_depth, options.budget},
+      deviation_(options.deviation),
       vertices_(field.tensors, scale_, level),
       lines_(vertices_, level),
       faces_(vertices_, lines_, level, limits_),
@@ -181,7 +182,7 @@ void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
 ModeSurface Extraction::surface(Side side) {
   SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
-  ModeSurface s = builder.build();
+  ModeSurface s = builder.build(deviation_);
   const auto boundary = count(s);
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;

@@ -61,6 +61,7 @@ class Extraction {
   int scale_;
   Level level_;
   Limits limits_;
+  double deviation_;
   Vertices vertices_;
   Lines lines_;
   Faces faces_;

@@ -130,38 +130,6 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
   return {1 / 3.0, 1 / 3.0, 1 / 3.0};
 }
 
-/// A point on the arc over the middle of part k of its polyline.
-SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) {
-  const Arc& arc = faces_.arcs()[a];
-  const Face& face = faces_.face(arc.face);
-  const auto from = root_in_face(arc.roots[0], arc.face), to = root_in_face(arc.roots[1], arc.face);
-  const auto points = inside(a);
-  const double last = k == 0 ? 0 : points[k - 1].place,
-               next = k < points.size() ? points[k].place : 1;
-  const double place = 0.5 * (last + next);
-  std::array<double, 3> base, w;
-  for (std::size_t i = 0; i < 3; ++i) {
-    base[i] = (1 - place) * from[i] + place * to[i];
-    w[i] = face.witness.w[i];
-  }
-  return {place, lifted(face.corners, base, w)};
-}
-
-/// Halves these parts of a polyline, given in ascending order.
-void SurfaceBuilder::refine(Index a, const std::set<std::size_t>& parts) {
-  std::vector<ArcPoint> points;
-  const auto old = inside(a);
-  for (std::size_t k = 0; k <= old.size(); ++k) {
-    if (parts.contains(k)) points.push_back(middle(a, k));
-    if (k < old.size()) points.push_back(old[k]);
-  }
-  if (inside_of_[a] == kNone) {
-    inside_of_[a] = static_cast<Index>(inside_.size());
-    inside_.emplace_back();
-  }
-  inside_[inside_of_[a]] = std::move(points);
-}
-
 /// Two faces at a line may both join the same two roots of it: their chords would be one edge.
 void SurfaceBuilder::bend(Index arc) {
   const auto& [from, to] = faces_.arcs()[arc].roots;
@@ -255,20 +223,6 @@ SurfaceBuilder::Barycentric SurfaceBuilder::unfolded(const Layout& layout,
   b[layout.order[1]] = p[1];
   b[layout.order[2]] = 1 - p[0] - p[1];
   return b;
-}
-
-/// The new points over which the surface is not met: chords may leave its projection.
-std::vector<std::size_t> SurfaceBuilder::missed(const Job& job, const Layout& layout,
-                                                const PlanarPiece& planar) const {
-  std::vector<std::size_t> r;
-  Barycentric w;
-  for (std::size_t i = 0; i < 4; ++i) w[i] = job.cell.witness.w[i];
-  for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
-    bool crosses = false;
-    lifted(job.cell.corners, unfolded(layout, planar.points[i]), w, &crosses);
-    if (!crosses) r.push_back(i);
-  }
-  return r;
 }
 
 /// A point of the surface on a segment from b: to the nearest corner, or point between two of the
@@ -419,116 +373,29 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
-/// The parts of polylines that cross in the projection.
-void SurfaceBuilder::add_crossing(const Layout& layout, Parts& parts) {
-  const auto& loops = layout.planar.loops;
-  struct Segment {
-    std::array<double, 2> from, to;
-    std::size_t first, second;
-    double low, high;  ///< in x
-  };
-  std::vector<Segment> segments;
-  for (const auto& loop : loops)
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
-      const auto &p = layout.planar.points[a], &q = layout.planar.points[b];
-      segments.push_back({p, q, a, b, std::fmin(p[0], q[0]), std::fmax(p[0], q[0])});
-    }
-  const auto turn = [](const auto& p, const auto& q, const auto& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  };
-  std::sort(segments.begin(), segments.end(),
-            [](const Segment& a, const Segment& b) { return a.low < b.low; });
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    for (std::size_t k = i + 1; k < segments.size() && segments[k].low <= segments[i].high; ++k) {
-      const Segment &s = segments[i], &t = segments[k];
-      if (s.first == t.second || s.second == t.first) continue;
-      if (turn(s.from, s.to, t.from) * turn(s.from, s.to, t.to) > 0 ||
-          turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) > 0)
-        continue;
-      add_part(layout, s.first, s.second, parts);
-      add_part(layout, t.first, t.second, parts);
-    }
-}
-
-/// The parts nearest to points over which the surface is not met.
-void SurfaceBuilder::add_nearest(const Layout& layout, const PlanarPiece& planar,
-                                 const std::vector<std::size_t>& missed, Parts& parts) {
-  for (const std::size_t m : missed) {
-    const auto& x = planar.points[m];
-    double least = HUGE_VAL;
-    std::array<std::size_t, 2> nearest{};
-    for (const auto& loop : layout.planar.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
-        const auto &p = planar.points[a], &q = planar.points[b];
-        const double dx = q[0] - p[0], dy = q[1] - p[1], length = dx * dx + dy * dy;
-        const double along = (x[0] - p[0]) * dx + (x[1] - p[1]) * dy;
-        const double s = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-        const double d = std::hypot(p[0] + s * dx - x[0], p[1] + s * dy - x[1]);
-        if (d >= least) continue;
-        least = d;
-        nearest = {a, b};
-      }
-    add_part(layout, nearest[0], nearest[1], parts);
-  }
-}
-
-void SurfaceBuilder::add_all(const Layout& layout, Parts& parts) {
-  for (const auto& loop : layout.planar.loops)
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      add_part(layout, loop[i], loop[(i + 1) % loop.size()], parts);
-}
-
-/// Of a short part the ends are one place but for an infinitesimal: its halves cross no less.
-void SurfaceBuilder::add_part(const Layout& layout, std::size_t point, std::size_t next,
-                              Parts& parts) {
-  constexpr double shortest = 1e-11;
-  const auto &p = layout.planar.points[point], &q = layout.planar.points[next];
-  if (std::fabs(p[0] - q[0]) + std::fabs(p[1] - q[1]) < shortest) return;
-  parts[layout.parts[point].first].insert(layout.parts[point].second);
-}
-
-/// Polylines are shared: all are fine enough before any piece is meshed.
-void SurfaceBuilder::refine_all() {
-  constexpr int kHalvings = 6;  // of whole loops, for one piece
-  constexpr int rounds = 30;
-  constexpr std::size_t most_points = 2000;
-  for (int round = 0; round < rounds; ++round) {
-    Parts parts;
-    for (Job& job : jobs_) {
-      if (job.done) continue;
-      Layout& layout = layout_;
-      lay_out(job, layout);
-      job.planar = layout.planar;
-      auto triangles = triangulate(job.planar);
-      const auto over = triangles ? missed(job, layout, job.planar) : std::vector<std::size_t>{};
-      job.done = triangles && over.empty();
-      if (job.done)
-        job.triangles = std::move(*triangles);
-      else if (layout.at.size() >= most_points)
-        continue;
-      else if (!triangles)
-        add_crossing(layout, parts);
-      else if (job.halvings++ < kHalvings)
-        add_all(layout, parts);
-      else
-        add_nearest(layout, job.planar, over, parts);
-    }
-    if (parts.empty() || round + 1 == rounds) return;
-    for (const auto& [arc, which] : parts) refine(arc, which);
-    for (Job& job : jobs_)
+ModeSurface SurfaceBuilder::build(double deviation) {
+  if (deviation > 0) {
+    std::set<Index> arcs;
+    for (const Job& job : jobs_)
       for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) job.done = job.done && !parts.contains(a.arc);
+        for (const LoopArc& a : loop) arcs.insert(a.arc);
+    for (const ConeJob& job : cones_) arcs.insert(job.arc);
+    for (const Index a : arcs) straighten(a, deviation);
   }
-}
-
-ModeSurface SurfaceBuilder::build() {
   refine_all();
+  if (deviation > 0)
+    for (Job& job : jobs_) refine_inside(job, deviation);
   touches_.assign(surface_.triangles.size(), 0);
   for (const Job& job : jobs_) mesh(job);
   for (const ConeJob& job : cones_) mesh(job);
   return std::move(surface_);
 }
+
+template std::array<double, 3> SurfaceBuilder::lifted<3>(const std::array<Index, 3>&,
+                                                         std::array<double, 3>,
+                                                         const std::array<double, 3>&, bool*) const;
+template std::array<double, 4> SurfaceBuilder::lifted<4>(const std::array<Index, 4>&,
+                                                         std::array<double, 4>,
+                                                         const std::array<double, 4>&, bool*) const;
 
 }  // namespace crest::modes

@@ -28,8 +28,9 @@ class SurfaceBuilder {
   /// roots of the opposite edge): triangles with one or two mesh vertices.
   void add_cone(Index tet, Index apex, Index face);
   void add_fan(Index tet, Index zero_a, Index zero_b, Index edge);
-  /// Refines polylines until projections are simple, then triangulates.
-  ModeSurface build();
+  /// Refines polylines until projections are simple, and all until nothing is further than
+  /// `deviation` (0: that does not matter) from the surface; triangulates.
+  ModeSurface build(double deviation);
   /// Of polylines on the domain's boundary, after build().
   std::size_t boundary_segments() const { return boundary_segments_; }
   /// Whether the triangle's piece ends at an open cell, after build().
@@ -84,6 +85,10 @@ class SurfaceBuilder {
                           const std::vector<std::size_t>& missed, Parts& parts);
   static void add_part(const Layout& layout, std::size_t point, std::size_t next, Parts& parts);
   void refine_all();
+  kernel::Vec3 in_space(const Cell& cell, const Barycentric& b);
+  void straighten(Index arc, double deviation);
+  bool add_far_points(const Job& job, const Layout& layout, double deviation, PlanarPiece& planar);
+  void refine_inside(Job& job, double deviation);
   void mesh(const Job& job);
   void mesh_piece(const Job& job);
   void mesh(const ConeJob& job);

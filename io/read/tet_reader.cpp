@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
@@ -20,7 +21,8 @@ namespace {
 using kernel::Index;
 using Node = Cells::Node;
 
-/// A solid's faces by its corners.
+/// A solid's faces by its corners, anticlockwise seen from outside, so that all parts of a convex
+/// solid are turned alike.
 struct Solid {
   std::size_t corners;
   std::vector<std::vector<std::size_t>> faces;
@@ -28,12 +30,12 @@ struct Solid {
 
 const Solid* solid(CellType type) {
   static const Solid tet{4, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
-  static const Solid pyramid{5, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
-  static const Solid wedge{6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+  static const Solid pyramid{5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+  static const Solid wedge{6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
   static const Solid hexahedron{
-      8, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+      8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static const Solid voxel{
-      8, {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
+      8, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
   switch (type) {
     case CellType::tetrahedron:
     case CellType::quadratic_tetrahedron:
@@ -109,6 +111,7 @@ class Tetrahedra {
   /// From the lowest corner to the triangles of the faces without it.
   void split(std::size_t c, const Solid& s, std::span<const Node> nodes) {
     ++split_;
+    const std::size_t first = tets.size();
     const Node apex =
         *std::min_element(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(s.corners));
     for (const auto& face : s.faces) {
@@ -124,6 +127,18 @@ class Tetrahedra {
           add(c, t);
       }
     }
+    // Programs differ in which side of a solid they number first.
+    const auto parts = std::span(tets).subspan(first);
+    if (std::all_of(parts.begin(), parts.end(), [&](const auto& t) { return is_turned(t); }))
+      for (auto& t : parts) std::swap(t[2], t[3]);
+  }
+  bool is_turned(const std::array<Node, 4>& t) const {
+    std::array<kernel::Vec3, 3> d;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        d[i][k] = soup_.points[static_cast<std::size_t>(t[i + 1])][k] -
+                  soup_.points[static_cast<std::size_t>(t[0])][k];
+    return kernel::determinant(d[0], d[1], d[2]) < 0;
   }
 
   const Soup& soup_;

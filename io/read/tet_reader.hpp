@@ -13,10 +13,10 @@
 namespace crest::io {
 
 struct TensorRequest {
-  std::string field;  ///< of points; empty: the only one of 6 or 9 components
+  std::string field = {};  ///< of points; empty: the only one of 6 or 9 components
   /// Of 6 components; empty: the format's, "xx yy zz xy yz xz" in VTK's files and Gmsh's.
-  std::string order;
-  std::optional<std::int64_t> step;  ///< of time; else the last (.msh, .frd)
+  std::string order = {};
+  std::optional<std::int64_t> step = {};  ///< of time; else the last (.msh, .frd)
 };
 
 struct TensorFile {
