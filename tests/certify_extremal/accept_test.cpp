@@ -38,3 +38,14 @@ TEST_CASE("extremal: a sphere is one closed component, isotopic to the field's")
   CHECK(c.components[0].extremal);
   CHECK(c.odd_faces == 0);
 }
+
+TEST_CASE("extremal: a Moebius strip is not orientable and has one boundary loop") {
+  const auto c = reference_extremal(with_level(sampled({26, 26, 20}, moebius), 0.4));
+  require_accepted(c);
+  REQUIRE_FALSE(c.components.empty());
+  const auto& strip = c.components[largest(c)];
+  CHECK(strip.euler_characteristic == 0);
+  CHECK(strip.loops == 1);
+  CHECK_FALSE(strip.orientable);
+  CHECK_FALSE(strip.isotopic);
+}

@@ -43,14 +43,15 @@ struct Cone {
   double angle() const { return 0.5 * std::atan(2 * b / gap); }
 };
 void add(Cone& cone, const Sym& t, const Vec& w) {
-  const double q = dot(w, apply(t, w));
-  Sym c = t;  // (I - w w^T) T (I - w w^T) - far w w^T
-  const Vec tw = apply(t, w);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      c[i][j] += -tw[i] * w[j] - w[i] * tw[j] + (q - 4 * norm(t)) * w[i] * w[j];
-  cone.gap = std::min(cone.gap, q - eigen(c).values[0]);
-  cone.b = std::max(cone.b, length(across(tw, w)));
+  const std::size_t least = std::fabs(w[0]) < 0.6 ? 0 : 1;
+  Vec axis{};
+  axis[least] = 1;
+  const Vec u = unit(across(axis, w));
+  const Vec v{w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]};
+  const double uu = dot(u, image(t, u)), vv = dot(v, image(t, v)), uv = dot(u, image(t, v));
+  const double mu = (uu + vv) / 2 + std::hypot((uu - vv) / 2, uv);
+  cone.gap = std::min(cone.gap, dot(w, image(t, w)) - mu);
+  cone.b = std::max(cone.b, length(across(image(t, w), w)));
 }
 bool holds(const Cone& cone, double scale) {
   return cone.gap > 1e-6 * scale;
@@ -91,11 +92,11 @@ class CellMaker {
       low = std::min(low, dot(w_, x.gradient));
       high = std::max(high, dot(w_, x.gradient));
       p = std::max(p, length(across(x.gradient, w_)));
-      least_curvature = std::min(least_curvature, dot(w_, apply(x.hessian, w_)));
+      least_curvature = std::min(least_curvature, dot(w_, image(x.hessian, w_)));
       Sym scaled = x.hessian;
       for (std::size_t k = 0; k < 3; ++k) scaled[k] = times(d[k], scaled[k]);
       h = std::max(h, norm(scaled));
-      gradients.push_back(apply(scaled, w_));
+      gradients.push_back(image(scaled, w_));
       for (std::size_t k = 0; k < 3; ++k) sum[k] += gradients.back()[k];
     }
     const double c1 = std::cos(angle_), s1 = std::sin(angle_), room = 1e-6 * (p + std::fabs(low));
@@ -126,7 +127,7 @@ class CellMaker {
         }
       double side = 0, most = 0;
       for (const Sym& x : m) {
-        side = std::max(side, length(across(apply(x, w_), w_)));
+        side = std::max(side, length(across(image(x, w_), w_)));
         most = std::max(most, norm(x));
       }
       square += std::pow((side + 2 * angle_ * most) / gap_, 2);
@@ -140,9 +141,9 @@ class CellMaker {
   double angle_ = 0, gap_ = 0;
 };
 
-/// n at a place, in the direction nearer to another; zero if lambda1 is not simple.
-Vec direction_at(const ReferenceFields& fields, const Vec& place, const Vec& like) {
-  const auto e = eigen(fields.at(place).tensor);
+/// n in the direction nearer to another; zero if lambda1 is not simple.
+Vec direction_of(const PointFields& here, const Vec& like) {
+  const auto e = eigen(here.tensor);
   if (!(e.values[0] - e.values[1] > 1e-5 * std::fabs(e.values[0]))) return {};
   return dot(e.vectors[0], like) < 0 ? times(-1, e.vectors[0]) : e.vectors[0];
 }
@@ -154,19 +155,20 @@ class EdgeMaker {
 
   /// Untested: 0; 1: no change of sign; 2 + type.
   std::uint8_t state(u32 node, unsigned axis) {
-    constexpr int kSteps = 256;
-    Vec place = fields_.place(node), n = direction_at(fields_, place, {1, 1e-3, 1e-6});
+    constexpr int kSteps = 64;
+    const auto net = fields_.edge(node, axis);
+    Vec n = direction_of(net[0], {1, 1e-3, 1e-6});
     if (n == Vec{}) return 0;
-    const int first = sign(place, n, true);
+    const int first = sign(net[0], n, true);
     int before = first, positive = 0, negative = 0;
     for (int i = 1; i <= kSteps; ++i) {
-      place[axis] = fields_.place(node)[axis] + static_cast<double>(i) / kSteps;
-      const Vec next = direction_at(fields_, place, n);
+      const PointFields point = on_edge(net, static_cast<double>(i) / kSteps);
+      const Vec next = direction_of(point, n);
       if (next == Vec{} || std::fabs(dot(next, n)) < 0.9) return 0;
       n = next;
-      const int here = sign(place, n, i == kSteps);
+      const int here = sign(point, n, i == kSteps);
       if (here == before || here == 0) continue;
-      (dot(n, apply(fields_.at(place).hessian, n)) > 0 ? positive : negative) += 1;
+      (dot(n, image(point.hessian, n)) > 0 ? positive : negative) += 1;
       before = here;
     }
     if (before == first) return 1;
@@ -175,10 +177,8 @@ class EdgeMaker {
 
   /// Appends the edge's tree; false: none was found.
   bool make_tree(u32 node, unsigned axis, ExtremalCertificate& c) {
-    const auto all = fields_.controls(node);
-    std::array<Sym, 4> net;
-    for (std::size_t i = 0; i < 4; ++i)
-      net[i] = all[i << (2 * axis)].tensor;
+    const auto edge = fields_.edge(node, axis);
+    const std::array<Sym, 4> net = {edge[0].tensor, edge[1].tensor, edge[2].tensor, edge[3].tensor};
     const std::size_t trees = c.trees.size(), leaves = c.leaves.size();
     if (divide(net, 0, c)) return true;
     c.trees.resize(trees);
@@ -188,8 +188,8 @@ class EdgeMaker {
 
  private:
   /// Of g; at nodes of the perturbed one.
-  int sign(const Vec& place, const Vec& n, bool node) const {
-    const Vec v = fields_.at(place).gradient;
+  static int sign(const PointFields& point, const Vec& n, bool node) {
+    const Vec& v = point.gradient;
     const double g = dot(n, v);
     if (std::fabs(g) > 1e-9 * (length(v) + 1e-3)) return g > 0 ? 1 : -1;
     if (!node) return 0;

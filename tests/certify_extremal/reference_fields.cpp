@@ -93,7 +93,7 @@ std::array<double, 4> bezier(int order, const std::array<double, 4>& c) {
 double dot(const Vec& a, const Vec& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-Vec apply(const Sym& m, const Vec& a) {
+Vec image(const Sym& m, const Vec& a) {
   return {dot(m[0], a), dot(m[1], a), dot(m[2], a)};
 }
 Vec unit(const Vec& a) {
@@ -103,10 +103,10 @@ Vec unit(const Vec& a) {
 
 Eigen3 eigen(Sym m) {
   Sym v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < 60; ++sweep)
+  for (int sweep = 0; sweep < 8; ++sweep)
     for (std::size_t p = 0; p < 3; ++p)
       for (std::size_t q = p + 1; q < 3; ++q) {
-        if (m[p][q] == 0) continue;
+        if (std::fabs(m[p][q]) < 1e-17 * (std::fabs(m[p][p]) + std::fabs(m[q][q]))) continue;
         const double angle = 0.5 * std::atan2(2 * m[p][q], m[q][q] - m[p][p]);
         const double c = std::cos(angle), s = std::sin(angle);
         for (auto& row : m) {
@@ -262,6 +262,30 @@ std::vector<PointFields> ReferenceFields::controls(std::uint32_t cell) const {
   for (std::size_t n = 0; n < 64; ++n) {
     out[n].l = l[n];
     if (data.dimension == 2) out[n].tensor[2][2] = -1e9;
+  }
+  return out;
+}
+
+std::array<PointFields, 4> ReferenceFields::edge(std::uint32_t node, unsigned axis) const {
+  const auto all = controls(node);
+  std::array<PointFields, 4> out;
+  for (std::size_t i = 0; i < 4; ++i) out[i] = all[i << (2 * axis)];
+  return out;
+}
+
+PointFields on_edge(const std::array<PointFields, 4>& net, double t) {
+  const double s = 1 - t;
+  const std::array<double, 4> weights = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+  PointFields out{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    out.l += weights[k] * net[k].l;
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.gradient[i] += weights[k] * net[k].gradient[i];
+      for (std::size_t j = 0; j < 3; ++j) {
+        out.hessian[i][j] += weights[k] * net[k].hessian[i][j];
+        out.tensor[i][j] += weights[k] * net[k].tensor[i][j];
+      }
+    }
   }
   return out;
 }

@@ -14,7 +14,7 @@ using Vec = std::array<double, 3>;
 using Sym = std::array<std::array<double, 3>, 3>;
 
 double dot(const Vec& a, const Vec& b);
-Vec apply(const Sym& m, const Vec& a);
+Vec image(const Sym& m, const Vec& a);
 Vec unit(const Vec& a);
 
 /// Eigenvalues descending, unit vectors; by Jacobi's rotations.
@@ -31,6 +31,9 @@ struct PointFields {
   double l;
 };
 
+/// Of the controls of an edge, at t in [0, 1].
+PointFields on_edge(const std::array<PointFields, 4>& net, double t);
+
 class ReferenceFields {
  public:
   explicit ReferenceFields(const certify::ExtremalData& data);
@@ -43,6 +46,7 @@ class ReferenceFields {
                                  const std::array<int, 3>& order) const;
   /// T, grad s, Hess s in world units at the controls.
   std::vector<PointFields> controls(std::uint32_t cell) const;
+  std::array<PointFields, 4> edge(std::uint32_t node, unsigned axis) const;
 
   const certify::ExtremalData& data;
   std::uint32_t nodes;

@@ -188,11 +188,11 @@ class MeshCounter {
 
   /// Where g changes its sign first.
   double zero(u32 edge) const {
-    Vec place = fields_.place(edge / d_), n = eigen(fields_.at(place).tensor).vectors[0];
-    const double first = dot(n, fields_.at(place).gradient);
+    const auto net = fields_.edge(edge / d_, edge % d_);
+    Vec n = eigen(net[0].tensor).vectors[0];
+    const double first = dot(n, net[0].gradient);
     for (int i = 1; i <= 64; ++i) {
-      place[edge % d_] = fields_.place(edge / d_)[edge % d_] + i / 64.0;
-      const PointFields here = fields_.at(place);
+      const PointFields here = on_edge(net, i / 64.0);
       const Vec next = eigen(here.tensor).vectors[0];
       const double turn = dot(next, n) < 0 ? -1 : 1;
       for (std::size_t k = 0; k < 3; ++k) n[k] = turn * next[k];
@@ -204,7 +204,7 @@ class MeshCounter {
     const PointFields here = fields_.at(place);
     const Vec n = eigen(here.tensor).vectors[0];
     return (!c_.data.has_min_value || here.l >= c_.data.min_value) &&
-           (c_.data.min_strength == 0 || dot(n, apply(here.hessian, n)) >= c_.data.min_strength);
+           (c_.data.min_strength == 0 || dot(n, image(here.hessian, n)) >= c_.data.min_strength);
   }
   Key corner(u32 edge, u32 cell) const {
     return {1, vertex_.at({edge, cell}), 0};
