@@ -9,7 +9,8 @@ namespace crest::tests {
 
 /// What a test may ask for besides.
 struct ReferenceOptions {
-  bool no_cells = false;  ///< all cells open, so that every edge has a tree
+  bool no_cells = false;     ///< all cells open, so that every edge has a tree
+  bool world_units = false;  ///< a mistake: the regular test in world units
 };
 
 certify::ExtremalCertificate reference_extremal(const certify::ExtremalData& data,

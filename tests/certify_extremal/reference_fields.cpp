@@ -211,14 +211,18 @@ PointFields ReferenceFields::at(const Vec& place) const {
 
 std::vector<double> ReferenceFields::controls(const std::vector<float>& c, std::uint32_t cell,
                                               const Orders& order) const {
-  const Strides grid(data);
-  std::vector<double> at(64);
-  for (long i = 0; i < 64; ++i) {
-    long node = grid.step(cell, 0, i % 4 - 1);
-    node = grid.step(node, 1, i / 4 % 4 - 1);
-    node = grid.step(node, 2, i / 16 - 1);
-    at[static_cast<std::size_t>(i)] = static_cast<double>(c[static_cast<std::size_t>(node)]);
+  if (cell != near_cell_) {
+    const Strides grid(data);
+    near_cell_ = cell;
+    for (long i = 0; i < 64; ++i) {
+      long node = grid.step(cell, 0, i % 4 - 1);
+      node = grid.step(node, 1, i / 4 % 4 - 1);
+      near_[static_cast<std::size_t>(i)] =
+          static_cast<std::size_t>(grid.step(node, 2, i / 16 - 1));
+    }
   }
+  std::vector<double> at(64);
+  for (std::size_t i = 0; i < 64; ++i) at[i] = static_cast<double>(c[near_[i]]);
   std::size_t stride = 1;
   for (unsigned axis = 0; axis < 3; ++axis, stride *= 4)
     for (std::size_t i = 0; i < 64; ++i) {
@@ -246,15 +250,16 @@ std::vector<PointFields> ReferenceFields::controls(std::uint32_t cell) const {
     order[i] = 1;
     const auto v = l_controls(cell, order);
     for (std::size_t n = 0; n < 64; ++n) out[n].gradient[i] = sign * v[n] / data.spacing[i];
-    for (unsigned j = 0; j < data.dimension; ++j) {
+    for (unsigned j = i; j < data.dimension; ++j) {
       Orders orders{};
       ++orders[i];
       ++orders[j];
       const auto h = l_controls(cell, orders);
-      const auto t = t_controls(cell, i, j, {0, 0, 0});
+      const auto t = data.hessian ? h : t_controls(cell, i, j, {0, 0, 0});
       for (std::size_t n = 0; n < 64; ++n) {
-        out[n].hessian[i][j] = sign * h[n] / (data.spacing[i] * data.spacing[j]);
-        out[n].tensor[i][j] = data.hessian ? out[n].hessian[i][j] : t[n];
+        const double second = sign * h[n] / (data.spacing[i] * data.spacing[j]);
+        out[n].hessian[i][j] = out[n].hessian[j][i] = second;
+        out[n].tensor[i][j] = out[n].tensor[j][i] = data.hessian ? second : t[n];
       }
     }
   }

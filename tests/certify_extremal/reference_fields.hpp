@@ -59,6 +59,8 @@ class ReferenceFields {
 
   std::vector<float> l_;
   std::array<std::array<std::vector<float>, 3>, 3> t_;
+  mutable std::uint32_t near_cell_ = 0xffffffffU;
+  mutable std::array<std::size_t, 64> near_;  ///< the coefficients of that cell
 };
 
 /// Weights, as a producer makes them.
