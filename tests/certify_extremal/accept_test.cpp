@@ -25,16 +25,35 @@ ExtremalData with_type(const ExtremalData& data, std::uint8_t type) {
       out.samples.insert(out.samples.end(), bytes, bytes + sizeof sample);
     };
     switch (type) {
-      case 0: write(static_cast<std::int8_t>(value)); break;
-      case 1: write(static_cast<std::uint8_t>(value)); break;
-      case 2: write(static_cast<std::int16_t>(value)); break;
-      case 3: write(static_cast<std::uint16_t>(value)); break;
-      case 4: write(static_cast<std::int32_t>(value)); break;
-      case 5: write(static_cast<std::uint32_t>(value)); break;
-      case 6: write(static_cast<std::int64_t>(value)); break;
-      case 7: write(static_cast<std::uint64_t>(value)); break;
-      case 8: write(static_cast<float>(value)); break;
-      default: write(value);
+      case 0:
+        write(static_cast<std::int8_t>(value));
+        break;
+      case 1:
+        write(static_cast<std::uint8_t>(value));
+        break;
+      case 2:
+        write(static_cast<std::int16_t>(value));
+        break;
+      case 3:
+        write(static_cast<std::uint16_t>(value));
+        break;
+      case 4:
+        write(static_cast<std::int32_t>(value));
+        break;
+      case 5:
+        write(static_cast<std::uint32_t>(value));
+        break;
+      case 6:
+        write(static_cast<std::int64_t>(value));
+        break;
+      case 7:
+        write(static_cast<std::uint64_t>(value));
+        break;
+      case 8:
+        write(static_cast<float>(value));
+        break;
+      default:
+        write(value);
     }
   }
   return out;
@@ -43,8 +62,7 @@ ExtremalData with_type(const ExtremalData& data, std::uint8_t type) {
 }  // namespace
 
 TEST_CASE("extremal: a sphere is one closed component, isotopic to the field's") {
-  const auto c =
-      reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
+  const auto c = reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
   require_accepted(c);
   REQUIRE(c.components.size() == 1);
   const auto& sphere = c.components[0];

@@ -41,18 +41,27 @@ inline Profile sphere(double radius, double width) {
 }
 /// A half plane (ray) along and across a direction: an open sheet.
 inline double half_plane(double x, double y, double) {
-  const double t = std::cos(0.4) * x + std::sin(0.4) * y, d = -std::sin(0.4) * x + std::cos(0.4) * y;
+  const double t = std::cos(0.4) * x + std::sin(0.4) * y,
+               d = -std::sin(0.4) * x + std::cos(0.4) * y;
   return std::exp(-(d * d + std::pow(std::min(t + 0.2, 0.0), 2)) / 0.09);
 }
 /// A stroke whose height falls along it.
 inline double fading(double x, double y, double) {
-  const double t = std::cos(0.4) * x + std::sin(0.4) * y, d = -std::sin(0.4) * x + std::cos(0.4) * y;
+  const double t = std::cos(0.4) * x + std::sin(0.4) * y,
+               d = -std::sin(0.4) * x + std::cos(0.4) * y;
   return sheet(d, 0.2) * sheet(t, 0.9);
 }
 /// A sphere that fades below.
 inline double bowl(double x, double y, double z) {
   return sheet(std::sqrt(x * x + y * y + z * z) - 0.6, 0.3) * sheet(std::max(0.0, -z), 0.7);
 }
+inline double moebius(double x, double y, double z) {
+  const double u = std::atan2(y, x), r = std::hypot(x, y) - 0.6;
+  const double d = -std::sin(u / 2) * r + std::cos(u / 2) * z;
+  const double t = std::cos(u / 2) * r + std::sin(u / 2) * z;
+  return sheet(d, 0.2) * sheet(std::max(0.0, std::fabs(t) - 0.2), 0.2);
+}
+
 inline void require_accepted(const certify::ExtremalCertificate& c) {
   const auto verdict = certify::verify(certify::encode(c));
   INFO(verdict.reason);

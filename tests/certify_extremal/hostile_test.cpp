@@ -55,9 +55,9 @@ TEST_CASE("extremal: numbers that are none are refused") {
     for (int which = 0; which < 7; ++which) {
       auto c = small();
       auto& data = c.data;
-      double* const places[] = {&data.spacing[0],  &data.min_value,    &data.min_strength,
-                                &data.sigma,       &data.tensor_sigma, &data.weights[1][0],
-                                &data.tensor_weights[0][1]};
+      double* const places[] = {
+          &data.spacing[0],   &data.min_value,     &data.min_strength,        &data.sigma,
+          &data.tensor_sigma, &data.weights[1][0], &data.tensor_weights[0][1]};
       *places[which] = x;
       CHECK_FALSE(is_accepted(c));
     }

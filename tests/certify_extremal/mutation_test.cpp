@@ -51,9 +51,8 @@ auto statement(const ExtremalCertificate& c) {
 }
 bool same_field(const ExtremalData& a, const ExtremalData& b) {
   return a.samples == b.samples && a.nodes == b.nodes && a.type == b.type &&
-         a.spacing == b.spacing && a.weights == b.weights &&
-         a.tensor_weights == b.tensor_weights && a.valley == b.valley &&
-         a.hessian == b.hessian && a.has_min_value == b.has_min_value &&
+         a.spacing == b.spacing && a.weights == b.weights && a.tensor_weights == b.tensor_weights &&
+         a.valley == b.valley && a.hessian == b.hessian && a.has_min_value == b.has_min_value &&
          a.min_value == b.min_value && a.min_strength == b.min_strength;
 }
 /// Codes that are not the original's, at samples; of other data some of them.
@@ -69,8 +68,7 @@ bool codes_hold(const ExtremalCertificate& original, const ExtremalCertificate& 
       const bool same = original.codes.size() == mutant.codes.size() &&
                         original.codes[at] == stated && proven <= original.directions.size() &&
                         (stated == code::kOpen || original.directions[proven - 1] == w);
-      if ((!same || (other && at % 61 == 0)) &&
-          !code_holds(fields, run.first + i, stated, w))
+      if ((!same || (other && at % 61 == 0)) && !code_holds(fields, run.first + i, stated, w))
         return false;
     }
   return true;
@@ -110,7 +108,8 @@ struct Tally {
 };
 
 template <class List>
-bool edit_any(List& list, Random& random, const std::function<void(typename List::value_type&)>& f) {
+bool edit_any(List& list, Random& random,
+              const std::function<void(typename List::value_type&)>& f) {
   if (list.empty()) return false;
   f(list[random() % list.size()]);
   return true;
@@ -142,7 +141,8 @@ void turn(Row& row, unsigned dimension, Random& random) {
 std::map<std::string, Edit> record_edits() {
   std::map<std::string, Edit> edits;
   edits["code"] = [](auto& c, Random& r) {
-    return edit_any(c.codes, r, [&](auto& x) { x = static_cast<std::uint8_t>((x + 1 + r() % 4) % 5); });
+    return edit_any(c.codes, r,
+                    [&](auto& x) { x = static_cast<std::uint8_t>((x + 1 + r() % 4) % 5); });
   };
   edits["code, alike in lists"] = [](auto& c, Random& r) {
     return edit_any(c.codes, r, [&](auto& x) {
@@ -164,7 +164,9 @@ std::map<std::string, Edit> record_edits() {
     });
   };
   edits["run"] = [](auto& c, Random& r) {
-    return edit_any(c.cells, r, [&](auto& run) { (r() % 2 == 0 ? run.first : run.length) += r() % 2 == 0 ? 1 : ~0U; });
+    return edit_any(c.cells, r, [&](auto& run) {
+      (r() % 2 == 0 ? run.first : run.length) += r() % 2 == 0 ? 1 : ~0U;
+    });
   };
   edits["edge"] = [](auto& c, Random& r) {
     return edit_any(c.edges, r, [&](auto& edge) { edge += r() % 2 == 0 ? 1 : ~0U; });
@@ -177,7 +179,8 @@ std::map<std::string, Edit> record_edits() {
     return edit_any(c.leaves, r, [&](auto& w) { turn(w, c.data.dimension, r); });
   };
   edits["type"] = [](auto& c, Random& r) {
-    return edit_any(c.types, r, [&](auto& x) { x = static_cast<std::uint8_t>((x + 1 + r() % 2) % 3); });
+    return edit_any(c.types, r,
+                    [&](auto& x) { x = static_cast<std::uint8_t>((x + 1 + r() % 2) % 3); });
   };
   edits["type dropped"] = [](auto& c, Random& r) { return drop_any(c.types, r); };
   edits["pairing"] = [](auto& c, Random& r) {
@@ -188,7 +191,8 @@ std::map<std::string, Edit> record_edits() {
 std::map<std::string, Edit> count_edits() {
   std::map<std::string, Edit> edits;
   edits["vertex"] = [](auto& c, Random& r) {
-    return edit_any(c.vertices, r, [&](auto& v) { v[r() % c.data.dimension] = static_cast<std::uint16_t>(r()); });
+    return edit_any(c.vertices, r,
+                    [&](auto& v) { v[r() % c.data.dimension] = static_cast<std::uint16_t>(r()); });
   };
   edits["vertex doubled"] = [](auto& c, Random& r) { return double_any(c.vertices, r); };
   edits["vertex dropped"] = [](auto& c, Random& r) { return drop_any(c.vertices, r); };
@@ -201,19 +205,34 @@ std::map<std::string, Edit> count_edits() {
   };
   edits["valence"] = [](auto& c, Random& r) {
     const auto i = r() % 7;
-    (i < 5 ? c.valences.one[i] : i == 5 ? c.valences.two : c.valences.three) += r() % 2 == 0 ? 1 : ~0U;
+    (i < 5    ? c.valences.one[i]
+     : i == 5 ? c.valences.two
+              : c.valences.three) += r() % 2 == 0 ? 1 : ~0U;
     return true;
   };
   edits["component"] = [](auto& c, Random& r) {
     return edit_any(c.components, r, [&](auto& x) {
       switch (r() % 7) {
-        case 0: x.polygons += r() % 2 == 0 ? 1 : ~0U; break;
-        case 1: x.euler_characteristic += r() % 2 == 0 ? 1 : -1; break;
-        case 2: x.loops += r() % 2 == 0 ? 1 : ~0U; break;
-        case 3: x.orientable = !x.orientable; break;
-        case 4: x.isotopic = !x.isotopic; break;
-        case 5: x.extremal = !x.extremal; break;
-        default: x.cut = !x.cut;
+        case 0:
+          x.polygons += r() % 2 == 0 ? 1 : ~0U;
+          break;
+        case 1:
+          x.euler_characteristic += r() % 2 == 0 ? 1 : -1;
+          break;
+        case 2:
+          x.loops += r() % 2 == 0 ? 1 : ~0U;
+          break;
+        case 3:
+          x.orientable = !x.orientable;
+          break;
+        case 4:
+          x.isotopic = !x.isotopic;
+          break;
+        case 5:
+          x.extremal = !x.extremal;
+          break;
+        default:
+          x.cut = !x.cut;
       }
     });
   };
@@ -299,8 +318,9 @@ TEST_CASE("extremal: edited bytes, bound again, are rejected unless true") {
     for (std::uint64_t i = 0; i < scaled(40); ++i) {
       Bytes mutant = bytes;
       // One in eight in the data, which are most of the bytes.
-      const auto at = i % 8 == 1 ? kHeaderSize + random() % data : data + kHeaderSize +
-                                                                      random() % (mutant.size() - kHeaderSize - data);
+      const auto at = i % 8 == 1
+                          ? kHeaderSize + random() % data
+                          : data + kHeaderSize + random() % (mutant.size() - kHeaderSize - data);
       if (i % 8 == 0)
         mutant.resize(at);
       else if (i % 8 < 3)
