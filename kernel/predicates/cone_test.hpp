@@ -42,19 +42,21 @@ Symmetric3<T> cone_matrix(const Symmetric3<T>& t, const Vector3<T>& w) {
   return {q - n * t[0], q - n * t[1], q - n * t[2],
           T(0.0) - n * t[3], T(0.0) - n * t[4], T(0.0) - n * t[5]};
 }
+template <class T>
+Symmetric3<T> adjugate(const Symmetric3<T>& k) {
+  return {k[1] * k[2] - k[4] * k[4], k[0] * k[2] - k[5] * k[5], k[0] * k[1] - k[3] * k[3],
+          k[4] * k[5] - k[3] * k[2], k[3] * k[5] - k[0] * k[4], k[3] * k[4] - k[1] * k[5]};
+}
 /// w . adj(k) w
 template <class T>
 T cone_minor(const Symmetric3<T>& k, const Vector3<T>& w) {
-  const Symmetric3<T> adjugate = {k[1] * k[2] - k[4] * k[4], k[0] * k[2] - k[5] * k[5],
-                                  k[0] * k[1] - k[3] * k[3], k[4] * k[5] - k[3] * k[2],
-                                  k[3] * k[5] - k[0] * k[4], k[3] * k[4] - k[1] * k[5]};
-  return dot(w, product(adjugate, w));
+  return dot(w, product(adjugate(k), w));
 }
 
 struct ConeTrace {
   Symmetric3<double> t;
   Vec3 w;
-  static constexpr int depth = 15;
+  static constexpr int depth = 11;
   template <class T>
   T value() const {
     const auto k = cone_matrix<T>({T(t[0]), T(t[1]), T(t[2]), T(t[3]), T(t[4]), T(t[5])}, lift<T>(w));
@@ -64,7 +66,7 @@ struct ConeTrace {
 struct ConeMinor {
   Symmetric3<double> t;
   Vec3 w;
-  static constexpr int depth = 37;
+  static constexpr int depth = 29;
   template <class T>
   T value() const {
     return cone_minor(

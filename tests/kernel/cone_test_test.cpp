@@ -63,8 +63,9 @@ TEST_CASE("cone test: every stage decides") {
   // w at 45 degrees from n: q equals mu.
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1, 1, 0}).sign == Sign::zero);
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1, 1 - 0x1p-30, 0}).sign == Sign::positive);
-  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 - 0x1p-50, 1, 0}).stage == Stage::exact);
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1 - 0x1p-50, 1, 0}).sign == Sign::negative);
+  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 + 0x1p-52, 1 + 0x1p-52, 0}).sign == Sign::zero);
+  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 + 0x1p-52, 1 + 0x1p-52, 0}).stage == Stage::exact);
 }
 
 TEST_CASE("cone test: laws 1, 2, 4 and 5 on random and degenerate tensors") {
