@@ -64,7 +64,8 @@ class Guess {
     for (const Rational& x : w_) longest = std::max<Rational>(longest, abs(x));
     const Rational far = (abs(b_[0]) + abs(b_[1]) + abs(b_[2])) / longest;
     const Rational shift = std::min(near, far);
-    const Symmetric3<Rational> m = {k_[0] + shift, k_[1] + shift, k_[2] + shift, k_[3], k_[4], k_[5]};
+    const Symmetric3<Rational> m = {k_[0] + shift, k_[1] + shift, k_[2] + shift,
+                                    k_[3],         k_[4],         k_[5]};
     return product(adjugate(m), w_);
   }
 

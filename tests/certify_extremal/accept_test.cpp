@@ -24,16 +24,35 @@ ExtremalData with_type(const ExtremalData& data, std::uint8_t type) {
       out.samples.insert(out.samples.end(), bytes, bytes + sizeof sample);
     };
     switch (type) {
-      case 0: write(static_cast<std::int8_t>(value)); break;
-      case 1: write(static_cast<std::uint8_t>(value)); break;
-      case 2: write(static_cast<std::int16_t>(value)); break;
-      case 3: write(static_cast<std::uint16_t>(value)); break;
-      case 4: write(static_cast<std::int32_t>(value)); break;
-      case 5: write(static_cast<std::uint32_t>(value)); break;
-      case 6: write(static_cast<std::int64_t>(value)); break;
-      case 7: write(static_cast<std::uint64_t>(value)); break;
-      case 8: write(static_cast<float>(value)); break;
-      default: write(value);
+      case 0:
+        write(static_cast<std::int8_t>(value));
+        break;
+      case 1:
+        write(static_cast<std::uint8_t>(value));
+        break;
+      case 2:
+        write(static_cast<std::int16_t>(value));
+        break;
+      case 3:
+        write(static_cast<std::uint16_t>(value));
+        break;
+      case 4:
+        write(static_cast<std::int32_t>(value));
+        break;
+      case 5:
+        write(static_cast<std::uint32_t>(value));
+        break;
+      case 6:
+        write(static_cast<std::int64_t>(value));
+        break;
+      case 7:
+        write(static_cast<std::uint64_t>(value));
+        break;
+      case 8:
+        write(static_cast<float>(value));
+        break;
+      default:
+        write(value);
     }
   }
   return out;

@@ -41,7 +41,8 @@ inline Profile sphere(double radius, double width) {
 }
 /// A half plane (ray) along and across a direction: an open sheet.
 inline double half_plane(double x, double y, double) {
-  const double t = std::cos(0.4) * x + std::sin(0.4) * y, d = -std::sin(0.4) * x + std::cos(0.4) * y;
+  const double t = std::cos(0.4) * x + std::sin(0.4) * y,
+               d = -std::sin(0.4) * x + std::cos(0.4) * y;
   return std::exp(-(d * d + std::pow(std::min(t + 0.2, 0.0), 2)) / 0.09);
 }
 /// The smallest 3D volume here of which a component is isotopic to the field's.

@@ -299,7 +299,8 @@ class Maker {
   }
 
   void make_edges() {
-    std::vector<std::uint8_t> of_cell(d_ * fields_.nodes, 0);  // 1: of a proven cell, 2: of an open one
+    std::vector<std::uint8_t> of_cell(d_ * fields_.nodes,
+                                      0);  // 1: of a proven cell, 2: of an open one
     std::size_t at = 0;
     for (const CellRun& run : c_.cells)
       for (u32 cell = run.first; cell < run.first + run.length; ++cell, ++at)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Certificates of claim 8 made straight from SPEC.md, for small grids: Jacobi's eigenvectors, sampled
-// edges, the mesh as explicit triangles that are cut one by one.
+// Certificates of claim 8 made straight from SPEC.md, for small grids: Jacobi's eigenvectors,
+// sampled edges, the mesh as explicit triangles that are cut one by one.
 #include "tests/certify_extremal/reference_fields.hpp"
 
 namespace crest::tests {

@@ -55,7 +55,8 @@ class ReferenceFields {
  private:
   std::vector<double> controls(const std::vector<float>& c, std::uint32_t cell,
                                const std::array<int, 3>& order) const;
-  double value(const std::vector<float>& c, const Vec& place, const std::array<int, 3>& order) const;
+  double value(const std::vector<float>& c, const Vec& place,
+               const std::array<int, 3>& order) const;
 
   std::vector<float> l_;
   std::array<std::array<std::vector<float>, 3>, 3> t_;
@@ -66,7 +67,8 @@ class ReferenceFields {
 /// Weights, as a producer makes them.
 std::vector<double> smoothing_weights(double sigma);
 /// The data section of a volume (or an image, nz = 1) of floats.
-certify::ExtremalData make_data(std::array<std::uint32_t, 3> nodes, const std::vector<float>& samples,
-                                Vec spacing = {1, 1, 1}, double sigma = 1);
+certify::ExtremalData make_data(std::array<std::uint32_t, 3> nodes,
+                                const std::vector<float>& samples, Vec spacing = {1, 1, 1},
+                                double sigma = 1);
 
 }  // namespace crest::tests

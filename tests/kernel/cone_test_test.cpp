@@ -73,7 +73,8 @@ TEST_CASE("cone test: laws 1, 2, 4 and 5 on random and degenerate tensors") {
   for (const Family family : {Family::generic, Family::small_integers, Family::equal_mantissas}) {
     Draw d(2, family);
     for (std::uint64_t i = 0; i < scaled(3000); ++i) {
-      const Tensor t = d.coin() ? draw_tensor(d, family) : degenerate(d), s = draw_tensor(d, family);
+      const Tensor t = d.coin() ? draw_tensor(d, family) : degenerate(d),
+                   s = draw_tensor(d, family);
       const Vec3 w = draw_vector(d, family), o = draw_vector(d, family);
       const Sign sign = exact_cone_test(t, w);
       const Vec3 back = {-2 * w[0], -2 * w[1], -2 * w[2]};
@@ -104,7 +105,8 @@ TEST_CASE("cone test: the margin of the triage is never more than q - mu") {
     Vec3 w = draw_vector(d, Family::generic);
     w = (1 / norm(w)) * w;
     if (cone_margin(t, 1, 0, w) > 0)
-      failures.expect(exact_cone_test(t, w) == Sign::positive, "a positive margin is right for", t, w);
+      failures.expect(exact_cone_test(t, w) == Sign::positive, "a positive margin is right for", t,
+                      w);
   }
   CHECK(failures.report() == "");
 }
