@@ -2,6 +2,7 @@
 // Surfaces of points whose normals have random signs.
 #include <catch2/catch.hpp>
 
+#include "algorithms/extremal/direction.hpp"
 #include "algorithms/extremal/extremal.hpp"
 #include "algorithms/extremal/point_field.hpp"
 #include "kernel/geometry/input_error.hpp"
