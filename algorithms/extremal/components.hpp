@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The components of the cut mesh: topology, orientation, and the clusters of theorem (b).
+#include "algorithms/extremal/trim.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
+
+namespace crest::extremal {
+
+/// Which cells belong to a cluster that proves isotopy: connected through shared points, all
+/// regular with one sheet at most, all others that they touch empty, no border, no ambiguous face.
+class Clusters {
+ public:
+  Clusters(const Fields& fields, const Cells& cells, const Edges& edges, const Faces& faces);
+  bool proven(std::size_t cell) const;
+  /// And s_nn > 0 on all of its cells?
+  bool extremal(std::size_t cell) const;
+
+ private:
+  bool join_neighbours(const Cells& cells, Index m, kernel::DisjointSets& sets) const;
+  bool several_sheets(const Edges& edges, const Faces& faces, std::size_t cell) const;
+
+  const Fields& fields_;
+  std::vector<std::size_t> members_;  ///< regular cells, ascending
+  std::vector<Index> cluster_;        ///< a member's
+  std::vector<bool> bad_, mixed_;     ///< a cluster's
+};
+
+/// What a component has beside what is reported.
+struct ComponentProof {
+  std::size_t polygons = 0;  ///< of the sheet mesh, of which something is left
+  bool cut = false, extremal = false;
+};
+struct Measured {
+  std::vector<Component> components;
+  std::vector<ComponentProof> proofs;
+  std::vector<Index> component_of;  ///< a polygon's
+};
+/// Orients the polygons of `trimmed` alike across edges of two.
+Measured measure(const Grid& grid, const SheetMesh& mesh, TrimmedMesh& trimmed);
+/// isotopic: closed, not cut, all cells of its vertices in proven clusters.
+void decide_isotopy(const SheetMesh& mesh, const TrimmedMesh& trimmed, const Clusters& clusters,
+                    Measured& measured);
+
+/// A mesh and what is measured of it.
+struct MeasuredMesh {
+  SheetMesh sheets;
+  TrimmedMesh trimmed;
+  Measured measured;
+};
+/// The points, polygons and components of a result; `field` gives what a place has, in units of the
+/// grid.
+void write_mesh(const Grid& grid, const MeasuredMesh& mesh,
+                const std::function<Local(const Vec3&)>& field, Result& result);
+
+}  // namespace crest::extremal

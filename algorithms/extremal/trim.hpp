@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The mesh cut at the levels: polygons wholly kept as they are, others as parts of the triangles of
+// their fans (an image: of their halves), cut linearly.
+#include "algorithms/extremal/sheet_mesh.hpp"
+
+namespace crest::extremal {
+
+struct TrimmedMesh {
+  std::vector<Vec3> points;              ///< in units of the grid; the mesh's own first
+  std::vector<Index> first{0}, corners;  ///< polygons; an image: segments
+  std::vector<Index> source;             ///< a polygon's in the sheet mesh, ascending
+  std::vector<Feature> features;
+  std::vector<bool> partly;              ///< a sheet polygon's: something of it is cut off
+  std::array<std::size_t, 4> valence{};  ///< as in Counts
+  std::array<std::size_t, 5> reasons{};  ///< edges of valence 1 by reason
+};
+
+/// What is kept: where a function is at least 0.
+struct LevelValues {
+  std::vector<double> corners,
+      centres;  ///< at the vertices, at the polygons' zeros; none: all kept
+};
+struct Levels {
+  std::optional<double> value;  ///< keeps L >= it
+  double strength = 0;          ///< keeps s_nn >= it, if positive
+};
+/// min(L - value, s_nn - strength), each only if given.
+LevelValues level_values(const Fields& fields, const SheetMesh& mesh, const Levels& levels);
+
+TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values);
+
+}  // namespace crest::extremal
