@@ -20,8 +20,8 @@ class MetaHeader {
     while (scan_.more()) {
       const std::string key(scan_.word().substr(0, 60));
       if (!scan_.in_line() || !scan_.take('='))
-        fail(fmt::format("header (line {})", scan_.line()), quoted(key) + " is followed by no '='",
-             kRepair);
+        fail(fmt::format("header (line {})", scan_.line()),
+             io::quoted(key) + " is followed by no '='", kRepair);
       scan_.in_line();
       values_[key] = std::string(scan_.rest_of_line());
       scan_.next_line();
@@ -46,7 +46,7 @@ class MetaHeader {
     TextScan scan(text);
     for (double& x : result)
       if (!scan.in_line() || !scan.take(x))
-        fail(key, fmt::format("{} are no {} numbers", quoted(text), count), kRepair);
+        fail(key, fmt::format("{} are no {} numbers", io::quoted(text), count), kRepair);
     return result;
   }
 
@@ -66,7 +66,7 @@ NumberType number_type(const MetaHeader& header) {
       {"MET_FLOAT", NumberType::f32},     {"MET_DOUBLE", NumberType::f64}};
   const auto found = types.find(header.value("ElementType"));
   if (found == types.end())
-    fail("ElementType", quoted(header.value("ElementType")) + " is not read",
+    fail("ElementType", io::quoted(header.value("ElementType")) + " is not read",
          "convert the samples to MET_UCHAR, MET_SHORT or MET_FLOAT");
   return found->second;
 }
@@ -99,13 +99,14 @@ Volume read_meta_image(std::string_view bytes, const VolumeRequest& request) {
   const MetaHeader header(bytes);
   const auto dimension = header.numbers("NDims", 1, 0)[0];
   if (!(dimension == 2 || dimension == 3 || dimension == 4))
-    fail("NDims", quoted(header.value("NDims")) + " is not 2 or 3", "give a volume or an image");
+    fail("NDims", io::quoted(header.value("NDims")) + " is not 2 or 3",
+         "give a volume or an image");
   const auto axes = static_cast<std::size_t>(dimension);
   if (!header.has("DimSize")) fail("header", "has no DimSize", kRepair);
   Volume volume;
   for (const double n : header.numbers("DimSize", axes, 0)) {
     if (!(n >= 1 && n < 1e15) || n != std::floor(n))
-      fail("DimSize", quoted(header.value("DimSize")) + " are no counts", kRepair);
+      fail("DimSize", io::quoted(header.value("DimSize")) + " are no counts", kRepair);
     volume.size.push_back(static_cast<std::size_t>(n));
   }
   const double channels = header.numbers("ElementNumberOfChannels", 1, 1)[0];

@@ -68,7 +68,7 @@ class NrrdHeader {
     while (scan.in_line()) {
       std::uint64_t n = 0;
       if (!scan.take(n) || n == 0)
-        fail(where(key), fmt::format("{} is no count", quoted(scan.peek())), kRepair);
+        fail(where(key), fmt::format("{} is no count", io::quoted(scan.peek())), kRepair);
       result.push_back(n);
     }
     return result;
@@ -84,7 +84,7 @@ class NrrdHeader {
     if (colon != line.npos) {
       values_[lower(line.substr(0, colon))] = {std::string(trimmed(line.substr(colon + 2))), line_};
     } else if (line.find(":=") == line.npos && line.back() != ':') {
-      fail(fmt::format("header (line {})", line_), fmt::format("{} is no field", quoted(line)),
+      fail(fmt::format("header (line {})", line_), fmt::format("{} is no field", io::quoted(line)),
            kRepair);
     }
   }
@@ -136,7 +136,8 @@ NumberType number_type(const NrrdHeader& header) {
       {"double", NumberType::f64}};
   const auto found = types.find(lower(header.value("type")));
   if (found == types.end())
-    fail(header.where("type"), fmt::format("the type {} is not read", quoted(header.value("type"))),
+    fail(header.where("type"),
+         fmt::format("the type {} is not read", io::quoted(header.value("type"))),
          "convert the samples to uint8, int16 or float");
   return found->second;
 }
@@ -151,8 +152,8 @@ kernel::Vec3 vector_of(const std::string& where, std::string_view text) {
   TextScan scan(numbers);
   std::size_t k = 0;
   while (scan.in_line())
-    if (k == 3 || !scan.take(v[k++])) fail(where, quoted(text) + " is no vector", kRepair);
-  if (k < 2) fail(where, quoted(text) + " is no vector", kRepair);
+    if (k == 3 || !scan.take(v[k++])) fail(where, io::quoted(text) + " is no vector", kRepair);
+  if (k < 2) fail(where, io::quoted(text) + " is no vector", kRepair);
   return v;
 }
 
@@ -191,7 +192,7 @@ void place(const NrrdHeader& header, Volume& volume) {
     for (; scan.in_line(); ++i) {
       double spacing = 0;
       if (!scan.take(spacing))
-        fail(header.where("spacings"), quoted(scan.peek()) + " is no number", kRepair);
+        fail(header.where("spacings"), io::quoted(scan.peek()) + " is no number", kRepair);
       if (i < axes && std::isfinite(spacing)) volume.steps[i] = spacing * volume.steps[i];
     }
     check("spacings", i);
@@ -217,7 +218,7 @@ Samples text_samples(NumberType type, std::string_view bytes,
       if (!scan.more()) fail("samples", "the file ends in them", "export it again");
       if (!scan.take(x))
         fail(fmt::format("samples (line {})", scan.line()),
-             quoted(scan.peek()) + " is no number of the type", "correct it");
+             io::quoted(scan.peek()) + " is no number of the type", "correct it");
       if constexpr (std::is_integral_v<Native>)
         if (!std::in_range<Native>(x))
           fail(fmt::format("samples (line {})", scan.line()),
@@ -267,7 +268,7 @@ Volume read_nrrd(std::string_view bytes, const VolumeRequest& request) {
   } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
     volume.samples = text_samples(type, data, volume.size);
   } else {
-    fail(header.where("encoding"), fmt::format("the encoding {} is not read", quoted(encoding)),
+    fail(header.where("encoding"), fmt::format("the encoding {} is not read", io::quoted(encoding)),
          "save it as raw or gzip (unu save -f nrrd -e gzip)");
   }
   return volume;

@@ -12,7 +12,7 @@ std::size_t take_count(TextScan& scan, const char* what, std::size_t most) {
   std::uint64_t n = 0;
   if (!scan.more() || !scan.take(n) || n < 1 || n > most)
     fail(fmt::format("header (line {})", scan.line()),
-         fmt::format("{} {} is none", what, quoted(scan.peek())), "correct it");
+         fmt::format("{} {} is none", what, io::quoted(scan.peek())), "correct it");
   return n;
 }
 
@@ -26,7 +26,7 @@ Samples text_samples(TextScan& scan, std::size_t count, std::size_t most) {
     if (!scan.more()) fail("samples", "the file ends in them", "export the image again");
     if (!scan.take(n) || n > most)
       fail(fmt::format("samples (line {})", scan.line()),
-           fmt::format("{} is none up to {}", quoted(scan.peek()), most), "correct it");
+           fmt::format("{} is none up to {}", io::quoted(scan.peek()), most), "correct it");
     x = static_cast<std::uint16_t>(n);
   }
   if (most > 255) return samples;
@@ -40,7 +40,7 @@ Volume read_pnm(std::string_view bytes, const VolumeRequest&) {
     fail("header", "does not start with P2, P3, P5 or P6", "save the image as PGM");
   const char kind = bytes[1];
   if (kind != '2' && kind != '3' && kind != '5' && kind != '6')
-    fail("header", fmt::format("{} is not read", quoted(bytes.substr(0, 2))),
+    fail("header", fmt::format("{} is not read", io::quoted(bytes.substr(0, 2))),
          "save the image as PGM");
   TextScan scan(bytes, '#');
   scan.take_bytes(2);

@@ -16,7 +16,7 @@ Volume read_raw(std::string_view bytes, const std::string& shape) {
       {"int64", NumberType::i64},  {"uint64", NumberType::u64}, {"float", NumberType::f32},
       {"double", NumberType::f64}};
   const auto refuse = [&] {
-    fail("--raw", quoted(shape) + " is no NX,NY,NZ,TYPE",
+    fail("--raw", io::quoted(shape) + " is no NX,NY,NZ,TYPE",
          "give three sizes and one of int8 uint8 .. int64 uint64 float double");
   };
   std::string words = shape;

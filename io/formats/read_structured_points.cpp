@@ -32,7 +32,7 @@ class StructuredPoints {
     if (section == "dataset") {
       const std::string_view kind = source_.take_word();
       if (!is_keyword(kind, "structured_points"))
-        fail(source_.where(), fmt::format("{} is no volume", quoted(kind)),
+        fail(source_.where(), fmt::format("{} is no volume", io::quoted(kind)),
              "convert it to STRUCTURED_POINTS");
     } else if (section == "dimensions") {
       volume_.size.clear();

@@ -39,7 +39,7 @@ class Columns {
       double number = 0;
       if (!scan_.take(number)) {
         const bool comma = scan_.peek().find(',') != std::string_view::npos;
-        fail(name(), quoted(scan_.peek()) + " is not a number",
+        fail(name(), io::quoted(scan_.peek()) + " is not a number",
              comma ? "separate numbers by blanks" : "correct it");
       }
       if (count < 6) x[count] = number;
