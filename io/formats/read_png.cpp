@@ -75,7 +75,7 @@ Volume read_png(std::string_view bytes, const VolumeRequest&) {
   else
     fail("file", "has samples of an unknown type", "export the image again");
   if (components == 2 || components == 4)
-    image.warnings.push_back("the image's opacity is passed over");
+    image.warnings.emplace_back("the image's opacity is passed over");
   return image;
 }
 

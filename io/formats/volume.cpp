@@ -116,7 +116,7 @@ void set_image(Volume& image, std::size_t width, std::size_t height, std::size_t
           return;
         }
         image.samples = std::move(luminance);
-        image.warnings.push_back(
+        image.warnings.emplace_back(
             "the image has colours: their luminance 0.2126 R + 0.7152 G + 0.0722 B is taken");
       },
       samples);
