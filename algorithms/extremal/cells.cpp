@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/extremal/cells.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "algorithms/extremal/cell_nets.hpp"
+#include "algorithms/extremal/cell_proofs.hpp"
+
+namespace crest::extremal {
+namespace {
+
+std::array<std::size_t, 8> corner_offsets(const Grid& g) {
+  std::array<std::size_t, 8> r{};
+  for (std::size_t c = 0; c < 8; ++c)
+    for (std::size_t k = 0; k < 3; ++k)
+      if ((c >> k & 1) != 0 && g.size[k] > 1) r[c] += g.stride[k];
+  return r;
+}
+
+}  // namespace
+
+Cells::Cells(const Fields& fields, const Nodes& nodes) : fields_(fields) {
+  const Grid& g = fields.grid();
+  states_.assign(g.nodes(), CellState::unlisted);
+  ids_.assign(g.nodes(), kernel::kNone);
+  const int layers = std::max(1, g.size[2] - 1);
+  std::vector<std::vector<CellProof>> slices(static_cast<std::size_t>(layers));
+  const auto corners = corner_offsets(g);
+  tbb::parallel_for(0, layers, [&](int k) {
+    auto& proofs = slices[static_cast<std::size_t>(k)];
+    CellNets nets;
+    for (int j = 0; j + 1 < g.size[1]; ++j) {
+      RowNets row(fields, j, k);
+      for (int i = 0; i + 1 < g.size[0]; ++i) {
+        const std::size_t v = g.index({i, j, k});
+        if (!std::all_of(corners.begin(), corners.end(),
+                         [&](std::size_t c) { return nodes.active(v + c); })) {
+          if (nodes.possible(v)) states_[v] = CellState::open;
+          continue;
+        }
+        Vec3 w{};
+        for (const std::size_t c : corners) {
+          const Vec3 n = nodes.direction(v + c);
+          w = kernel::dot(w, n) < 0 ? w - n : w + n;
+        }
+        row.make(i, nets);
+        const CellProof proof = prove_cell(fields, {i, j, k}, nets, w);
+        states_[v] = proof.state;
+        if (proof.state == CellState::open) continue;
+        ids_[v] = static_cast<Index>(proofs.size());
+        proofs.push_back(proof);
+      }
+    }
+  });
+  std::size_t total = 0;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    for (std::size_t v = k * g.stride[2]; v < (k + 1) * g.stride[2]; ++v)
+      if (ids_[v] != kernel::kNone) ids_[v] += static_cast<Index>(total);
+    total += slices[k].size();
+  }
+  proofs_.reserve(total);
+  for (auto& s : slices) {
+    proofs_.insert(proofs_.end(), s.begin(), s.end());
+    s = {};
+  }
+}
+
+std::size_t Cells::count(CellState s) const {
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), s));
+}
+
+}  // namespace crest::extremal

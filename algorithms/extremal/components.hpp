@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The components of the cut mesh: topology, orientation, and the clusters of theorem (b).
+#include "algorithms/extremal/trim.hpp"
+
+namespace crest::extremal {
+
+/// Which cells belong to a cluster that proves isotopy: connected through shared points, all regular
+/// with one sheet at most, all others that they touch empty, no border, no ambiguous face.
+class Clusters {
+ public:
+  Clusters(const Fields& fields, const Cells& cells, const Edges& edges, const Faces& faces);
+  bool proven(std::size_t cell) const;
+  /// And s_nn > 0 on all of its cells?
+  bool extremal(std::size_t cell) const;
+
+ private:
+  const Fields& fields_;
+  std::vector<std::size_t> members_;  ///< regular cells, ascending
+  std::vector<Index> cluster_;        ///< a member's
+  std::vector<bool> bad_, mixed_;     ///< a cluster's
+};
+
+/// What a component has beside what is reported.
+struct ComponentProof {
+  std::size_t polygons = 0;  ///< of the sheet mesh, of which something is left
+  bool cut = false, extremal = false;
+};
+struct Measured {
+  std::vector<Component> components;
+  std::vector<ComponentProof> proofs;
+  std::vector<Index> component_of;  ///< a polygon's
+};
+/// Orients the polygons of `trimmed` alike across edges of two.
+Measured measure(const Fields& fields, const SheetMesh& mesh, TrimmedMesh& trimmed,
+                 const Clusters& clusters);
+
+}  // namespace crest::extremal

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The edges of the grid: which are critical, the type of their zeros, where these are.
+#include <vector>
+
+#include "algorithms/extremal/cells.hpp"
+#include "algorithms/extremal/edge_net.hpp"
+
+namespace crest::extremal {
+
+enum class EdgeState : std::uint8_t {
+  untested,  ///< an end is not active
+  plain,     ///< g changes its sign an even number of times
+  merely_critical,
+  extremal,
+  type_undecided,
+  undecided,  ///< n was not followed
+};
+
+struct CriticalEdge {
+  Index edge;
+  double place;  ///< of a zero, from the lower end on
+};
+struct BisectedEdge {
+  Index edge;
+  Transport transport;
+};
+
+class Edges {
+ public:
+  Edges(const Fields& fields, const Nodes& nodes, const Cells& cells);
+
+  EdgeState state(Index e) const { return states_[e]; }
+  bool tested(Index e) const {
+    return states_[e] != EdgeState::untested && states_[e] != EdgeState::undecided;
+  }
+  bool critical(Index e) const {
+    return states_[e] >= EdgeState::merely_critical && states_[e] <= EdgeState::type_undecided;
+  }
+  const std::vector<CriticalEdge>& critical_edges() const { return critical_; }
+  /// The place of a critical edge among critical_edges().
+  std::size_t find(Index e) const;
+  const std::vector<BisectedEdge>& bisected() const { return bisected_; }
+  const std::vector<Index>& undecided() const { return undecided_; }
+  /// Edges by depth of their bisection; those of cells: 0.
+  const std::vector<std::size_t>& depths() const { return depths_; }
+  std::size_t count() const { return count_; }
+  std::size_t tests() const { return tests_; }
+
+ private:
+  struct Slice {
+    std::vector<CriticalEdge> critical;
+    std::vector<BisectedEdge> bisected;
+    std::vector<Index> undecided;
+    std::vector<std::size_t> depths = std::vector<std::size_t>(15);
+    std::size_t tests = 0;
+  };
+  void decide(const Node& v, std::size_t axis, Slice& slice);
+  std::size_t deciding_cell(const Node& v, std::size_t axis) const;
+
+  const Fields& fields_;
+  const Nodes& nodes_;
+  const Cells& cells_;
+  std::vector<EdgeState> states_;
+  std::vector<CriticalEdge> critical_;
+  std::vector<BisectedEdge> bisected_;
+  std::vector<Index> undecided_;
+  std::vector<std::size_t> depths_;
+  std::size_t count_ = 0, tests_ = 0;
+};
+
+}  // namespace crest::extremal

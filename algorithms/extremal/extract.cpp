@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/extremal/extraction.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::extremal {
+
+Result extract(const Volume& volume, const Options& options,
+               certify::ExtremalCertificate* certificate) {
+  if (options.refine > 0)
+    throw kernel::InputError("refine: octrees are not built yet; use 0");
+  const Extraction e(volume, options);
+  const Extraction::Mesh mesh = e.mesh(options.critical);
+  (void)certificate;
+  return e.result(mesh);
+}
+
+Result extract(const OrientedPoints&, const PointOptions&, certify::ExtremalCertificate*) {
+  throw kernel::InputError("surfaces of points are not built yet; give a volume or an image");
+}
+
+}  // namespace crest::extremal

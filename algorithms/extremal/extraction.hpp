@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All that one run decides: what the result and the certificate are made from.
+#include "algorithms/extremal/components.hpp"
+
+namespace crest::extremal {
+
+class Extraction {
+ public:
+  Extraction(const Volume& volume, const Options& options);
+
+  const Options& options() const { return options_; }
+  const Fields& fields() const { return fields_; }
+  const Nodes& nodes() const { return nodes_; }
+  const Cells& cells() const { return cells_; }
+  const Edges& edges() const { return edges_; }
+  const Faces& faces() const { return faces_; }
+  const Clusters& clusters() const { return clusters_; }
+
+  /// The mesh and what is measured of it, `critical`: of all critical edges.
+  struct Mesh {
+    SheetMesh sheets;
+    TrimmedMesh trimmed;
+    Measured measured;
+  };
+  Mesh mesh(bool critical) const;
+  Result result(const Mesh& mesh) const;
+
+ private:
+  Counts counts(const Mesh& mesh) const;
+  void write_points(const Mesh& mesh, Result& result) const;
+  void write_polygons(const Mesh& mesh, Result& result) const;
+
+  Options options_;
+  Fields fields_;
+  Nodes nodes_;
+  Cells cells_;
+  Edges edges_;
+  Faces faces_;
+  Clusters clusters_;
+};
+
+}  // namespace crest::extremal

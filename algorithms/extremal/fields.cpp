@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/extremal/fields.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::extremal {
+namespace {
+
+/// i -> -1 - i at the border, repeated.
+int reflected(int i, int n) {
+  const int m = ((i % (2 * n)) + 2 * n) % (2 * n);
+  return m < n ? m : 2 * n - 1 - m;
+}
+
+/// One pass: out[i] = w_0 x[i] + w_1 (x[i-1] + x[i+1]) + ..., x[i] being rows of `width` numbers.
+template <class Row>
+void pass(const std::vector<double>& w, int i, int n, std::size_t width, const Row& row,
+          double* out) {
+  const double* x = row(i);
+  for (std::size_t k = 0; k < width; ++k) out[k] = w[0] * x[k];
+  for (int r = 1; r < static_cast<int>(w.size()); ++r) {
+    const double* a = row(reflected(i - r, n));
+    const double* b = row(reflected(i + r, n));
+    const double weight = w[static_cast<std::size_t>(r)];
+    for (std::size_t k = 0; k < width; ++k) out[k] = out[k] + weight * (a[k] + b[k]);
+  }
+}
+
+/// A slice's passes along x and y, in place.
+void smooth_slice(const Grid& g, const Weights& w, double* slice, std::vector<double>& room) {
+  const auto nx = static_cast<std::size_t>(g.size[0]), ny = static_cast<std::size_t>(g.size[1]);
+  const int radius = static_cast<int>(w[0].size()) - 1;
+  if (radius > 0) {
+    room.resize(nx + 2 * static_cast<std::size_t>(radius));
+    for (std::size_t j = 0; j < ny; ++j) {
+      double* row = slice + j * nx;
+      for (std::size_t i = 0; i < room.size(); ++i)
+        room[i] = row[reflected(static_cast<int>(i) - radius, g.size[0])];
+      const double* x = room.data() + radius;
+      for (std::size_t i = 0; i < nx; ++i) row[i] = w[0][0] * x[i];
+      for (int r = 1; r <= radius; ++r) {
+        const double weight = w[0][static_cast<std::size_t>(r)];
+        const double *a = x - r, *b = x + r;
+        for (std::size_t i = 0; i < nx; ++i) row[i] = row[i] + weight * (a[i] + b[i]);
+      }
+    }
+  }
+  if (w[1].size() > 1) {
+    room.assign(slice, slice + nx * ny);
+    for (std::size_t j = 0; j < ny; ++j)
+      pass(
+          w[1], static_cast<int>(j), g.size[1], nx,
+          [&](int k) { return room.data() + static_cast<std::size_t>(k) * nx; }, slice + j * nx);
+  }
+}
+
+void check_volume(const Volume& v, std::size_t count) {
+  for (std::size_t k = 0; k < (v.dimension() == 3 ? 3U : 2U); ++k) {
+    if (v.size[k] < 4)
+      throw kernel::InputError("size " + std::to_string(v.size[k]) + " along axis " +
+                               std::to_string(k) + ": fewer than 4 nodes; give a larger grid");
+    if (!(v.spacing[k] > 0 && std::isfinite(v.spacing[k])))
+      throw kernel::InputError("spacing along axis " + std::to_string(k) +
+                               ": not a positive number; correct the header");
+    if (!std::isfinite(v.origin[k]))
+      throw kernel::InputError("origin along axis " + std::to_string(k) +
+                               ": not a number; correct the header");
+  }
+  const double nodes = 1.0 * v.size[0] * v.size[1] * v.size[2];
+  if (!(nodes < 0x1p31))
+    throw kernel::InputError("more than 2^31 nodes; cut the volume into parts");
+  if (count != static_cast<std::size_t>(nodes))
+    throw kernel::InputError("size: header and number of samples differ; correct the header");
+}
+
+template <class Sample>
+void check_samples(const std::vector<Sample>& samples, const Grid& grid) {
+  const auto bad = std::find_if(samples.begin(), samples.end(),
+                                [](Sample x) { return !(std::fabs(x) <= 0x1p60F); });
+  if (bad == samples.end()) return;
+  const Node v = grid.node(static_cast<std::size_t>(bad - samples.begin()));
+  throw kernel::InputError("sample (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                           std::to_string(v[2]) +
+                           "): not a finite number, or above 2^60; replace it");
+}
+
+void check_options(const Options& o) {
+  const auto bad = [](double x) { return !(x >= 0 && x <= 1000); };
+  if (bad(o.sigma) || bad(o.tensor_sigma.value_or(1)))
+    throw kernel::InputError("sigma: not a number from 0 to 1000; choose another");
+  if (o.min_value && !std::isfinite(*o.min_value))
+    throw kernel::InputError("min-value: not a number; choose another");
+  if (!(o.min_strength >= 0 && std::isfinite(o.min_strength)))
+    throw kernel::InputError("min-strength: not a number from 0 on; choose another");
+}
+
+double smallest_spacing(const Grid& g) {
+  const double s = std::min(g.spacing[0], g.spacing[1]);
+  return g.dimension() == 3 ? std::min(s, g.spacing[2]) : s;
+}
+
+}  // namespace
+
+Weights smoothing_weights(const Grid& grid, double sigma) {
+  Weights r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sk = sigma * smallest_spacing(grid) / grid.spacing[k];
+    const double v = sk * sk - 1.0 / 3;
+    r[k] = {1};
+    if (v <= 0 || (k == 2 && grid.dimension() == 2)) continue;
+    const int radius = static_cast<int>(std::ceil(3 * std::sqrt(v)));
+    double total = 1;
+    for (int i = 1; i <= radius; ++i) {
+      r[k].push_back(std::exp(-(double(i) * i) / (2 * v)));
+      total += 2 * r[k].back();
+    }
+    for (double& w : r[k]) w = w / total;
+  }
+  return r;
+}
+
+Fields::Fields(const Volume& volume, const Options& options)
+    : grid_(volume.size, volume.spacing, volume.origin),
+      structure_(options.definition == Definition::structure),
+      sign_(options.side == Side::ridge ? -1 : 1) {
+  std::visit(
+      [&](const auto& samples) {
+        check_volume(volume, samples.size());
+        check_samples(samples, grid_);
+        check_options(options);
+        scalar_weights_ = smoothing_weights(grid_, options.sigma);
+        tensor_weights_ = smoothing_weights(grid_, options.tensor_sigma.value_or(options.sigma));
+        const auto nx = static_cast<std::size_t>(grid_.size[0]);
+        const auto ny = static_cast<std::size_t>(grid_.size[1]);
+        const auto row = [&](int j, int k) {
+          return samples.data() + grid_.index({0, reflected(j, grid_.size[1]),
+                                               reflected(k, grid_.size[2])});
+        };
+        smooth(
+            [&](int k, double* out) {
+              const auto* from = row(0, k);
+              for (std::size_t i = 0; i < nx * ny; ++i) out[i] = static_cast<double>(from[i]);
+            },
+            scalar_weights_, scalars_);
+        if (!structure_) return;
+        const auto difference = [&](std::size_t axis, int j, int k, double* out) {
+          const double two = 2 * grid_.spacing[axis];
+          if (axis == 0) {
+            const auto* x = row(j, k);
+            for (std::size_t i = 0; i < nx; ++i) {
+              const auto a = static_cast<double>(x[i + 1 < nx ? i + 1 : i]);
+              out[i] = (a - static_cast<double>(x[i > 0 ? i - 1 : i])) / two;
+            }
+            return;
+          }
+          const auto* a = axis == 1 ? row(j + 1, k) : row(j, k + 1);
+          const auto* b = axis == 1 ? row(j - 1, k) : row(j, k - 1);
+          for (std::size_t i = 0; i < nx; ++i)
+            out[i] = (static_cast<double>(a[i]) - static_cast<double>(b[i])) / two;
+        };
+        static constexpr std::array<std::array<std::size_t, 2>, 6> kAxes = {
+            {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+        tensors_.resize(grid_.dimension() == 3 ? 6 : 3);
+        for (std::size_t t = 0; t < tensors_.size(); ++t)
+          smooth(
+              [&](int k, double* out) {
+                const auto [a, b] = kAxes[entry(t)];
+                std::vector<double> second(nx);
+                for (std::size_t j = 0; j < ny; ++j, out += nx) {
+                  difference(a, static_cast<int>(j), k, out);
+                  if (a != b) difference(b, static_cast<int>(j), k, second.data());
+                  const double* other = a == b ? out : second.data();
+                  for (std::size_t i = 0; i < nx; ++i) out[i] = out[i] * other[i];
+                }
+              },
+              tensor_weights_, tensors_[t]);
+      },
+      volume.samples);
+}
+
+void Fields::smooth(const std::function<void(int, double*)>& slice, const Weights& weights,
+                    std::vector<float>& result) const {
+  const std::size_t area = grid_.stride[2];
+  const int nz = grid_.size[2], radius = static_cast<int>(weights[2].size()) - 1;
+  result.resize(grid_.nodes());
+  // Parts are long beside the radius: what two of them make twice is little.
+  const int part = std::max(16, 4 * radius);
+  tbb::parallel_for(0, (nz + part - 1) / part, [&](int p) {
+    std::vector<double> room, out(area);
+    std::vector<std::vector<double>> ring(static_cast<std::size_t>(2 * radius) + 1);
+    std::vector<int> held(ring.size(), -1);
+    const auto get = [&](int k) -> const double* {
+      // Of the slices within the radius of one, no two share a place but by reflection, which
+      // stays within it, too: an index has the same slice.
+      const std::size_t place = static_cast<std::size_t>(k) % ring.size();
+      if (held[place] != k) {
+        ring[place].resize(area);
+        slice(k, ring[place].data());
+        smooth_slice(grid_, weights, ring[place].data(), room);
+        held[place] = k;
+      }
+      return ring[place].data();
+    };
+    for (int k = p * part; k < std::min(nz, (p + 1) * part); ++k) {
+      float* to = result.data() + static_cast<std::size_t>(k) * area;
+      pass(weights[2], k, nz, area, get, out.data());
+      for (std::size_t i = 0; i < area; ++i) to[i] = static_cast<float>(out[i]);
+    }
+  });
+  if (!std::all_of(result.begin(), result.end(), [](float x) { return std::isfinite(x); }))
+    throw kernel::InputError("samples: too large for binary32; scale them");
+}
+
+Coefficients Fields::coefficients(const std::vector<float>& spline, const Node& v) const {
+  std::array<std::array<std::size_t, 4>, 3> at;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int i = 0; i < 4; ++i)
+      at[k][static_cast<std::size_t>(i)] =
+          static_cast<std::size_t>(std::clamp(v[k] - 1 + i, 0, grid_.size[k] - 1)) *
+          grid_.stride[k];
+  Coefficients r;
+  for (std::size_t z = 0, n = 0; z < 4; ++z)
+    for (std::size_t y = 0; y < 4; ++y)
+      for (std::size_t x = 0; x < 4; ++x, ++n)
+        r[n] = static_cast<double>(spline[at[2][z] + at[1][y] + at[0][x]]);
+  return r;
+}
+
+double Fields::below(const Tensor& t) {
+  return -2 * (std::fabs(t[0]) + std::fabs(t[1]) + std::fabs(t[3])) - 0x1p-200;
+}
+
+Tensor world_hessian(const Tensor& h, const Vec3& d) {
+  return {h[0] / (d[0] * d[0]), h[1] / (d[1] * d[1]), h[2] / (d[2] * d[2]),
+          h[3] / (d[0] * d[1]), h[4] / (d[1] * d[2]), h[5] / (d[0] * d[2])};
+}
+
+Local Fields::at(const Node& v, const Vec3& t) const {
+  std::array<std::array<std::array<double, 4>, 3>, 3> w;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int order = 0; order < 3; ++order)
+      w[k][static_cast<std::size_t>(order)] = kernel::spline_weights(t[k], order);
+  const auto value = [&](const Coefficients& c, std::size_t a, std::size_t b, std::size_t d) {
+    return kernel::spline_value<double, 3>(c, {w[0][a], w[1][b], w[2][d]});
+  };
+  const Coefficients l = coefficients(scalars_, v);
+  const Vec3& d = grid_.spacing;
+  Local r;
+  r.value = value(l, 0, 0, 0);
+  r.gradient = {sign_ * value(l, 1, 0, 0) / d[0], sign_ * value(l, 0, 1, 0) / d[1],
+                sign_ * value(l, 0, 0, 1) / d[2]};
+  const Tensor h = {value(l, 2, 0, 0), value(l, 0, 2, 0), value(l, 0, 0, 2),
+                    value(l, 1, 1, 0), value(l, 0, 1, 1), value(l, 1, 0, 1)};
+  r.hessian = world_hessian(h, d);
+  for (double& x : r.hessian) x *= sign_;
+  r.tensor = r.hessian;
+  if (structure_) {
+    r.tensor = {};
+    for (std::size_t i = 0; i < tensors_.size(); ++i)
+      r.tensor[entry(i)] = value(coefficients(tensors_[i], v), 0, 0, 0);
+  }
+  if (grid_.dimension() == 2) r.tensor[2] = below(r.tensor);
+  return r;
+}
+
+}  // namespace crest::extremal

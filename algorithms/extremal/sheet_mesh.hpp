@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The dual complex before anything is cut: a polygon an edge of the grid, a vertex a sheet of a
+// cell, an edge an arc of a face (an image: a segment an edge, a vertex an arc of a square).
+#include <vector>
+
+#include "algorithms/extremal/extremal_result.hpp"
+#include "algorithms/extremal/faces.hpp"
+
+namespace crest::extremal {
+
+struct SheetVertex {
+  std::size_t cell;                   ///< an image: square
+  std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths
+};
+/// An edge of the mesh; an image: unused.
+struct SheetEdge {
+  std::array<Index, 2> ends;
+  std::uint8_t valence;
+  std::uint8_t reason;     ///< 0 with valence 2
+  bool twin = false;       ///< another arc of its face joins the same ends
+  Vec3 middle{};           ///< of a twin: its place, in units of the grid
+};
+struct SheetPolygon {
+  Index edge;                    ///< of the grid
+  std::uint16_t place;           ///< of its zero on it, in 65536ths
+  bool extremal;
+  std::array<Index, 4> corners;  ///< cyclic; an image: the first two
+  std::array<Index, 4> sides;    ///< edges of the mesh: from a corner to the next
+};
+
+struct SheetMesh {
+  std::vector<SheetPolygon> polygons;  ///< by edge
+  std::vector<SheetVertex> vertices;   ///< by cell, then by the lowest edge of their polygons
+  std::vector<SheetEdge> edges;        ///< by their lowest polygon
+  /// Of an image's vertices: valence and reason.
+  std::vector<std::pair<std::uint8_t, std::uint8_t>> ends;
+};
+
+/// `critical`: of all critical edges, else of extremal ones.
+SheetMesh make_sheets(const Fields& fields, const Cells& cells, const Edges& edges,
+                      const Faces& faces, bool critical);
+
+/// Counts of faces and cells that sheets cross.
+void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces, Counts& counts);
+
+}  // namespace crest::extremal

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/extremal/trim.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace crest::extremal {
+namespace {
+
+Vec3 as_vector(const Node& v) {
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+
+class Trimmer {
+ public:
+  Trimmer(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
+      : fields_(fields),
+        grid_(fields.grid()),
+        mesh_(mesh),
+        levels_(levels),
+        plane_(grid_.dimension() == 2),
+        sides_(plane_ ? 2 : 4) {}
+
+  TrimmedMesh run() {
+    for (const SheetVertex& v : mesh_.vertices) {
+      const Node cell = grid_.node(v.cell);
+      r_.points.push_back(
+          {as_vector(cell) + Vec3{v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0},
+           cell});
+    }
+    evaluate();
+    r_.partly.assign(mesh_.polygons.size(), false);
+    cut_of_.assign(mesh_.edges.size(), kernel::kNone);
+    middle_of_.assign(mesh_.edges.size(), kernel::kNone);
+    plane_ ? end_features() : edge_features();
+    for (Index p = 0; p < mesh_.polygons.size(); ++p) add_polygon(p);
+    return std::move(r_);
+  }
+
+ private:
+  /// min(L - value, s_nn - strength).
+  double level_at(const Node& cell, const Vec3& t) const {
+    const Local l = fields_.at(cell, t);
+    double r = HUGE_VAL;
+    if (levels_.value) r = l.value - *levels_.value;
+    if (levels_.strength > 0) {
+      const Vec3 n = dominant_direction(l.tensor);
+      r = std::min(r, kernel::dot(n, product(l.hessian, n)) - levels_.strength);
+    }
+    return r;
+  }
+  void evaluate() {
+    if (!levels_.any()) return;
+    corner_.resize(mesh_.vertices.size());
+    centre_.resize(mesh_.polygons.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corner_.size(), 256), [&](const auto& r) {
+      for (std::size_t i = r.begin(); i < r.end(); ++i)
+        corner_[i] = level_at(r_.points[i].cell, r_.points[i].place - as_vector(r_.points[i].cell));
+    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, centre_.size(), 256), [&](const auto& r) {
+      for (std::size_t i = r.begin(); i < r.end(); ++i) {
+        const auto [cell, t] = zero_of(grid_, mesh_.polygons[i]);
+        centre_[i] = level_at(cell, t);
+      }
+    });
+  }
+  double corner(Index v) const { return levels_.any() ? corner_[v] : 0; }
+  double centre(Index p) const { return levels_.any() ? centre_[p] : 0; }
+  static bool kept(double x) { return x >= 0; }
+
+  Index add_point(const Vec3& x) {
+    Node cell;
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = std::clamp(static_cast<int>(x[k]), 0, std::max(0, grid_.size[k] - 2));
+    r_.points.push_back({x, cell});
+    return static_cast<Index>(r_.points.size() - 1);
+  }
+  /// Between a kept and a dropped place.
+  Index add_cut(const Vec3& a, double fa, const Vec3& b, double fb) {
+    return add_point(a + (fa / (fa - fb)) * (b - a));
+  }
+
+  void edge_features() {
+    for (std::size_t i = 0; i < mesh_.edges.size(); ++i) {
+      const SheetEdge& e = mesh_.edges[i];
+      Index a = e.ends[0], b = e.ends[1];
+      if (!kept(corner(a))) std::swap(a, b);
+      if (!kept(corner(a))) continue;
+      const bool whole = kept(corner(b));
+      if (!whole)
+        cut_of_[i] = add_cut(r_.points[a].place, corner(a), r_.points[b].place, corner(b));
+      else if (e.twin)
+        middle_of_[i] = add_point(e.middle);
+      count(e.valence, e.reason);
+      if (e.valence == 2) continue;
+      const auto why = static_cast<Reason>(e.reason);
+      if (middle_of_[i] != kernel::kNone) {
+        r_.features.push_back({a, middle_of_[i], why});
+        r_.features.push_back({middle_of_[i], b, why});
+      } else {
+        r_.features.push_back({a, whole ? b : cut_of_[i], why});
+      }
+    }
+  }
+  void end_features() {
+    for (Index v = 0; v < mesh_.vertices.size(); ++v) {
+      if (!kept(corner(v))) continue;
+      const auto [valence, reason] = mesh_.ends[v];
+      count(valence, reason);
+      if (valence != 2) r_.features.push_back({v, v, static_cast<Reason>(reason)});
+    }
+  }
+  void count(std::size_t valence, std::uint8_t reason) {
+    ++r_.valence[std::min<std::size_t>(valence, 4) - 1];
+    if (valence == 1) ++r_.reasons[reason - 1U];
+  }
+  void trim_feature(Index a, Index b) {
+    r_.features.push_back({a, b, Reason::trim});
+    count(1, static_cast<std::uint8_t>(Reason::trim));
+  }
+
+  void close(Index p) {
+    r_.first.push_back(static_cast<Index>(r_.corners.size()));
+    r_.source.push_back(p);
+  }
+
+  void add_polygon(Index p) {
+    const SheetPolygon& q = mesh_.polygons[p];
+    std::size_t inside = kept(centre(p)) ? 1 : 0;
+    for (std::size_t i = 0; i < sides_; ++i) inside += kept(corner(q.corners[i])) ? 1 : 0;
+    r_.partly[p] = inside != sides_ + 1;
+    if (inside == 0) return;
+    if (inside == sides_ + 1) {
+      for (std::size_t i = 0; i < sides_; ++i) {
+        r_.corners.push_back(q.corners[i]);
+        if (!plane_ && middle_of_[q.sides[i]] != kernel::kNone)
+          r_.corners.push_back(middle_of_[q.sides[i]]);
+      }
+      close(p);
+      return;
+    }
+    plane_ ? cut_segment(p) : cut_fan(p);
+  }
+
+  /// The vertex at the centre, and those where spokes from it are cut.
+  struct Spokes {
+    Index centre = kernel::kNone;
+    std::array<Index, 4> cut{kernel::kNone, kernel::kNone, kernel::kNone, kernel::kNone};
+  };
+  Spokes spokes(Index p) {
+    const SheetPolygon& q = mesh_.polygons[p];
+    const auto [cell, t] = zero_of(grid_, q);
+    const Vec3 z = as_vector(cell) + t;
+    Spokes r;
+    if (kept(centre(p))) r.centre = add_point(z);
+    for (std::size_t i = 0; i < sides_; ++i) {
+      const Index v = q.corners[i];
+      if (kept(corner(v)) == kept(centre(p))) continue;
+      r.cut[i] = kept(corner(v)) ? add_cut(r_.points[v].place, corner(v), z, centre(p))
+                                 : add_cut(z, centre(p), r_.points[v].place, corner(v));
+    }
+    return r;
+  }
+
+  void cut_fan(Index p) {
+    const SheetPolygon& q = mesh_.polygons[p];
+    const Spokes s = spokes(p);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t k = (i + 1) % 4;
+      const Index a = q.corners[i], b = q.corners[k];
+      // Round the triangle: what is kept, and a cut where that changes.
+      std::array<Index, 2> cuts{};
+      std::size_t cut_count = 0, begin = r_.corners.size();
+      const auto put_cut = [&](Index c) {
+        if (c == kernel::kNone) return;
+        r_.corners.push_back(c);
+        cuts[cut_count++] = c;
+      };
+      if (s.centre != kernel::kNone) r_.corners.push_back(s.centre);
+      put_cut(s.cut[i]);
+      if (kept(corner(a))) r_.corners.push_back(a);
+      if (middle_of_[q.sides[i]] != kernel::kNone) r_.corners.push_back(middle_of_[q.sides[i]]);
+      if (kept(corner(a)) != kept(corner(b))) put_cut(cut_of_[q.sides[i]]);
+      if (kept(corner(b))) r_.corners.push_back(b);
+      put_cut(s.cut[k]);
+      if (r_.corners.size() == begin) continue;
+      close(p);
+      if (cut_count == 2) trim_feature(cuts[0], cuts[1]);
+    }
+  }
+
+  void cut_segment(Index p) {
+    const SheetPolygon& q = mesh_.polygons[p];
+    const Spokes s = spokes(p);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Index v = q.corners[i];
+      if (kept(corner(v))) r_.corners.push_back(v);
+      if (s.cut[i] != kernel::kNone) {
+        r_.corners.push_back(s.cut[i]);
+        trim_feature(s.cut[i], s.cut[i]);
+      }
+      if (s.centre != kernel::kNone) r_.corners.push_back(s.centre);
+      if (r_.corners.size() > r_.first.back()) close(p);
+    }
+  }
+
+  const Fields& fields_;
+  const Grid& grid_;
+  const SheetMesh& mesh_;
+  Levels levels_;
+  bool plane_;
+  std::size_t sides_;
+  std::vector<double> corner_, centre_;    ///< the level's function there
+  std::vector<Index> cut_of_, middle_of_;  ///< an edge's
+  TrimmedMesh r_;
+};
+
+}  // namespace
+
+std::pair<Node, Vec3> zero_of(const Grid& grid, const SheetPolygon& p) {
+  Node cell = grid.node(p.edge / 3);
+  Vec3 t{};
+  t[p.edge % 3] = p.place / 65536.0;
+  return {cell, t};
+}
+
+TrimmedMesh trim(const Fields& fields, const SheetMesh& mesh, const Levels& levels) {
+  return Trimmer(fields, mesh, levels).run();
+}
+
+}  // namespace crest::extremal
