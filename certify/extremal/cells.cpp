@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/extremal/cells.hpp"
+
+#include <memory>
+
+#include "certify/container/parallel.hpp"
+#include "certify/container/reject.hpp"
+#include "certify/extremal/bounds.hpp"
+#include "certify/extremal/nets.hpp"
+#include "kernel/arithmetic/rational.hpp"
+
+namespace crest::certify::extremal {
+namespace {
+
+namespace code = extremal_code;
+
+constexpr size_t kBatch = 512;  ///< cells to a worker's turn: columns are shared in a row
+
+/// Proves codes of cells; nets are its scratch.
+template <unsigned dimension>
+class CellProver {
+ public:
+  explicit CellProver(const Fields& fields)
+      : fields_(fields), nets_(fields),
+        inverse_(*std::ranges::max_element(fields.inverse_spacing)) {}
+
+  /// Throws Reject. `a` is read for regular cells.
+  void prove(u32 cell, std::uint8_t stated, const ExtremalDirection& w,
+             const ExtremalDirection& a) {
+    const bool regular = stated >= code::kRegular;
+    nets_.move_to(cell, regular || fields_.hessian);
+    const Frame frame(w);
+    make_tensors();
+    const Cone cone = test_cone(t_, frame);
+    require(cone.holds, "cell {}: the cone test fails", cell);
+    if (stated == code::kCone) return;
+    make_gradients();
+    if (stated == code::kEmpty) {
+      require(sign_on(cone, frame, v_) != 0, "cell {}: it is not proven empty", cell);
+      return;
+    }
+    require(!fields_.hessian, "cell {}: `hessian` has no regular cells", cell);
+    make_hessians();
+    require(is_regular(cone, frame, Frame(a)), "cell {}: it is not proven regular", cell);
+    if (stated != code::kRegularExtremal) return;
+    scale_hessians();
+    require(curvature_on(cone, frame, h_) == (fields_.valley ? 1 : -1),
+            "cell {}: s_nn > 0 is not proven", cell);
+  }
+
+  /// Is L < level on the whole cell?
+  bool is_below(u32 cell, double level) {
+    nets_.move_to(cell, false);
+    Net net;
+    nets_.template l<0, 0, 0>(net);
+    const double scale = dimension == 3 ? 216 : 36;
+    const double size = std::max(0x1p10 * nets_.most_l(), scale * std::fabs(level));
+    return most(net) + slack(size) < scale * level;
+  }
+
+ private:
+  using Net = typename RowNets<dimension>::Net;
+  static constexpr size_t kControls = RowNets<dimension>::kControls;
+
+  void make_tensors() {
+    if (fields_.hessian) {
+      make_hessians();
+      scale_hessians();
+      t_ = h_;
+      if (!fields_.valley)
+        for (auto& component : t_.at)
+          for (double& x : component) x = -x;
+    } else {
+      for (unsigned i = 0; i < 6; ++i)
+        if (fields_.t[i].empty())
+          t_.at[i].fill(0);
+        else
+          nets_.template t<0, 0, 0>(i, t_.at[i]);
+      t_.size = 0x1p10 * nets_.most_t();
+    }
+    if constexpr (dimension == 2) {
+      t_.at[2].fill(-8 * t_.size);
+      t_.size *= 16;
+    }
+  }
+  void make_gradients() {
+    nets_.template l<1, 0, 0>(v_.at[0]);
+    nets_.template l<0, 1, 0>(v_.at[1]);
+    if constexpr (dimension == 3)
+      nets_.template l<0, 0, 1>(v_.at[2]);
+    else
+      v_.at[2].fill(0);
+    for (size_t k = 0; k < dimension; ++k)
+      for (double& x : v_.at[k]) x *= fields_.inverse_spacing[k];
+    v_.size = 0x1p10 * nets_.most_l() * inverse_;
+  }
+  /// By index, not by length.
+  void make_hessians() {
+    nets_.template l<2, 0, 0>(h_.at[0]);
+    nets_.template l<0, 2, 0>(h_.at[1]);
+    nets_.template l<1, 1, 0>(h_.at[3]);
+    if constexpr (dimension == 3) {
+      nets_.template l<0, 0, 2>(h_.at[2]);
+      nets_.template l<0, 1, 1>(h_.at[4]);
+      nets_.template l<1, 0, 1>(h_.at[5]);
+    } else {
+      for (size_t i : {2, 4, 5}) h_.at[i].fill(0);
+    }
+    h_.size = 0x1p10 * nets_.most_l() * inverse_;
+  }
+  void scale_hessians() {
+    const Vec& d = fields_.inverse_spacing;
+    for (unsigned i = 0; i < 3; ++i)
+      for (unsigned j = i; j < 3; ++j)
+        for (double& x : h_.at[kComponent[i][j]]) x *= d[i] * d[j];
+    h_.size = 0x1p10 * nets_.most_l() * inverse_ * inverse_;
+  }
+
+  /// The largest norm of diag(d) H.
+  double most_row_norm() const {
+    const Vec& d = fields_.inverse_spacing;
+    std::array<double, kControls> square{};
+    for (unsigned i = 0; i < 3; ++i)
+      for (unsigned j = 0; j < 3; ++j) {
+        const auto& h = h_.at[kComponent[i][j]];
+        for (size_t n = 0; n < kControls; ++n) square[n] += (h[n] * d[j]) * (h[n] * d[j]);
+      }
+    return std::sqrt(most(square)) + slack(h_.size);
+  }
+  /// Bounds d_k |n_k| for all axes together: D of SPEC.md.
+  double turning(const Cone& cone, const Frame& frame) {
+    double square = 0;
+    for (unsigned axis = 0; axis < dimension; ++axis) {
+      for (unsigned i = 0; i < 6; ++i) {
+        if (fields_.t[i].empty())
+          d_.at[i].fill(0);
+        else if (axis == 0)
+          nets_.template t<1, 0, 0>(i, d_.at[i]);
+        else if (axis == 1)
+          nets_.template t<0, 1, 0>(i, d_.at[i]);
+        else
+          nets_.template t<0, 0, 1>(i, d_.at[i]);
+      }
+      d_.size = 0x1p10 * nets_.most_t();
+      const double across =
+          most_length(form(d_, frame.w, frame.u), form(d_, frame.w, frame.v), d_.size);
+      const double speed = (across + 2 * cone.angle * most_norm(d_)) / cone.gap * kMore;
+      square += speed * speed;
+    }
+    return std::sqrt(square) * kMore;
+  }
+  bool is_regular(const Cone& cone, const Frame& frame, const Frame& a) {
+    const auto along = form(v_, frame.w);
+    const double most_along = std::max(most(along), -least(along)) + slack(v_.size);
+    const double p = most_length(form(v_, frame.u), form(v_, frame.v), v_.size);
+    const double error = (cone.chord * most_row_norm() +
+                          turning(cone, frame) * (p + cone.sine * most_along)) *
+                         kMore;
+    // a . h_i, h_i = diag(d) H_i w, and the same for two across a.
+    const Vec& d = fields_.inverse_spacing;
+    const Vec w{frame.w[0] * d[0], frame.w[1] * d[1], frame.w[2] * d[2]};
+    const auto ahead = form(h_, a.w, w), u = form(h_, a.u, w), v = form(h_, a.v, w);
+    std::array<double, kControls> room;
+    for (size_t n = 0; n < kControls; ++n)
+      room[n] = ahead[n] - std::sqrt(u[n] * u[n] + v[n] * v[n]);
+    return least(room) - 3 * slack(h_.size) > 1.4142135623730952 * error * kMore;
+  }
+
+  const Fields& fields_;
+  RowNets<dimension> nets_;
+  double inverse_;
+  Matrices<kControls> t_, h_, d_;
+  Vectors<kControls> v_;
+};
+
+template <unsigned dimension>
+void check_codes(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
+  parallel_for((cells.ids.size() + kBatch - 1) / kBatch,
+               [&] { return std::make_unique<CellProver<dimension>>(fields); },
+               [&](auto& prover, size_t batch) {
+                 const size_t end = std::min(cells.ids.size(), (batch + 1) * kBatch);
+                 for (size_t i = batch * kBatch; i < end; ++i)
+                   if (c.codes[i] != code::kOpen)
+                     prover->prove(cells.ids[i], c.codes[i], c.directions[cells.directions[i]],
+                                   c.codes[i] < code::kRegular
+                                       ? c.directions[cells.directions[i]]
+                                       : c.gradients[cells.gradients[i]]);
+               });
+}
+
+/// Bezier values are means of coefficients, so first by these.
+bool is_low(const Fields& fields, u32 cell, float level) {
+  const Grid& grid = fields.grid;
+  const Place p = grid.place(cell);
+  const auto low = [](u32 x) { return x == 0 ? 0 : x - 1; };
+  for (u32 z = low(p[2]); z <= std::min(p[2] + 2, grid.nodes[2] - 1); ++z)
+    for (u32 y = low(p[1]); y <= std::min(p[1] + 2, grid.nodes[1] - 1); ++y)
+      for (u32 x = low(p[0]); x <= std::min(p[0] + 2, grid.nodes[0] - 1); ++x)
+        if (!(fields.l[x + size_t{y} * grid.stride[1] + size_t{z} * grid.stride[2]] < level))
+          return false;
+  return true;
+}
+
+/// Exactly, where doubles do not decide: a plateau may lie just below the level.
+bool is_below_exactly(const Fields& fields, u32 cell, double level);
+
+template <unsigned dimension>
+void check_unlisted(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
+  const Grid& grid = fields.grid;
+  const double level = c.data.min_value;
+  float below = static_cast<float>(level);  // at most the level
+  if (static_cast<double>(below) > level) below = std::nextafter(below, -HUGE_VALF);
+  const u32 row = grid.nodes[0];
+  parallel_for(grid.count / row, [&] { return std::make_unique<CellProver<dimension>>(fields); },
+               [&](auto& prover, size_t i) {
+                 const u32 first = static_cast<u32>(i) * row;
+                 if (!grid.is_cell(first)) return;
+                 for (u32 cell = first; cell + 1 < first + row; ++cell) {
+                   if (cells.code[cell] != Cells::kUnlisted) continue;
+                   require(c.data.has_min_value, "cell {}: it is not listed", cell);
+                   require(is_low(fields, cell, below) || prover->is_below(cell, level) ||
+                               is_below_exactly(fields, cell, level),
+                           "cell {}: it is not listed, but L may reach the least value", cell);
+                 }
+               });
+}
+
+bool is_below_exactly(const Fields& fields, u32 cell, double level) {
+  using kernel::Rational;
+  constexpr int kTable[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+  const Grid& grid = fields.grid;
+  const Place p = grid.place(cell);
+  const auto at = [&](unsigned k, u32 i) {
+    return size_t{p[k] + i == 0 ? 0 : std::min(p[k] + i - 1, grid.nodes[k] - 1)} * grid.stride[k];
+  };
+  const u32 layers = grid.dimension == 3 ? 4 : 1;
+  for (u32 control = 0; control < 16 * layers; ++control) {
+    const u32 i = control % 4, j = control / 4 % 4, k = control / 16;
+    Rational value = 0, weights = 0;
+    for (u32 n = 0; n < 64; ++n) {
+      const u32 x = n % 4, y = n / 4 % 4, z = n / 16;
+      const Rational weight = kTable[i][x] * kTable[j][y] * kTable[k][z];
+      weights += weight;
+      value += weight * static_cast<double>(fields.l[at(0, x) + at(1, y) + at(2, z)]);
+    }
+    if (value >= weights * Rational(level)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
+  Cells cells;
+  cells.code.resize(grid.count);
+  std::fill(cells.code.begin(), cells.code.end(), Cells::kUnlisted);
+  size_t total = 0;
+  for (const CellRun& run : c.cells) total += run.length;
+  require(total == c.codes.size(), "cells: {} in runs, {} codes", total, c.codes.size());
+  cells.ids.reserve(total);
+  std::uint64_t end = 0;  // of the run before
+  for (const CellRun& run : c.cells) {
+    const std::uint64_t last = std::uint64_t{run.first} + run.length;
+    require(run.length > 0 && last <= grid.count, "cells: a run is empty or leaves the grid");
+    require(run.first > end || (end == 0 && run.first == 0),
+            "cells: runs are not ascending and apart");
+    const u32 final = static_cast<u32>(last - 1);
+    require(grid.is_cell(run.first) && grid.is_cell(final) &&
+                run.first / grid.nodes[0] == final / grid.nodes[0],
+            "cells: a run leaves its row");
+    for (u32 cell = run.first; cell < last; ++cell) {
+      cells.code[cell] = c.codes[cells.ids.size()];
+      cells.ids.push_back(cell);
+    }
+    end = last;
+  }
+  u32 directions = 0, gradients = 0;
+  for (const std::uint8_t stated : c.codes) {
+    cells.directions.push_back(directions);
+    cells.gradients.push_back(gradients);
+    directions += stated != code::kOpen;
+    gradients += stated >= code::kRegular;
+  }
+  return cells;
+}
+
+void check_cells(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
+  if (fields.grid.dimension == 3) {
+    check_codes<3>(c, fields, cells);
+    check_unlisted<3>(c, fields, cells);
+  } else {
+    check_codes<2>(c, fields, cells);
+    check_unlisted<2>(c, fields, cells);
+  }
+}
+
+}  // namespace crest::certify::extremal

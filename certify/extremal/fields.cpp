@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/extremal/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "certify/container/byte_reader.hpp"
+#include "certify/container/reject.hpp"
+#include "kernel/arithmetic/interval.hpp"
+
+namespace crest::certify::extremal {
+namespace {
+
+using kernel::Interval;
+
+template <class Bits, class Sample>
+void read_samples(const ExtremalData& data, Buffer<double>& out) {
+  ByteReader reader(data.samples);
+  for (double& x : out) {
+    const auto sample = std::bit_cast<Sample>(reader.integer<Bits>());
+    x = static_cast<double>(sample);
+    if constexpr (sizeof(Sample) == 8 && std::is_integral_v<Sample>)
+      require(std::fabs(x) <= 0x1p53, "samples: an integer is larger than 2^53");
+  }
+}
+
+Buffer<double> read_samples(const ExtremalData& data, size_t count) {
+  Buffer<double> out(count);
+  switch (data.type) {
+    case 0: read_samples<std::uint8_t, std::int8_t>(data, out); break;
+    case 1: read_samples<std::uint8_t, std::uint8_t>(data, out); break;
+    case 2: read_samples<std::uint16_t, std::int16_t>(data, out); break;
+    case 3: read_samples<std::uint16_t, std::uint16_t>(data, out); break;
+    case 4: read_samples<std::uint32_t, std::int32_t>(data, out); break;
+    case 5: read_samples<std::uint32_t, std::uint32_t>(data, out); break;
+    case 6: read_samples<std::uint64_t, std::int64_t>(data, out); break;
+    case 7: read_samples<std::uint64_t, std::uint64_t>(data, out); break;
+    case 8: read_samples<std::uint32_t, float>(data, out); break;
+    default: read_samples<std::uint64_t, double>(data, out);
+  }
+  return out;
+}
+
+/// Of a row that is mirrored at its ends.
+size_t reflect(std::int64_t i, std::int64_t n) {
+  std::int64_t m = i % (2 * n);
+  if (m < 0) m += 2 * n;
+  return static_cast<size_t>(m < n ? m : 2 * n - 1 - m);
+}
+
+/// One pass along an axis, on blocks of rows that lie side by side in memory.
+void smooth_along(Buffer<double>& field, const Grid& grid, unsigned axis,
+                  const std::vector<double>& weights) {
+  if (weights.size() == 1) return;
+  const size_t n = grid.nodes[axis], stride = grid.stride[axis];
+  const size_t block = std::min<size_t>(stride, 64);
+  const auto radius = static_cast<std::int64_t>(weights.size()) - 1;
+  std::vector<double> padded((n + 2 * static_cast<size_t>(radius)) * block);
+  for (size_t slab = 0; slab < grid.count; slab += n * stride)
+    for (size_t first = 0; first < stride; first += block) {
+      const size_t width = std::min(block, stride - first);
+      double* const base = field.data() + slab + first;
+      for (std::int64_t i = -radius; i < static_cast<std::int64_t>(n) + radius; ++i)
+        std::copy_n(base + reflect(i, static_cast<std::int64_t>(n)) * stride, width,
+                    padded.data() + static_cast<size_t>(i + radius) * width);
+      for (size_t i = 0; i < n; ++i) {
+        double* const out = base + i * stride;
+        const double* const centre = padded.data() + (i + static_cast<size_t>(radius)) * width;
+        for (size_t j = 0; j < width; ++j) out[j] = weights[0] * centre[j];
+        for (size_t r = 1; r < weights.size(); ++r) {
+          const double *low = centre - r * width, *high = centre + r * width;
+          for (size_t j = 0; j < width; ++j) out[j] = out[j] + weights[r] * (low[j] + high[j]);
+        }
+      }
+    }
+}
+
+Buffer<float> smooth(Buffer<double>& field, const Grid& grid,
+                     const std::array<std::vector<double>, 3>& weights, double& most) {
+  for (unsigned axis = 0; axis < grid.dimension; ++axis)
+    smooth_along(field, grid, axis, weights[axis]);
+  Buffer<float> out(field.size());
+  bool finite = true;
+  double size = most;
+  for (size_t i = 0; i < field.size(); ++i) {
+    out[i] = static_cast<float>(field[i]);
+    const double x = std::fabs(static_cast<double>(out[i]));
+    finite = (x < HUGE_VAL) & finite;
+    size = std::max(size, x);
+  }
+  require(finite, "coefficients: one is not finite");
+  most = size;
+  return out;
+}
+
+/// Central differences along an axis, in one layer (all nodes with one last coordinate).
+void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis, double spacing,
+                 size_t layer, Buffer<double>& out) {
+  const size_t n = grid.nodes[axis], stride = grid.stride[axis];
+  const size_t size = grid.stride[grid.dimension - 1], first = layer * size;
+  const double twice = 2 * spacing;
+  const auto row = [&](size_t i, size_t base, size_t width, size_t at) {
+    const double* const low = samples.data() + base + (i == 0 ? 0 : i - 1) * stride;
+    const double* const high = samples.data() + base + (i + 1 == n ? n - 1 : i + 1) * stride;
+    for (size_t j = 0; j < width; ++j) out[at + j] = (high[j] - low[j]) / twice;
+  };
+  if (axis == grid.dimension - 1) return row(layer, 0, size, 0);
+  for (size_t slab = 0; slab < size; slab += n * stride)
+    for (size_t i = 0; i < n; ++i) row(i, first + slab, stride, slab + i * stride);
+}
+
+/// The products of two differences.
+void multiply(const Buffer<double>& samples, const Fields& fields, unsigned i, unsigned j,
+              Buffer<double>& out) {
+  const Grid& grid = fields.grid;
+  const size_t size = grid.stride[grid.dimension - 1];
+  Buffer<double> first(size), second(size);
+  for (size_t layer = 0; layer * size < grid.count; ++layer) {
+    differences(samples, grid, i, fields.spacing[i], layer, first);
+    if (i != j) differences(samples, grid, j, fields.spacing[j], layer, second);
+    const Buffer<double>& other = i == j ? first : second;
+    for (size_t n = 0; n < size; ++n) out[layer * size + n] = first[n] * other[n];
+  }
+}
+
+/// The weights of offsets 0 to R, normalised.
+std::vector<Interval> enclose_weights(const Interval& variance, size_t count) {
+  std::vector<Interval> weights;
+  Interval total(0.0);
+  for (size_t r = 0; r < count; ++r) {
+    const double offset = static_cast<double>(r);
+    weights.push_back(exp(Interval(-offset * offset) / (Interval(2.0) * variance)));
+    total = total + (r == 0 ? Interval(1.0) : Interval(2.0)) * weights.back();
+  }
+  for (Interval& w : weights) w = w / total;
+  return weights;
+}
+
+/// SPEC.md, "Weights". Relative error 2^-40: exp differs in its last digits from machine to machine.
+void check_weights(const std::vector<double>& weights, double sigma, double ratio) {
+  const kernel::RoundUpward guard;
+  const Interval scaled = Interval(sigma) * Interval(ratio);
+  const Interval variance = scaled * scaled - Interval(1.0) / Interval(3.0);
+  if (weights.size() == 1) {
+    require(weights[0] == 1 && variance.inf() <= 0x1p-40, "weights: smoothing is missing");
+    return;
+  }
+  // R = ceil(3 sqrt v); either, where v is next to a step.
+  const double radius = static_cast<double>(weights.size()) - 1;
+  const Interval nine = Interval(9.0) * variance;
+  require(variance.inf() > 0 && nine.sup() * (1 + 0x1p-40) >= (radius - 1) * (radius - 1) &&
+              nine.inf() * (1 - 0x1p-40) <= radius * radius,
+          "weights: the radius {} is not that of sigma {}", weights.size() - 1, sigma);
+  const auto exact = enclose_weights(variance, weights.size());
+  for (size_t r = 0; r < weights.size(); ++r)
+    require(weights[r] >= exact[r].inf() * (1 - 0x1p-40) &&
+                weights[r] <= exact[r].sup() * (1 + 0x1p-40),
+            "weights: one is not that of sigma {}", sigma);
+}
+
+}  // namespace
+
+Grid::Grid(const ExtremalData& data) : dimension(data.dimension), nodes(data.nodes) {
+  stride = {1, nodes[0], nodes[0] * nodes[1]};
+  count = stride[2] * nodes[2];
+}
+
+void check_weights(const ExtremalData& data) {
+  double least = data.spacing[0];
+  for (unsigned k = 1; k < data.dimension; ++k) least = std::min(least, data.spacing[k]);
+  for (unsigned k = 0; k < data.dimension; ++k) {
+    const double ratio = least / data.spacing[k];
+    check_weights(data.weights[k], data.sigma, ratio);
+    if (data.hessian)
+      require(data.tensor_weights[k] == std::vector<double>{1}, "weights: of no tensor field");
+    else
+      check_weights(data.tensor_weights[k], data.tensor_sigma, ratio);
+  }
+}
+
+Fields make_fields(const ExtremalData& data) {
+  Fields fields{Grid(data), data.hessian, data.valley, data.spacing, {}, {}, {}};
+  const Grid& grid = fields.grid;
+  for (unsigned k = 0; k < 3; ++k) fields.inverse_spacing[k] = 1 / data.spacing[k];
+  Buffer<double> samples = read_samples(data, grid.count);
+  if (!data.hessian) {
+    Buffer<double> product(samples.size());
+    for (unsigned i = 0; i < grid.dimension; ++i)
+      for (unsigned j = i; j < grid.dimension; ++j) {
+        multiply(samples, fields, i, j, product);
+        fields.t[kComponent[i][j]] = smooth(product, grid, data.tensor_weights, fields.most_t);
+      }
+  }
+  fields.l = smooth(samples, grid, data.weights, fields.most_l);
+  return fields;
+}
+
+}  // namespace crest::certify::extremal

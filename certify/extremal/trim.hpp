@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which corners of the mesh are kept: L and s_nn at the places written (SPEC.md, "Trim").
+#include "certify/extremal/components.hpp"
+
+namespace crest::certify::extremal {
+
+/// Throws Reject unless there are as many places as the mesh has corners; Undecided where s_nn is
+/// equal to the least strength, or n not certain.
+Kept trim(const ExtremalCertificate& c, const Fields& fields, const Mesh& mesh);
+
+}  // namespace crest::certify::extremal
