@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 #include "algorithms/extremal/extremal.hpp"
@@ -62,17 +61,6 @@ extremal::Volume volume_of(const kernel::SampledGrid& grid) {
       },
       grid.samples);
   return volume;
-}
-
-/// The file's own samples instead of the widened ones, which are the same numbers.
-void set_samples(certify::ExtremalData& data, const kernel::SampledGrid& grid) {
-  data.type = static_cast<std::uint8_t>(grid.type());
-  std::visit(
-      [&](const auto& x) {
-        data.samples.resize(x.size() * sizeof x[0]);
-        std::memcpy(data.samples.data(), x.data(), data.samples.size());
-      },
-      grid.samples);
 }
 
 /// From the grid's own frame.
@@ -146,10 +134,7 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   });
   move_to_world(grid, result);
   std::string digest;
-  if (certificate) {
-    set_samples(certificate->data, grid);
-    digest = certify_result(run, *certificate, result.undecided.size());
-  }
+  if (certificate) digest = certify_result(run, *certificate, result.undecided.size());
   return finish(run, o, result, digest, grid.dimension() == 2 ? &grid : nullptr);
 }
 
