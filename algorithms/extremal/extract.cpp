@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/extremal/extraction.hpp"
+#include "algorithms/extremal/certificate.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::extremal {
@@ -10,7 +10,8 @@ Result extract(const Volume& volume, const Options& options,
     throw kernel::InputError("refine: octrees are not built yet; use 0");
   const Extraction e(volume, options);
   const Extraction::Mesh mesh = e.mesh(options.critical);
-  (void)certificate;
+  if (certificate != nullptr)
+    *certificate = make_certificate(volume, e, options.critical ? e.mesh(false) : mesh);
   return e.result(mesh);
 }
 

@@ -80,6 +80,8 @@ void Extraction::write_points(const Mesh& mesh, Result& result) const {
   result.points.resize(kept.size());
   result.normals.resize(kept.size());
   std::vector<double> residuals(kept.size());
+  const Vec3& d = fields_.grid().spacing;
+  const double least = std::min({d[0], d[1], result.dimension == 2 ? d[0] : d[2]});
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kept.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TrimmedPoint& p = t.points[kept[i]];
@@ -87,9 +89,9 @@ void Extraction::write_points(const Mesh& mesh, Result& result) const {
       const Local l = fields_.at(p.cell, p.place - low);
       result.points[i] = fields_.grid().position(p.place);
       result.normals[i] = dominant_direction(l.tensor);
-      const double length = kernel::norm(l.gradient);
-      residuals[i] =
-          length > 0 ? std::fabs(kernel::dot(result.normals[i], l.gradient)) / length : 0;
+      const Vec3& n = result.normals[i];
+      const double bend = std::fabs(kernel::dot(n, product(l.hessian, n))) * least;
+      residuals[i] = bend > 0 ? std::fabs(kernel::dot(n, l.gradient)) / bend : 0;
     }
   });
   for (const double x : residuals) result.max_residual = std::max(result.max_residual, x);

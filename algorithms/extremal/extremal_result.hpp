@@ -73,7 +73,7 @@ struct Result {
   std::vector<Component> components;           ///< by their first polygon
   std::vector<UndecidedEdge> undecided;        ///< by edge
   Counts counts;
-  double max_residual = 0;  ///< largest |g| left at a point, over the largest |grad s| of its cell
+  double max_residual = 0;  ///< largest |g / s_nn| left at a point, in the smallest spacing
 
   std::size_t polygons() const { return first.size() - 1; }
 };

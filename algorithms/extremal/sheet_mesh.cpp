@@ -88,16 +88,19 @@ class SheetMaker {
 
   /// Polygons of a face's group, ascending.
   struct Members {
-    std::array<Index, 4> polygons;
+    std::array<Index, 4> polygons{};
     std::size_t count = 0;
   };
   Members members(const Face& f, std::size_t local) const {
     Members m;
     for (std::size_t i = 0; i < 4; ++i) {
       if (f.group[i] != f.group[local]) continue;
-      if (const Index p = polygon_of(f.edges[i]); p != kernel::kNone) m.polygons[m.count++] = p;
+      const Index p = polygon_of(f.edges[i]);
+      if (p == kernel::kNone) continue;
+      std::size_t at = m.count++;
+      for (; at > 0 && m.polygons[at - 1] > p; --at) m.polygons[at] = m.polygons[at - 1];
+      m.polygons[at] = p;
     }
-    std::sort(m.polygons.begin(), m.polygons.begin() + static_cast<std::ptrdiff_t>(m.count));
     return m;
   }
   static std::size_t local(const Face& f, Index e) {
@@ -304,47 +307,6 @@ class SheetMaker {
 SheetMesh make_sheets(const Fields& fields, const Cells& cells, const Edges& edges,
                       const Faces& faces, bool critical) {
   return SheetMaker(fields, cells, edges, faces, critical).make();
-}
-
-void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces,
-                     Counts& counts) {
-  const Grid& g = fields.grid();
-  std::vector<Index> crossed;  // Faces, cells.
-  std::vector<std::size_t> cells;
-  for (const CriticalEdge& c : edges.critical_edges()) {
-    const Node v = g.node(c.edge / 3);
-    const std::size_t a = c.edge % 3;
-    for (const std::size_t normal : {next(a), after_next(a)}) {
-      if (g.dimension() == 2 && normal != 2) continue;
-      const std::size_t other = 3 - a - normal;
-      for (int low = 0; low < 2; ++low) {
-        Node p = v;
-        p[other] -= low;
-        if (p[other] >= 0 && p[other] < g.size[other] - 1)
-          crossed.push_back(static_cast<Index>(3 * g.index(p) + normal));
-      }
-    }
-    for (int i = 0; i < 4; ++i) {
-      Node cell = v;
-      cell[next(a)] -= i & 1;
-      cell[after_next(a)] -= i >> 1;
-      if (g.is_cell(cell)) cells.push_back(g.index(cell));
-    }
-  }
-  tbb::parallel_sort(crossed.begin(), crossed.end());
-  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-  for (const Index f : crossed) {
-    const Face face = faces.face(g.node(f / 3), f % 3);
-    counts.odd_faces += face.odd() ? 1 : 0;
-    counts.ambiguous_faces += face.critical == 4 ? 1 : 0;
-    counts.junction_edges += face.odd() && face.critical == 3 ? 1 : 0;
-  }
-  tbb::parallel_sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for (const std::size_t c : cells) {
-    const auto sheets = faces.sheets(g.node(c));
-    counts.sheets_split += *std::max_element(sheets.begin(), sheets.end()) > 0 ? 1 : 0;
-  }
 }
 
 }  // namespace crest::extremal

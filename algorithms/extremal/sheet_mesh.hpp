@@ -42,6 +42,8 @@ struct SheetMesh {
 SheetMesh make_sheets(const Fields& fields, const Cells& cells, const Edges& edges,
                       const Faces& faces, bool critical);
 
+/// Faces with critical edges, as 3 node + normal, ascending; an image: its squares.
+std::vector<Index> crossed_faces(const Fields& fields, const Edges& edges);
 /// Counts of faces and cells that sheets cross.
 void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces, Counts& counts);
 
