@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write/volume_writer.hpp"
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
 #include <bit>
 #include <cstring>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -46,26 +54,27 @@ std::string nrrd(const SampledGrid& grid) {
 }
 
 std::string vti(const SampledGrid& grid) {
-  constexpr const char* types[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
-                                   "UInt32", "Int64", "UInt64", "Float32", "Float64"};
-  Text extent, text;
-  extent.add("0 {} 0 {} 0 {}", grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
-  const auto& d = grid.directions;
-  text.add(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<ImageData WholeExtent=\"{}\" "
-      "Origin=\"{} {} {}\" Spacing=\"{} {} {}\" Direction=\"{} {} {} {} {} {} {} {} {}\">\n<Piece "
-      "Extent=\"{}\">\n<PointData Scalars=\"value\">\n<DataArray type=\"{}\" Name=\"value\" "
-      "format=\"appended\" offset=\"0\"/>\n</PointData>\n</Piece>\n</ImageData>\n"
-      "<AppendedData encoding=\"raw\">\n_",
-      extent.text(), grid.origin[0], grid.origin[1], grid.origin[2], grid.spacing[0],
-      grid.spacing[1], grid.spacing[2], d[0][0], d[1][0], d[2][0], d[0][1], d[1][1], d[2][1],
-      d[0][2], d[1][2], d[2][2], extent.text(), types[static_cast<std::size_t>(grid.type())]);
+  constexpr int types[] = {
+      VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
+      VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+      VTK_FLOAT,       VTK_DOUBLE};
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(static_cast<int>(grid.size[0]), static_cast<int>(grid.size[1]),
+                      static_cast<int>(grid.size[2]));
+  data->SetOrigin(grid.origin.data());
+  data->SetSpacing(grid.spacing.data());
+  for (int k = 0; k < 3; ++k)
+    for (int r = 0; r < 3; ++r)
+      data->GetDirectionMatrix()->SetElement(
+          r, k, grid.directions[static_cast<std::size_t>(k)][static_cast<std::size_t>(r)]);
+  const auto array = vtk::TakeSmartPointer(
+      vtkDataArray::CreateDataArray(types[static_cast<std::size_t>(grid.type())]));
+  array->SetName("value");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(grid.count()));
   const std::string samples = sample_bytes(grid);
-  const std::uint64_t size = samples.size();
-  std::string bytes = text.text();
-  bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
-  return bytes + samples + "\n</AppendedData>\n</VTKFile>\n";
+  std::memcpy(array->GetVoidPointer(0), samples.data(), samples.size());
+  data->GetPointData()->SetScalars(array);
+  return vti_bytes(*data);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace crest::io {
 
-/// .nrrd (raw) or .vti (appended, raw), the samples in their own type. Guarantees: the same bytes
+/// .nrrd (raw) or .vti (compressed), the samples in their own type. Guarantees: the same bytes
 /// for the same grid; no half-written file. Throws: kernel::InputError for another extension or a
 /// place that cannot be written.
 void write_volume(const std::string& path, const kernel::SampledGrid& grid);
