@@ -22,6 +22,8 @@ struct Triangles {
   std::vector<kernel::Triangle> faces;
 };
 
+constexpr Vec3 kMerelyCritical = {0.66, 0.66, 0.68};
+
 /// From blue (columns, 1/2) over sand to red (plates, 1).
 Vec3 tint_of(double plateness) {
   constexpr Vec3 stops[3] = {{0.42, 0.58, 0.92}, {0.98, 0.90, 0.66}, {0.93, 0.32, 0.22}};
@@ -31,7 +33,25 @@ Vec3 tint_of(double plateness) {
   return combine(1 - share, stops[i], share, stops[i + 1]);
 }
 
+/// The mean of the polygons round each point.
+std::vector<Vec3> point_tints(const Result& r) {
+  std::vector<Vec3> sums(r.points.size(), Vec3{});
+  std::vector<double> counts(r.points.size(), 0);
+  for (std::size_t p = 0; p < r.polygons(); ++p) {
+    if (r.critical_type[p] != 1) continue;
+    const Vec3 tint = tint_of(r.plateness[p]);
+    for (Index i = r.first[p]; i < r.first[p + 1]; ++i) {
+      sums[r.corners[i]] = combine(1, sums[r.corners[i]], 1, tint);
+      ++counts[r.corners[i]];
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v)
+    for (double& x : sums[v]) x /= std::fmax(counts[v], 1);
+  return sums;
+}
+
 Triangles triangles_of(const Result& r) {
+  const std::vector<Vec3> tints = point_tints(r);
   Triangles all;
   for (std::size_t p = 0; p < r.polygons(); ++p) {
     const Index* corners = r.corners.data() + r.first[p];
@@ -42,7 +62,6 @@ Triangles triangles_of(const Result& r) {
       return dot(d, d);
     };
     const std::size_t apex = count == 4 && apart(1, 3) < apart(0, 2) ? 1 : 0;
-    const Vec3 tint = r.critical_type[p] == 1 ? tint_of(r.plateness[p]) : Vec3{0.66, 0.66, 0.68};
     for (std::size_t i = 1; i + 1 < count; ++i) {
       const Index v[3] = {corners[apex], corners[(apex + i) % count],
                           corners[(apex + i + 1) % count]};
@@ -52,7 +71,7 @@ Triangles triangles_of(const Result& r) {
         const Vec3& n = r.normals[x];
         all.points.push_back(r.points[x]);
         all.normals.push_back(dot(n, side) < 0 ? combine(-1, n, 0, n) : n);
-        all.tints.push_back(tint);
+        all.tints.push_back(r.critical_type[p] == 1 ? tints[x] : kMerelyCritical);
       }
       all.faces.push_back({first, first + 1, first + 2});
     }
