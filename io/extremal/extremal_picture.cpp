@@ -105,6 +105,19 @@ void add_features(const Result& r, const Camera& camera, const Canvas& canvas, D
   }
 }
 
+/// Lines no wider than a part of their edges: rims of small sheets are not to hide these.
+void thin_lines(const Result& r, const Camera& camera, Drawing& drawing) {
+  double length = 0;
+  for (const extremal::Feature& f : r.features) {
+    const Vec3 d = r.points[f.a] - r.points[f.b];
+    length += camera.scale * std::sqrt(dot(d, d));
+  }
+  if (r.features.empty()) return;
+  const double mean = length / static_cast<double>(r.features.size());
+  drawing.stroke_width = std::clamp(0.15 * mean, 0.8, drawing.stroke_width);
+  drawing.casing_width = drawing.stroke_width;
+}
+
 /// Where places of the world lie in a picture of an image, its first row at the top.
 class ImageFrame {
  public:
@@ -168,6 +181,7 @@ void write_extremal_picture(const std::string& path, const Result& result,
   Drawing drawing;
   add_features(result, camera, canvas, drawing);
   set_sizes(camera, drawing);
+  thin_lines(result, camera, drawing);
   add_class_legend(drawing);
   write_drawing(path, camera, canvas, drawing, true);
 }

@@ -10,9 +10,11 @@ namespace {
 
 std::size_t take_count(TextScan& scan, const char* what, std::size_t most) {
   std::uint64_t n = 0;
-  if (!scan.more() || !scan.take(n) || n < 1 || n > most)
+  const bool given = scan.more();
+  const std::string word = io::quoted(scan.peek());
+  if (!given || !scan.take(n) || n < 1 || n > most)
     fail(fmt::format("header (line {})", scan.line()),
-         fmt::format("{} {} is none", what, io::quoted(scan.peek())), "correct it");
+         fmt::format("{} {} is none", what, word), "correct it");
   return n;
 }
 

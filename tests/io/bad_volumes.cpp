@@ -56,6 +56,15 @@ std::string changed(Header header, const Change& change) {
   return header.bytes(kI16);
 }
 
+/// Of a VTI file, its whole extent and its piece's.
+std::string with_extent(const std::string& extent) {
+  std::string bytes = vti("Int16", volume_words());
+  const std::string old = "0 3 0 4 0 5";
+  for (std::size_t at = bytes.find(old); at != bytes.npos; at = bytes.find(old, at + extent.size()))
+    bytes.replace(at, old.size(), extent);
+  return bytes;
+}
+
 const Case kVolumes[] = {
     {"a.nrrd", "", "file: is empty"},
     {"a.nrrd", "NRRX", "does not start with 'NRRD000'"},
@@ -130,7 +139,8 @@ const Case kVolumes[] = {
     {"a.mrc", changed(Mrc{}, [](Mrc& m) { m.extended = 1 << 30; }), "announces an extended header"},
     {"a.vti", "<VTKFile type=\"ImageData\">", "cannot be read as VTI"},
     {"a.vti", vti("Int16", "1 2 3"), "cannot be read as VTI"},
-    {"a.vti", vti("Int16", volume_words()).replace(120, 1, "3"), "a.vti"},
+    {"a.vti", with_extent("0 3 0 4 0 99999999"), "more than the file holds"},
+    {"a.vti", with_extent("0 3 0 4 5 0"), "is empty or more"},
     {"a.vtk",
      structured_points("ASCII", "VECTORS a short\n",
                        volume_words() + volume_words() + volume_words()),

@@ -38,7 +38,8 @@ TEST_CASE("the fuzzers' corpus gives meshes or input errors", "[io]") {
     const std::string bytes = crest::tests::contents(entry.path().string());
     INFO(entry.path());
     try {
-      CHECK(read_count(folder, "mesh." + format, bytes) > 0);
+      const std::size_t count = read_count(folder, "mesh." + format, bytes);
+      CHECK(count > 0);
       ++meshes;
     } catch (const crest::kernel::InputError& error) {
       const std::string line = error.what();
