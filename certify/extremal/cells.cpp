@@ -156,9 +156,10 @@ class CellProver {
     const double error = (cone.chord * most_row_norm() +
                           turning(cone, frame) * (p + cone.sine * most_along)) *
                          kMore;
-    // a . h_i, h_i = diag(d) H_i w, and the same for two across a.
+    // a . h_i, h_i = diag(d) H_i w of s, and the same for two across a.
     const Vec& d = fields_.inverse_spacing;
-    const Vec w{frame.w[0] * d[0], frame.w[1] * d[1], frame.w[2] * d[2]};
+    const double sign = fields_.valley ? 1 : -1;
+    const Vec w{sign * frame.w[0] * d[0], sign * frame.w[1] * d[1], sign * frame.w[2] * d[2]};
     const auto ahead = form(h_, a.w, w), u = form(h_, a.u, w), v = form(h_, a.v, w);
     std::array<double, kControls> room;
     for (size_t n = 0; n < kControls; ++n)

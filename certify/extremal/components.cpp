@@ -117,19 +117,19 @@ class Counter {
     std::vector<u32> numbers(nodes_.size(), kNothing);  // of representatives
     u32 next = 0;
     for (u32 polygon = 0; polygon < mesh_.polygons.size(); ++polygon) {
-      std::array<u32, 5> corners{};
+      std::array<u32, 5> corners;
+      corners.fill(fan(polygon));  // which comes last
       for (u32 i = 0; i < m_; ++i) corners[i] = corner(polygon, i);
-      corners[m_] = fan(polygon);
-      std::sort(corners.begin(), corners.begin() + m_);
+      std::ranges::sort(corners);
       std::array<u32, 5> seen;
       unsigned count = 0;
       bool whole = true;
-      for (u32 i = 0; i <= m_; ++i) {
-        if (!is_kept(corners[i])) {
+      for (const u32 node : corners) {
+        if (!is_kept(node)) {
           whole = false;
           continue;
         }
-        u32& number = numbers[nodes_.find(corners[i])];
+        u32& number = numbers[nodes_.find(node)];
         if (number == kNothing) number = next++;
         if (std::find(seen.begin(), seen.begin() + count, number) == seen.begin() + count)
           seen[count++] = number;
@@ -211,8 +211,8 @@ class Counter {
         for (unsigned k = 0; k < 3; ++k)
           if (is_kept(nodes[k]) != is_kept(nodes[(k + 1) % 3])) found[count++] = cuts[k];
         if (count == 0) continue;
-        const auto kept = std::ranges::find_if(nodes, [&](u32 node) { return is_kept(node); });
-        join(number_[*kept], found[0], found[1]);
+        const u32 kept = is_kept(nodes[0]) ? nodes[0] : is_kept(nodes[1]) ? nodes[1] : nodes[2];
+        join(number_[kept], found[0], found[1]);
       }
     for (u32 i = 0; i < owner.size(); ++i)
       if (owner[i] != kNothing && classes.find(i) == i) ++out_.list[owner[i]].loops;

@@ -116,11 +116,12 @@ bool is_high(const Fields& fields, const Spot& spot, double level) {
 
 /// s_nn > strength?
 bool is_strong(const Fields& fields, const Spot& spot, double strength) {
-  double t_size, h_size;
+  double t_size = 0, h_size = 0;
   const SpotFields<double> near(fields, spot);
   const auto t = near.tensor(t_size);
   const Direction direction = direction_at(matrices(t, t_size));
-  Matrices<1> h = matrices(near.hessian(h_size), h_size);
+  const auto hessian = near.hessian(h_size);
+  Matrices<1> h = matrices(hessian, h_size);
   for (size_t i = 0; i < 3; ++i) h.at[i][0] -= 216 * strength;
   h.size = std::max(h.size, 0x1p10 * strength);
   if (const int sign = curvature_on(direction.cone, direction.frame, h)) return sign > 0;

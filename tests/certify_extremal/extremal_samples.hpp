@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Volumes and images with known sheets, in [-1, 1]^d.
+#include <cmath>
+#include <functional>
+
+#include "tests/certify_extremal/reference_extremal.hpp"
+
+namespace crest::tests {
+
+using Profile = std::function<double(double, double, double)>;
+
+inline certify::ExtremalData sampled(std::array<std::uint32_t, 3> nodes, const Profile& profile,
+                                     Vec spacing = {1, 1, 1}) {
+  std::vector<float> samples;
+  const auto at = [&](std::uint32_t i, std::size_t k) {
+    return nodes[k] == 1 ? 0 : -1 + 2.0 * i / (nodes[k] - 1);
+  };
+  for (std::uint32_t z = 0; z < nodes[2]; ++z)
+    for (std::uint32_t y = 0; y < nodes[1]; ++y)
+      for (std::uint32_t x = 0; x < nodes[0]; ++x)
+        samples.push_back(static_cast<float>(profile(at(x, 0), at(y, 1), at(z, 2))));
+  return make_data(nodes, samples, spacing);
+}
+inline double sheet(double distance, double width) {
+  return std::exp(-(distance / width) * (distance / width));
+}
+inline certify::ExtremalData with_level(certify::ExtremalData data, double level) {
+  data.has_min_value = true;
+  data.min_value = level;
+  return data;
+}
+inline double sphere(double x, double y, double z) {
+  return sheet(std::sqrt(x * x + y * y + z * z) - 0.55, 0.25);
+}
+inline double moebius(double x, double y, double z) {
+  const double u = std::atan2(y, x), r = std::hypot(x, y) - 0.6;
+  const double d = -std::sin(u / 2) * r + std::cos(u / 2) * z;
+  const double t = std::cos(u / 2) * r + std::sin(u / 2) * z;
+  return sheet(d, 0.2) * sheet(std::max(0.0, std::fabs(t) - 0.2), 0.2);
+}
+
+}  // namespace crest::tests
