@@ -63,13 +63,11 @@ class TurnedSets {
 
 class Meter {
  public:
-  Meter(const Fields& fields, const SheetMesh& mesh, TrimmedMesh& trimmed, const Clusters& clusters)
-      : fields_(fields),
-        grid_(fields.grid()),
+  Meter(const Grid& grid, const SheetMesh& mesh, TrimmedMesh& trimmed)
+      : grid_(grid),
         mesh_(mesh),
         trimmed_(trimmed),
-        clusters_(clusters),
-        plane_(grid_.dimension() == 2),
+        plane_(grid.dimension() == 2),
         points_(static_cast<Index>(trimmed.points.size())) {}
 
   Measured run() {
@@ -79,7 +77,6 @@ class Meter {
     count_borders();
     orient();
     for (Index p = 0; p < count(); ++p) measure_polygon(p);
-    decide_isotopy();
     return std::move(r_);
   }
 
@@ -207,29 +204,9 @@ class Meter {
       c.area += 0.5 * kernel::norm(kernel::cross(at(i - 1) - at(begin), at(i) - at(begin)));
   }
 
-  void decide_isotopy() {
-    if (!fields_.structure() || plane_) return;
-    for (Component& c : r_.components) c.isotopic = c.boundary_loops == 0;
-    for (std::size_t i = 0; i < r_.proofs.size(); ++i) {
-      if (r_.proofs[i].cut) r_.components[i].isotopic = false;
-      r_.proofs[i].extremal = true;
-    }
-    for (Index v = 0; v < mesh_.vertices.size(); ++v) {
-      const Index c = component_of_point_[v];
-      if (c == kernel::kNone) continue;
-      const std::size_t cell = mesh_.vertices[v].cell;
-      if (!clusters_.proven(cell)) r_.components[c].isotopic = false;
-      if (!clusters_.extremal(cell)) r_.proofs[c].extremal = false;
-    }
-    for (std::size_t i = 0; i < r_.proofs.size(); ++i)
-      if (!*r_.components[i].isotopic) r_.proofs[i].extremal = false;
-  }
-
-  const Fields& fields_;
   const Grid& grid_;
   const SheetMesh& mesh_;
   TrimmedMesh& trimmed_;
-  const Clusters& clusters_;
   bool plane_;
   kernel::DisjointSets points_;
   std::vector<Border> borders_;
@@ -237,11 +214,31 @@ class Meter {
   Measured r_;
 };
 
+/// Closed, not cut, and all cells of its vertices in proven clusters.
+void decide_isotopy(const SheetMesh& mesh, const TrimmedMesh& trimmed, const Clusters& clusters,
+                    Measured& m) {
+  for (std::size_t i = 0; i < m.components.size(); ++i) {
+    Component& c = m.components[i];
+    c.isotopic = c.boundary_loops == 0 && c.ends == 0 && !m.proofs[i].cut;
+    m.proofs[i].extremal = *c.isotopic;
+  }
+  for (std::size_t p = 0; p < trimmed.source.size(); ++p)
+    for (Index i = trimmed.first[p]; i < trimmed.first[p + 1]; ++i) {
+      const Index v = trimmed.corners[i], c = m.component_of[p];
+      if (v >= mesh.vertices.size() || !*m.components[c].isotopic) continue;
+      const std::size_t cell = mesh.vertices[v].cell;
+      if (!clusters.proven(cell)) m.components[c].isotopic = m.proofs[c].extremal = false;
+      if (!clusters.extremal(cell)) m.proofs[c].extremal = false;
+    }
+}
+
 }  // namespace
 
 Measured measure(const Fields& fields, const SheetMesh& mesh, TrimmedMesh& trimmed,
                  const Clusters& clusters) {
-  return Meter(fields, mesh, trimmed, clusters).run();
+  Measured r = Meter(fields.grid(), mesh, trimmed).run();
+  if (fields.structure()) decide_isotopy(mesh, trimmed, clusters, r);
+  return r;
 }
 
 }  // namespace crest::extremal

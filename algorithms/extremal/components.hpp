@@ -3,6 +3,7 @@
 
 // The components of the cut mesh: topology, orientation, and the clusters of theorem (b).
 #include "algorithms/extremal/trim.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::extremal {
 
@@ -16,6 +17,9 @@ class Clusters {
   bool extremal(std::size_t cell) const;
 
  private:
+  bool join_neighbours(const Cells& cells, Index m, kernel::DisjointSets& sets) const;
+  bool several_sheets(const Edges& edges, const Faces& faces, std::size_t cell) const;
+
   const Fields& fields_;
   std::vector<std::size_t> members_;  ///< regular cells, ascending
   std::vector<Index> cluster_;        ///< a member's

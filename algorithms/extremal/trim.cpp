@@ -13,35 +13,38 @@ Vec3 as_vector(const Node& v) {
   return {double(v[0]), double(v[1]), double(v[2])};
 }
 
-class Trimmer {
+/// min(L - value, s_nn - strength) at the vertices and the fans' centres; 0 without levels.
+class LevelValues {
  public:
-  Trimmer(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
-      : fields_(fields),
-        grid_(fields.grid()),
-        mesh_(mesh),
-        levels_(levels),
-        plane_(grid_.dimension() == 2),
-        sides_(plane_ ? 2 : 4) {}
+  LevelValues(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
+      : fields_(fields), levels_(levels) {
+    if (!levels.any()) return;
+    const Grid& grid = fields.grid();
+    corner_.resize(mesh.vertices.size());
+    centre_.resize(mesh.polygons.size());
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, corner_.size(), 256), [&](const Range& r) {
+      for (std::size_t i = r.begin(); i < r.end(); ++i) {
+        const SheetVertex& v = mesh.vertices[i];
+        corner_[i] = at(grid.node(v.cell), place_in(v));
+      }
+    });
+    tbb::parallel_for(Range(0, centre_.size(), 256), [&](const Range& r) {
+      for (std::size_t i = r.begin(); i < r.end(); ++i) {
+        const auto [cell, t] = zero_of(grid, mesh.polygons[i]);
+        centre_[i] = at(cell, t);
+      }
+    });
+  }
+  double corner(Index v) const { return levels_.any() ? corner_[v] : 0; }
+  double centre(Index p) const { return levels_.any() ? centre_[p] : 0; }
 
-  TrimmedMesh run() {
-    for (const SheetVertex& v : mesh_.vertices) {
-      const Node cell = grid_.node(v.cell);
-      r_.points.push_back(
-          {as_vector(cell) + Vec3{v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0},
-           cell});
-    }
-    evaluate();
-    r_.partly.assign(mesh_.polygons.size(), false);
-    cut_of_.assign(mesh_.edges.size(), kernel::kNone);
-    middle_of_.assign(mesh_.edges.size(), kernel::kNone);
-    plane_ ? end_features() : edge_features();
-    for (Index p = 0; p < mesh_.polygons.size(); ++p) add_polygon(p);
-    return std::move(r_);
+  static Vec3 place_in(const SheetVertex& v) {
+    return {v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0};
   }
 
  private:
-  /// min(L - value, s_nn - strength).
-  double level_at(const Node& cell, const Vec3& t) const {
+  double at(const Node& cell, const Vec3& t) const {
     const Local l = fields_.at(cell, t);
     double r = HUGE_VAL;
     if (levels_.value) r = l.value - *levels_.value;
@@ -51,23 +54,37 @@ class Trimmer {
     }
     return r;
   }
-  void evaluate() {
-    if (!levels_.any()) return;
-    corner_.resize(mesh_.vertices.size());
-    centre_.resize(mesh_.polygons.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corner_.size(), 256), [&](const auto& r) {
-      for (std::size_t i = r.begin(); i < r.end(); ++i)
-        corner_[i] = level_at(r_.points[i].cell, r_.points[i].place - as_vector(r_.points[i].cell));
-    });
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, centre_.size(), 256), [&](const auto& r) {
-      for (std::size_t i = r.begin(); i < r.end(); ++i) {
-        const auto [cell, t] = zero_of(grid_, mesh_.polygons[i]);
-        centre_[i] = level_at(cell, t);
-      }
-    });
+
+  const Fields& fields_;
+  Levels levels_;
+  std::vector<double> corner_, centre_;
+};
+
+class Trimmer {
+ public:
+  Trimmer(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
+      : grid_(fields.grid()),
+        mesh_(mesh),
+        values_(fields, mesh, levels),
+        plane_(grid_.dimension() == 2),
+        sides_(plane_ ? 2 : 4) {}
+
+  TrimmedMesh run() {
+    for (const SheetVertex& v : mesh_.vertices) {
+      const Node cell = grid_.node(v.cell);
+      r_.points.push_back({as_vector(cell) + LevelValues::place_in(v), cell});
+    }
+    r_.partly.assign(mesh_.polygons.size(), false);
+    cut_of_.assign(mesh_.edges.size(), kernel::kNone);
+    middle_of_.assign(mesh_.edges.size(), kernel::kNone);
+    plane_ ? end_features() : edge_features();
+    for (Index p = 0; p < mesh_.polygons.size(); ++p) add_polygon(p);
+    return std::move(r_);
   }
-  double corner(Index v) const { return levels_.any() ? corner_[v] : 0; }
-  double centre(Index p) const { return levels_.any() ? centre_[p] : 0; }
+
+ private:
+  double corner(Index v) const { return values_.corner(v); }
+  double centre(Index p) const { return values_.centre(p); }
   static bool kept(double x) { return x >= 0; }
 
   Index add_point(const Vec3& x) {
@@ -206,13 +223,11 @@ class Trimmer {
     }
   }
 
-  const Fields& fields_;
   const Grid& grid_;
   const SheetMesh& mesh_;
-  Levels levels_;
+  LevelValues values_;
   bool plane_;
   std::size_t sides_;
-  std::vector<double> corner_, centre_;    ///< the level's function there
   std::vector<Index> cut_of_, middle_of_;  ///< an edge's
   TrimmedMesh r_;
 };
