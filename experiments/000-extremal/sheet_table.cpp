@@ -27,8 +27,9 @@ Sums sums_of(const extremal::Result& r) {
   return s;
 }
 
-void row(const sampling::Phantom& p, std::size_t nodes, bool hessian, int refine) {
-  auto options = ridge_options(hessian, 0.4, hessian ? 0.08 : 0);
+void row(const sampling::Phantom& p, std::size_t nodes, bool hessian, int refine,
+         double min_strength) {
+  auto options = ridge_options(hessian, 0.4, min_strength);
   options.refine = refine;
   const auto r = extremal::extract(phantom(p.name, nodes), options);
   const Sums s = sums_of(r);
@@ -58,14 +59,18 @@ int main(int argc, char** argv) {
   using namespace crest;
   std::vector<int> sizes{48, 64, 128};
   std::string only;
+  std::string definition = "structure";
   int refine = 0;
+  double min_strength = 0;
   experiments::Program program("Sheets with known answers, structure and hessian.");
   program.list("--nodes", sizes, "along each axis");
   program.option("--only", only, "one phantom");
+  program.option("--definition", definition, "of n", {"structure", "hessian"});
+  program.option("--min-strength", min_strength, "in the world's units");
   program.option("--refine", refine, "splits of cells that are not proven", {0, 8});
   return program.run(argc, argv, [&] {
     fmt::print(
-        "sigma 1, min-value 0.4, of hessian min-strength 0.08. Proven: cells empty or regular, of "
+        "sigma 1, min-value 0.4. Proven: cells empty or regular, of "
         "those tested; right: Euler characteristic, loops and orientability are those of the "
         "sheet\n\n"
         "| sheet | nodes | definition | refine | critical edges | extremal | odd faces | "
@@ -77,8 +82,8 @@ int main(int argc, char** argv) {
     for (const auto& p : sampling::volume_phantoms()) {
       if (!only.empty() && p.name != only) continue;
       for (const int n : sizes)
-        for (const bool hessian : {false, true})
-          experiments::row(p, static_cast<std::size_t>(n), hessian, refine);
+        experiments::row(p, static_cast<std::size_t>(n), definition == "hessian", refine,
+                         min_strength);
     }
     return 0;
   });
