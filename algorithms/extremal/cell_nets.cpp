@@ -68,8 +68,8 @@ RowNets::RowNets(const Fields& fields, int j, int k) : fields_(fields), j_(j), k
   const Grid& g = fields.grid();
   for (int y = 0; y < 4; ++y)
     for (int z = 0; z < 4; ++z)
-      rows_[static_cast<std::size_t>(4 * y + z)] =
-          g.index({0, std::clamp(j - 1 + y, 0, g.size[1] - 1), std::clamp(k - 1 + z, 0, g.size[2] - 1)});
+      rows_[static_cast<std::size_t>(4 * y + z)] = g.index(
+          {0, std::clamp(j - 1 + y, 0, g.size[1] - 1), std::clamp(k - 1 + z, 0, g.size[2] - 1)});
 }
 
 const RowNets::Column& RowNets::column(int i) {
@@ -129,14 +129,15 @@ void RowNets::make(int i, CellNets& nets) {
   across<1>(of(0), s / d[0], nets.gradient[0].data());
   across<0>(of(1), s / d[1], nets.gradient[1].data());
   across<0>(of(2), s / d[2], nets.gradient[2].data());
-  nets.gradient_size = std::max({c[0]->scalar_size, c[1]->scalar_size, c[2]->scalar_size,
-                                 c[3]->scalar_size}) * 2 / std::min({d[0], d[1], d[2]});
+  nets.gradient_size =
+      std::max({c[0]->scalar_size, c[1]->scalar_size, c[2]->scalar_size, c[3]->scalar_size}) * 2 /
+      std::min({d[0], d[1], d[2]});
   if (!fields_.structure()) {
     make_hessian(i, nets);
     return;
   }
-  nets.tensor_size = std::max({c[0]->tensor_size, c[1]->tensor_size, c[2]->tensor_size,
-                               c[3]->tensor_size});
+  nets.tensor_size =
+      std::max({c[0]->tensor_size, c[1]->tensor_size, c[2]->tensor_size, c[3]->tensor_size});
   for (std::size_t t = 0; t < fields_.tensors().size(); ++t)
     across<0>({c[0]->tensor[t].data(), c[1]->tensor[t].data(), c[2]->tensor[t].data(),
                c[3]->tensor[t].data()},

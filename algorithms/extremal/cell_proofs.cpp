@@ -11,8 +11,12 @@ constexpr double kMargin = 1e-6, kSlack = 1e-10;
 
 /// The bilinear form u.Tw as six factors of T's entries.
 std::array<double, 6> form(const Vec3& u, const Vec3& w) {
-  return {u[0] * w[0], u[1] * w[1], u[2] * w[2], u[0] * w[1] + u[1] * w[0],
-          u[1] * w[2] + u[2] * w[1], u[0] * w[2] + u[2] * w[0]};
+  return {u[0] * w[0],
+          u[1] * w[1],
+          u[2] * w[2],
+          u[0] * w[1] + u[1] * w[0],
+          u[1] * w[2] + u[2] * w[1],
+          u[0] * w[2] + u[2] * w[0]};
 }
 double apply(const std::array<double, 6>& f, const std::array<Controls, 6>& t, std::size_t i) {
   return f[0] * t[0][i] + f[1] * t[1][i] + f[2] * t[2][i] + f[3] * t[3][i] + f[4] * t[4][i] +
@@ -119,7 +123,12 @@ class RegularTest {
  public:
   RegularTest(const Fields& fields, const Node& v, const Vec3& w, double gap, double theta,
               double gradient_size)
-      : fields_(fields), made_(fields, v), w_(w), gap_(gap), theta_(theta), hessian_(made_.hessian()) {
+      : fields_(fields),
+        made_(fields, v),
+        w_(w),
+        gap_(gap),
+        theta_(theta),
+        hessian_(made_.hessian()) {
     const auto& spacing = fields.grid().spacing;
     least_ = std::min({spacing[0], spacing[1], spacing[2]});
     slack_ = 4 * kSlack * gradient_size;
@@ -158,7 +167,8 @@ class RegularTest {
     // First without what turns of n add, which costs most.
     if (!(room > 0)) return false;
     const double largest = std::max(std::fabs(g.low), std::fabs(g.high));
-    const double e = 2 * std::sin(theta_ / 2) * size_ + turn() * (g.across + std::sin(theta_) * largest);
+    const double e =
+        2 * std::sin(theta_ / 2) * size_ + turn() * (g.across + std::sin(theta_) * largest);
     return room > std::sqrt(2.0) * e + kMargin * size_ + slack_;
   }
 
@@ -194,8 +204,7 @@ class RegularTest {
         across[i] = a * a + b * b;
         norm[i] = square_norm(dt, i);
       }
-      const double x =
-          (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm))) / gap_;
+      const double x = (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm))) / gap_;
       sum += x * x;
     }
     return std::sqrt(sum);

@@ -19,7 +19,8 @@ struct CellProof {
 };
 
 /// Proves of the cell at v, whose nets are given, what it can; `guess` is near n.
-/// Guarantees: every inequality holds with 1e-6 of its terms to spare, so that what rounding does to
+/// Guarantees: every inequality holds with 1e-6 of its terms to spare, so that what rounding does
+/// to
 ///   the nets (1e-14) and to the bounds does not matter; the checker repeats it with errors.
 CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, const Vec3& guess);
 

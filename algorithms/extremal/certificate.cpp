@@ -79,10 +79,13 @@ void record_cells(const Extraction& e, certify::ExtremalCertificate& c) {
       ++c.cells.back().length;
     else
       c.cells.push_back({id, 1});
-    c.codes.push_back(static_cast<std::uint8_t>(s));
+    // By the definition by Hess regular cells prove nothing: they are said to pass the cone test.
+    const bool regular = cells.regular(v) && !c.data.hessian;
+    const bool cone = cells.regular(v) && c.data.hessian;
+    c.codes.push_back(static_cast<std::uint8_t>(cone ? CellState::cone : s));
     if (s == CellState::open) continue;
     c.directions.push_back(cells.direction(v));
-    if (cells.regular(v)) c.gradients.push_back(cells.proof(v).gradient);
+    if (regular) c.gradients.push_back(cells.proof(v).gradient);
   }
 }
 

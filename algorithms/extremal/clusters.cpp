@@ -46,8 +46,8 @@ bool Clusters::join_neighbours(const Cells& cells, Index m, kernel::DisjointSets
         if (!cells.regular(n))
           good = good && cells.state(n) == CellState::empty;
         else if (n < members_[m])
-          sets.unite(m, static_cast<Index>(
-                            std::lower_bound(members_.begin(), members_.end(), n) - members_.begin()));
+          sets.unite(m, static_cast<Index>(std::lower_bound(members_.begin(), members_.end(), n) -
+                                           members_.begin()));
       }
   return good;
 }

@@ -104,8 +104,8 @@ class Meter {
     std::map<Index, std::array<Index, 3>> keys;  // By root: polygon, vertex, root.
     for (Index p = 0; p < count(); ++p) {
       const Index root = points_.find(trimmed_.corners[trimmed_.first[p]]);
-      auto& key = keys.try_emplace(root, std::array<Index, 3>{trimmed_.source[p], own, root})
-                      .first->second;
+      auto& key =
+          keys.try_emplace(root, std::array<Index, 3>{trimmed_.source[p], own, root}).first->second;
       if (key[0] != trimmed_.source[p]) continue;
       for (Index i = trimmed_.first[p]; i < trimmed_.first[p + 1]; ++i)
         key[1] = std::min(key[1], trimmed_.corners[i]);

@@ -7,8 +7,8 @@
 
 namespace crest::extremal {
 
-/// Which cells belong to a cluster that proves isotopy: connected through shared points, all regular
-/// with one sheet at most, all others that they touch empty, no border, no ambiguous face.
+/// Which cells belong to a cluster that proves isotopy: connected through shared points, all
+/// regular with one sheet at most, all others that they touch empty, no border, no ambiguous face.
 class Clusters {
  public:
   Clusters(const Fields& fields, const Cells& cells, const Edges& edges, const Faces& faces);

@@ -36,8 +36,7 @@ std::vector<Index> crossed_faces(const Fields& fields, const Edges& edges) {
   return r;
 }
 
-void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces,
-                     Counts& counts) {
+void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces, Counts& counts) {
   const Grid& g = fields.grid();
   for (const Index f : crossed_faces(fields, edges)) {
     const Face face = faces.face(g.node(f / 3), f % 3);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The dominant eigenvector in doubles, and directions as 16-bit integers: guesses that the cone test
-// proves.
+// The dominant eigenvector in doubles, and directions as 16-bit integers: guesses that the cone
+// test proves.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,32 +18,27 @@ using Short3 = std::array<std::int16_t, 3>;
 /// A unit vector near n: closed form, then one inverse iteration. For T = c I any unit vector.
 inline kernel::Vec3 dominant_direction(const kernel::Symmetric3<double>& t) {
   using kernel::operator*;
-  const auto column = [](const kernel::Symmetric3<double>& m) -> kernel::Symmetric3<double> {
-    return {m[1] * m[2] - m[4] * m[4], m[0] * m[2] - m[5] * m[5], m[0] * m[1] - m[3] * m[3],
-            m[4] * m[5] - m[3] * m[2], m[3] * m[5] - m[0] * m[4], m[3] * m[4] - m[1] * m[5]};
-  };
   const double mean = (t[0] + t[1] + t[2]) / 3;
   const double x = t[0] - mean, y = t[1] - mean, z = t[2] - mean;
-  const double square =
-      (x * x + y * y + z * z + 2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5])) / 6;
+  const double square = (x * x + y * y + z * z + 2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5])) / 6;
   const double p = std::sqrt(square);
   if (!(p > 0)) return {1, 0, 0};
-  const double det = x * (y * z - t[4] * t[4]) - t[3] * (t[3] * z - t[4] * t[5]) +
-                     t[5] * (t[3] * t[4] - y * t[5]);
+  const double det =
+      x * (y * z - t[4] * t[4]) - t[3] * (t[3] * z - t[4] * t[5]) + t[5] * (t[3] * t[4] - y * t[5]);
   const double r = std::clamp(det / (2 * p * square), -1.0, 1.0);
   const double q = 2 * p * std::cos(std::acos(r) / 3);
-  const auto adjugate = column({x - q, y - q, z - q, t[3], t[4], t[5]});
-  kernel::Vec3 n = adjugate[0] >= adjugate[1] && adjugate[0] >= adjugate[2]
-                       ? kernel::Vec3{adjugate[0], adjugate[3], adjugate[5]}
-                   : adjugate[1] >= adjugate[2]
-                       ? kernel::Vec3{adjugate[3], adjugate[1], adjugate[4]}
-                       : kernel::Vec3{adjugate[5], adjugate[4], adjugate[2]};
+  const auto a = kernel::adjugate<double>({x - q, y - q, z - q, t[3], t[4], t[5]});
+  kernel::Vec3 n = a[0] >= a[1] && a[0] >= a[2] ? kernel::Vec3{a[0], a[3], a[5]}
+                   : a[1] >= a[2]               ? kernel::Vec3{a[3], a[1], a[4]}
+                                                : kernel::Vec3{a[5], a[4], a[2]};
   double length = kernel::norm(n);
   if (!(length > 0)) return {1, 0, 0};
   n = (1 / length) * n;
   const double rayleigh = kernel::dot(n, kernel::product(t, n));
-  const kernel::Vec3 better = kernel::product(
-      column({t[0] - rayleigh, t[1] - rayleigh, t[2] - rayleigh, t[3], t[4], t[5]}), n);
+  const kernel::Vec3 better =
+      kernel::product(kernel::adjugate<double>(
+                          {t[0] - rayleigh, t[1] - rayleigh, t[2] - rayleigh, t[3], t[4], t[5]}),
+                      n);
   length = kernel::norm(better);
   return length > 0 ? (1 / length) * better : n;
 }

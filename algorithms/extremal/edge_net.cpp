@@ -234,7 +234,9 @@ double zero_place(const EdgeNet& net, const std::vector<Leaf>& leaves, int lower
   double before = lower;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const Vec3 w = unit(leaves[i].w);
-    const auto g = [&](double t) { return kernel::dot(direction_at(net, t, w), net.gradient_at(t)); };
+    const auto g = [&](double t) {
+      return kernel::dot(direction_at(net, t, w), net.gradient_at(t));
+    };
     double a = leaves[i].low, b = leaves[i].high;
     // The signs at the edge's ends are exact; what rounding says against them places a zero there.
     double fa = before, fb = upper;

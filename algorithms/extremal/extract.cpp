@@ -6,8 +6,7 @@ namespace crest::extremal {
 
 Result extract(const Volume& volume, const Options& options,
                certify::ExtremalCertificate* certificate) {
-  if (options.refine > 0)
-    throw kernel::InputError("refine: octrees are not built yet; use 0");
+  if (options.refine > 0) throw kernel::InputError("refine: octrees are not built yet; use 0");
   const Extraction e(volume, options);
   const Extraction::Mesh mesh = e.mesh(options.critical);
   if (certificate != nullptr)

@@ -97,7 +97,8 @@ void Extraction::write_points(const Mesh& mesh, Result& result) const {
   for (const double x : residuals) result.max_residual = std::max(result.max_residual, x);
   result.first = t.first;
   for (const Index v : t.corners) result.corners.push_back(number[v]);
-  for (const Feature& f : t.features) result.features.push_back({number[f.a], number[f.b], f.reason});
+  for (const Feature& f : t.features)
+    result.features.push_back({number[f.a], number[f.b], f.reason});
   // n on the side of the first polygon that has the point.
   if (result.dimension == 2) return;
   std::vector<bool> seen(kept.size(), false);
@@ -105,10 +106,10 @@ void Extraction::write_points(const Mesh& mesh, Result& result) const {
     const Index begin = result.first[p], end = result.first[p + 1];
     Vec3 across{};
     for (Index i = begin + 2; i < end; ++i)
-      across = across + kernel::cross(result.points[result.corners[i - 1]] -
-                                          result.points[result.corners[begin]],
-                                      result.points[result.corners[i]] -
-                                          result.points[result.corners[begin]]);
+      across =
+          across +
+          kernel::cross(result.points[result.corners[i - 1]] - result.points[result.corners[begin]],
+                        result.points[result.corners[i]] - result.points[result.corners[begin]]);
     for (Index i = begin; i < end; ++i) {
       const Index v = result.corners[i];
       if (!seen[v] && kernel::dot(across, result.normals[v]) < 0)
@@ -144,8 +145,8 @@ Result Extraction::result(const Mesh& mesh) const {
   Result r;
   r.dimension = g.dimension();
   const double plane = std::min(g.spacing[0], g.spacing[1]);
-  r.h = std::sqrt(2.0) * options_.sigma *
-        (r.dimension == 2 ? plane : std::min(plane, g.spacing[2]));
+  r.h =
+      std::sqrt(2.0) * options_.sigma * (r.dimension == 2 ? plane : std::min(plane, g.spacing[2]));
   write_points(mesh, r);
   write_polygons(mesh, r);
   r.components = mesh.measured.components;

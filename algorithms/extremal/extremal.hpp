@@ -45,7 +45,7 @@ struct Options {
   std::optional<double> min_value;     ///< keeps L >= it
   double min_strength = 0;             ///< keeps s_nn >= it
   bool critical = false;               ///< keeps the merely critical, too
-  int refine = 0;                      ///< depth of splits of cells that are neither empty nor regular
+  int refine = 0;  ///< depth of splits of cells that are neither empty nor regular
 };
 
 struct PointOptions {

@@ -43,13 +43,15 @@ struct Counts {
   std::size_t edges = 0;                                   ///< tested
   std::size_t critical_edges = 0, extremal_edges = 0, undecided_edges = 0, undecided_types = 0;
   std::size_t odd_faces = 0, junction_edges = 0, ambiguous_faces = 0, sheets_split = 0;
-  std::array<std::size_t, 4> valence{};  ///< edges of the mesh (2D: vertices) by valence 1, 2, 3, 4+
+  std::array<std::size_t, 4>
+      valence{};  ///< edges of the mesh (2D: vertices) by valence 1, 2, 3, 4+
   std::size_t odd_valence_unexplained = 0;
-  std::vector<std::size_t> bisections;  ///< edges of the grid by depth; those that a cell decides: 0
-  std::size_t cone_tests = 0;           ///< of edges
-  std::size_t leaves = 0;               ///< of the octree
-  int depth = 0;                        ///< of the octree
-  std::size_t points_dropped = 0;       ///< zero normals
+  std::vector<std::size_t>
+      bisections;                  ///< edges of the grid by depth; those that a cell decides: 0
+  std::size_t cone_tests = 0;      ///< of edges
+  std::size_t leaves = 0;          ///< of the octree
+  int depth = 0;                   ///< of the octree
+  std::size_t points_dropped = 0;  ///< zero normals
 };
 
 /// An edge of the grid where nothing is proven.

@@ -10,9 +10,8 @@ namespace crest::extremal {
 bool Faces::pairs_swapped(const Node& p, std::size_t normal) const {
   const Grid& grid = fields_.grid();
   const std::size_t a = next(normal), b = after_next(normal), at = grid.index(p);
-  const std::array<std::size_t, 4> corners = {at, at + grid.stride[a],
-                                              at + grid.stride[a] + grid.stride[b],
-                                              at + grid.stride[b]};
+  const std::array<std::size_t, 4> corners = {
+      at, at + grid.stride[a], at + grid.stride[a] + grid.stride[b], at + grid.stride[b]};
   std::size_t cell = at;
   if (!cells_.decides(cell)) {
     if (p[normal] == 0) return false;
@@ -56,8 +55,8 @@ Face Faces::face(const Node& p, std::size_t normal) const {
   if (!f.tested || f.critical < 2) return f;
   if (f.critical == 4) {
     f.swapped = pairs_swapped(p, normal);
-    f.group = f.swapped ? std::array<std::int8_t, 4>{0, 1, 1, 0}
-                        : std::array<std::int8_t, 4>{0, 0, 2, 2};
+    f.group =
+        f.swapped ? std::array<std::int8_t, 4>{0, 1, 1, 0} : std::array<std::int8_t, 4>{0, 0, 2, 2};
     return f;
   }
   std::int8_t first = -1;
@@ -75,9 +74,9 @@ std::array<Index, 12> Faces::cell_edges(const Node& cell) const {
   std::array<Index, 12> r;
   for (std::size_t axis = 0, n = 0; axis < 3; ++axis)
     for (std::size_t i = 0; i < 4; ++i, ++n)
-      r[n] = static_cast<Index>(3 * (at + (i & 1) * grid.stride[next(axis)] +
-                                     (i >> 1) * grid.stride[after_next(axis)]) +
-                                axis);
+      r[n] = static_cast<Index>(
+          3 * (at + (i & 1) * grid.stride[next(axis)] + (i >> 1) * grid.stride[after_next(axis)]) +
+          axis);
   return r;
 }
 

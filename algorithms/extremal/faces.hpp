@@ -13,7 +13,7 @@ struct Face {
   std::array<Index, 4> edges;
   std::array<std::int8_t, 4> group;  ///< its lowest member; -1: not critical
   int critical = 0;
-  bool tested = true;  ///< all four edges are
+  bool tested = true;    ///< all four edges are
   bool swapped = false;  ///< ambiguous, paired as {1, 2}, {3, 0}; else as {0, 1}, {2, 3}
 
   bool odd() const { return tested && critical % 2 == 1; }

@@ -40,8 +40,7 @@ T combine(const T& a, const T& b, const T& c, int order) {
 template <class T>
 T node_value(const Near<T>& c, int x, int y, int z) {
   std::array<T, 9> rows;
-  for (std::size_t i = 0; i < 9; ++i)
-    rows[i] = combine(c[3 * i], c[3 * i + 1], c[3 * i + 2], x);
+  for (std::size_t i = 0; i < 9; ++i) rows[i] = combine(c[3 * i], c[3 * i + 1], c[3 * i + 2], x);
   std::array<T, 3> planes;
   for (std::size_t i = 0; i < 3; ++i)
     planes[i] = combine(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2], y);
@@ -58,9 +57,12 @@ double largest(const Near<double>& c) {
 template <class T>
 kernel::Symmetric3<T> node_hessian(const Near<T>& l, const Vec3& spacing, double sign) {
   const T dx(spacing[0]), dy(spacing[1]), dz(spacing[2]), s(sign);
-  return {s * node_value(l, 2, 0, 0) / (T(36) * dx * dx), s * node_value(l, 0, 2, 0) / (T(36) * dy * dy),
-          s * node_value(l, 0, 0, 2) / (T(36) * dz * dz), s * node_value(l, 1, 1, 0) / (T(24) * dx * dy),
-          s * node_value(l, 0, 1, 1) / (T(24) * dy * dz), s * node_value(l, 1, 0, 1) / (T(24) * dx * dz)};
+  return {s * node_value(l, 2, 0, 0) / (T(36) * dx * dx),
+          s * node_value(l, 0, 2, 0) / (T(36) * dy * dy),
+          s * node_value(l, 0, 0, 2) / (T(36) * dz * dz),
+          s * node_value(l, 1, 1, 0) / (T(24) * dx * dy),
+          s * node_value(l, 0, 1, 1) / (T(24) * dy * dz),
+          s * node_value(l, 1, 0, 1) / (T(24) * dx * dz)};
 }
 template <class T>
 kernel::Vector3<T> node_gradient(const Near<T>& l, const Vec3& spacing, double sign) {

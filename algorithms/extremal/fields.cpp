@@ -140,8 +140,8 @@ Fields::Fields(const Volume& volume, const Options& options)
         const auto nx = static_cast<std::size_t>(grid_.size[0]);
         const auto ny = static_cast<std::size_t>(grid_.size[1]);
         const auto row = [&](int j, int k) {
-          return samples.data() + grid_.index({0, reflected(j, grid_.size[1]),
-                                               reflected(k, grid_.size[2])});
+          return samples.data() +
+                 grid_.index({0, reflected(j, grid_.size[1]), reflected(k, grid_.size[2])});
         };
         smooth(
             [&](int k, double* out) {

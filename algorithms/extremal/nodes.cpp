@@ -24,14 +24,16 @@ void window(const Grid& g, const std::vector<float>& c, int k, Window& w, Window
   const float* slice = c.data() + static_cast<std::size_t>(k) * g.stride[2];
   for (std::size_t j = 0; j < ny; ++j) {
     const float *a = slice + (j > 0 ? j - 1 : 0) * nx, *b = slice + j * nx;
-    const float *d = slice + std::min(j + 1, ny - 1) * nx, *e = slice + std::min(j + 2, ny - 1) * nx;
+    const float *d = slice + std::min(j + 1, ny - 1) * nx,
+                *e = slice + std::min(j + 2, ny - 1) * nx;
     for (std::size_t i = 0; i < nx; ++i) {
       rows.low[j * nx + i] = std::min(std::min(a[i], b[i]), std::min(d[i], e[i]));
       rows.high[j * nx + i] = std::max(std::max(a[i], b[i]), std::max(d[i], e[i]));
     }
     const float *l = rows.low.data() + j * nx, *h = rows.high.data() + j * nx;
     for (std::size_t i = 0; i < nx; ++i) {
-      const std::size_t p = i > 0 ? i - 1 : 0, q = std::min(i + 1, nx - 1), r = std::min(i + 2, nx - 1);
+      const std::size_t p = i > 0 ? i - 1 : 0, q = std::min(i + 1, nx - 1),
+                        r = std::min(i + 2, nx - 1);
       w.low[j * nx + i] = std::min(std::min(l[p], l[i]), std::min(l[q], l[r]));
       w.high[j * nx + i] = std::max(std::max(h[p], h[i]), std::max(h[q], h[r]));
     }
@@ -60,8 +62,8 @@ void Nodes::scan_cells(const std::optional<double>& min_value) {
       for (int j = 0; j + 1 < g.size[1]; ++j)
         for (int i = 0; i + 1 < g.size[0]; ++i) {
           const std::size_t n = g.index({i, j, 0});
-          const float low = std::min(std::min(w[0]->low[n], w[1]->low[n]),
-                                     std::min(w[2]->low[n], w[3]->low[n]));
+          const float low =
+              std::min(std::min(w[0]->low[n], w[1]->low[n]), std::min(w[2]->low[n], w[3]->low[n]));
           const float high = std::max(std::max(w[0]->high[n], w[1]->high[n]),
                                       std::max(w[2]->high[n], w[3]->high[n]));
           bool possible = !min_value || static_cast<double>(low) >= *min_value;
@@ -105,7 +107,8 @@ NodeState Nodes::decide(const Node& v, std::array<float, 3>& direction, std::int
       !(kernel::dot(n, product(at.tensor, n)) > 8 * at.tensor_error + 0x1p-44 * at.tensor_size))
     return NodeState::inactive;
   direction = {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
-  auto s = kernel::triage_direction_sign(at.tensor, at.tensor_error, at.gradient, at.gradient_error, n);
+  auto s =
+      kernel::triage_direction_sign(at.tensor, at.tensor_error, at.gradient, at.gradient_error, n);
   if (!s) {
     const auto [t, gradient] = fields_.exact_at_node(v);
     const auto w = kernel::lift<kernel::Rational>(n);

@@ -274,7 +274,8 @@ class EdgeMaker {
     edge.twin = std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
     if (!edge.twin) return;
     for (std::size_t k = 0; k < m.count; ++k)
-      edge.middle = edge.middle + (1.0 / double(m.count)) * zero(grid_, polygons_.all[m.polygons[k]]);
+      edge.middle =
+          edge.middle + (1.0 / double(m.count)) * zero(grid_, polygons_.all[m.polygons[k]]);
   }
 
   const Grid& grid_;

@@ -11,20 +11,20 @@
 namespace crest::extremal {
 
 struct SheetVertex {
-  std::size_t cell;                   ///< an image: square
+  std::size_t cell;                    ///< an image: square
   std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths
 };
 /// An edge of the mesh; an image: unused.
 struct SheetEdge {
   std::array<Index, 2> ends;
   std::uint8_t valence;
-  std::uint8_t reason;     ///< 0 with valence 2
-  bool twin = false;       ///< another arc of its face joins the same ends
-  Vec3 middle{};           ///< of a twin: its place, in units of the grid
+  std::uint8_t reason;  ///< 0 with valence 2
+  bool twin = false;    ///< another arc of its face joins the same ends
+  Vec3 middle{};        ///< of a twin: its place, in units of the grid
 };
 struct SheetPolygon {
-  Index edge;                    ///< of the grid
-  std::uint16_t place;           ///< of its zero on it, in 65536ths
+  Index edge;           ///< of the grid
+  std::uint16_t place;  ///< of its zero on it, in 65536ths
   bool extremal;
   std::array<Index, 4> corners;  ///< cyclic; an image: the first two
   std::array<Index, 4> sides;    ///< edges of the mesh: from a corner to the next

@@ -9,8 +9,8 @@ namespace crest::extremal {
 
 /// A vertex of the cut mesh: the mesh's own first, in their order.
 struct TrimmedPoint {
-  Vec3 place;   ///< in units of the grid
-  Node cell;    ///< which has it
+  Vec3 place;  ///< in units of the grid
+  Node cell;   ///< which has it
 };
 struct TrimmedMesh {
   std::vector<TrimmedPoint> points;

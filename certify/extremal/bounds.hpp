@@ -3,10 +3,11 @@
 
 // The cone test and what follows from it (SPEC.md, lemma 9), in doubles with one slack a quantity.
 //
-// Slack. Every number below is a sum of products of control values, of size at most A and with error
-// at most 2^-48 A (nets.hpp), and of entries of unit vectors that err by some u; at most 64 roundings.
-// So it errs by less than 2^-42 A, with A times 1 / d where it is divided by spacings; slack() is 2^-40 A.
-// Numbers that are not polynomials in the controls (angles) get a factor 1 +- 2^-40.
+// Slack. Every number below is a sum of products of control values, of size at most A and with
+// error at most 2^-48 A (nets.hpp), and of entries of unit vectors that err by some u; at most 64
+// roundings. So it errs by less than 2^-42 A, with A times 1 / d where it is divided by spacings;
+// slack() is 2^-40 A. Numbers that are not polynomials in the controls (angles) get a factor 1 +-
+// 2^-40.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,8 +46,8 @@ struct Frame {
     v = cross(w, u);
   }
   explicit Frame(const ExtremalDirection& w)
-      : Frame(Vec{static_cast<double>(w[0]), static_cast<double>(w[1]),
-                  static_cast<double>(w[2])}) {}
+      : Frame(
+            Vec{static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])}) {}
 };
 
 /// Control values of symmetric matrices, of vectors; `size`: A.

@@ -21,7 +21,8 @@ template <unsigned dimension>
 class CellProver {
  public:
   explicit CellProver(const Fields& fields)
-      : fields_(fields), nets_(fields),
+      : fields_(fields),
+        nets_(fields),
         inverse_(*std::ranges::max_element(fields.inverse_spacing)) {}
 
   /// Throws Reject. `a` is read for regular cells.
@@ -131,7 +132,7 @@ class CellProver {
   double turning(const Cone& cone, const Frame& frame) {
     double square = 0;
     for (unsigned axis = 0; axis < dimension; ++axis) {
-      for (unsigned i = 0; i < 6; ++i) {
+      for (unsigned i = 0; i < 6; ++i)
         if (fields_.t[i].empty())
           d_.at[i].fill(0);
         else if (axis == 0)
@@ -140,7 +141,6 @@ class CellProver {
           nets_.template t<0, 1, 0>(i, d_.at[i]);
         else
           nets_.template t<0, 0, 1>(i, d_.at[i]);
-      }
       d_.size = 0x1p10 * nets_.most_t();
       const double across =
           most_length(form(d_, frame.w, frame.u), form(d_, frame.w, frame.v), d_.size);
@@ -153,9 +153,9 @@ class CellProver {
     const auto along = form(v_, frame.w);
     const double most_along = std::max(most(along), -least(along)) + slack(v_.size);
     const double p = most_length(form(v_, frame.u), form(v_, frame.v), v_.size);
-    const double error = (cone.chord * most_row_norm() +
-                          turning(cone, frame) * (p + cone.sine * most_along)) *
-                         kMore;
+    const double error =
+        (cone.chord * most_row_norm() + turning(cone, frame) * (p + cone.sine * most_along)) *
+        kMore;
     // a . h_i, h_i = diag(d) H_i w of s, and the same for two across a.
     const Vec& d = fields_.inverse_spacing;
     const double sign = fields_.valley ? 1 : -1;
@@ -183,9 +183,8 @@ void check_codes(const ExtremalCertificate& c, const Fields& fields, const Cells
                  for (size_t i = batch * kBatch; i < end; ++i)
                    if (c.codes[i] != code::kOpen)
                      prover->prove(cells.ids[i], c.codes[i], c.directions[cells.directions[i]],
-                                   c.codes[i] < code::kRegular
-                                       ? c.directions[cells.directions[i]]
-                                       : c.gradients[cells.gradients[i]]);
+                                   c.codes[i] < code::kRegular ? c.directions[cells.directions[i]]
+                                                               : c.gradients[cells.gradients[i]]);
                });
 }
 
@@ -212,18 +211,19 @@ void check_unlisted(const ExtremalCertificate& c, const Fields& fields, const Ce
   float below = static_cast<float>(level);  // at most the level
   if (static_cast<double>(below) > level) below = std::nextafter(below, -HUGE_VALF);
   const u32 row = grid.nodes[0];
-  parallel_for(grid.count / row, [&] { return std::make_unique<CellProver<dimension>>(fields); },
-               [&](auto& prover, size_t i) {
-                 const u32 first = static_cast<u32>(i) * row;
-                 if (!grid.is_cell(first)) return;
-                 for (u32 cell = first; cell + 1 < first + row; ++cell) {
-                   if (cells.code[cell] != Cells::kUnlisted) continue;
-                   require(c.data.has_min_value, "cell {}: it is not listed", cell);
-                   require(is_low(fields, cell, below) || prover->is_below(cell, level) ||
-                               is_below_exactly(fields, cell, level),
-                           "cell {}: it is not listed, but L may reach the least value", cell);
-                 }
-               });
+  parallel_for(
+      grid.count / row, [&] { return std::make_unique<CellProver<dimension>>(fields); },
+      [&](auto& prover, size_t i) {
+        const u32 first = static_cast<u32>(i) * row;
+        if (!grid.is_cell(first)) return;
+        for (u32 cell = first; cell + 1 < first + row; ++cell) {
+          if (cells.code[cell] != Cells::kUnlisted) continue;
+          require(c.data.has_min_value, "cell {}: it is not listed", cell);
+          require(is_low(fields, cell, below) || prover->is_below(cell, level) ||
+                      is_below_exactly(fields, cell, level),
+                  "cell {}: it is not listed, but L may reach the least value", cell);
+        }
+      });
 }
 
 bool is_below_exactly(const Fields& fields, u32 cell, double level) {

@@ -11,9 +11,9 @@ struct Cells {
   static constexpr std::uint8_t kUnlisted = 0xff;
 
   std::vector<u32> ids;
-  std::vector<u32> directions;       ///< place in the certificate's, of cells that are not open
-  std::vector<u32> gradients;        ///< place in the certificate's, of regular cells
-  Buffer<std::uint8_t> code;         ///< of the cell of that lowest node, or kUnlisted
+  std::vector<u32> directions;  ///< place in the certificate's, of cells that are not open
+  std::vector<u32> gradients;   ///< place in the certificate's, of regular cells
+  Buffer<std::uint8_t> code;    ///< of the cell of that lowest node, or kUnlisted
 };
 
 /// Throws Reject unless the runs are cells, ascending, maximal, as many as codes.

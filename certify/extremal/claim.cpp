@@ -39,10 +39,11 @@ void require_components(const ExtremalCertificate& c, const Components& found) {
 void say_cells(const ExtremalCertificate& c, Verdict& verdict) {
   std::array<size_t, 5> count{};
   for (const auto code : c.codes) ++count[code];
-  prove(verdict,
-        "cells: {} empty, {} regular ({} with s_nn > 0), {} with one orientation of n; {} open; L is "
-        "below the least value on all others",
-        count[2], count[3] + count[4], count[4], count[1], count[0]);
+  prove(
+      verdict,
+      "cells: {} empty, {} regular ({} with s_nn > 0), {} with one orientation of n; {} open; L is "
+      "below the least value on all others",
+      count[2], count[3] + count[4], count[4], count[1], count[0]);
 }
 
 void say_components(const ExtremalCertificate& c, Verdict& verdict) {
@@ -54,8 +55,7 @@ void say_components(const ExtremalCertificate& c, Verdict& verdict) {
     extremal += component.extremal;
     one_sided += !component.orientable;
   }
-  prove(verdict,
-        "mesh: {} components, Euler characteristic {}, {} {}, {} not orientable; {}",
+  prove(verdict, "mesh: {} components, Euler characteristic {}, {} {}, {} not orientable; {}",
         c.components.size(), characteristic, loops,
         c.data.dimension == 2 ? "ends" : "boundary loops", one_sided, in_words(c.valences));
   if (isotopic > 0)

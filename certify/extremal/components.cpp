@@ -52,12 +52,15 @@ class TurnedClasses {
   std::vector<std::uint8_t> turned_;
 };
 
-/// The fans are triangles (a point on the polygon's edge, the two ends of a side). Cut, each keeps a
-/// piece next to its kept corners; the mesh shrinks to what is spanned by kept corners alone.
+/// The fans are triangles (a point on the polygon's edge, the two ends of a side). Cut, each keeps
+/// a piece next to its kept corners; the mesh shrinks to what is spanned by kept corners alone.
 class Counter {
  public:
   Counter(const Mesh& mesh, const Kept& kept)
-      : mesh_(mesh), kept_(kept), m_(mesh.corners), vertices_(static_cast<u32>(kept.vertices.size())),
+      : mesh_(mesh),
+        kept_(kept),
+        m_(mesh.corners),
+        vertices_(static_cast<u32>(kept.vertices.size())),
         nodes_(vertices_ + mesh.polygons.size()) {}
 
   Components count() {
@@ -218,8 +221,8 @@ class Counter {
       if (owner[i] != kNothing && classes.find(i) == i) ++out_.list[owner[i]].loops;
   }
 
-  /// Triangles with something kept are turned alike across spokes; across seams of valence 2 if they
-  /// run along it in opposite directions.
+  /// Triangles with something kept are turned alike across spokes; across seams of valence 2 if
+  /// they run along it in opposite directions.
   void orient() {
     TurnedClasses classes(size_t{m_} * mesh_.polygons.size());
     const auto join = [&](u32 a, u32 b, bool turned, u32 kept) {

@@ -87,9 +87,9 @@ ExtremalData read_data(std::span<const std::uint8_t> section) {
     for (std::size_t k = 0; k < data.dimension; ++k) read_weights(reader, (*weights)[k]);
     for (std::size_t k = data.dimension; k < 3; ++k) (*weights)[k] = {1};
   }
-  const std::size_t size =
-      std::size_t{data.nodes[0]} * data.nodes[1] * data.nodes[2] * // 1 beyond the dimension
-      extremal_code::kSampleSize[data.type];
+  const std::size_t size = std::size_t{data.nodes[0]} * data.nodes[1] *
+                           data.nodes[2] *  // 1 beyond the dimension
+                           extremal_code::kSampleSize[data.type];
   const auto samples = reader.take(size);
   data.samples.assign(samples.begin(), samples.end());
   require_form(reader.left() == 0, "data section: bytes left over");
@@ -120,9 +120,9 @@ void read_rows(ByteReader& reader, std::vector<Row>& rows, std::size_t count, st
 void read_directions(ByteReader& reader, std::vector<ExtremalDirection>& rows, std::size_t count,
                      std::size_t d) {
   read_rows(reader, rows, count, d);
-  require_form(std::ranges::none_of(rows,
-                                    [](const auto& row) { return row == ExtremalDirection{}; }),
-               "claim section: a direction is zero");
+  require_form(
+      std::ranges::none_of(rows, [](const auto& row) { return row == ExtremalDirection{}; }),
+      "claim section: a direction is zero");
 }
 
 ExtremalComponent read_component(ByteReader& reader) {
@@ -149,10 +149,10 @@ void read_cells(ByteReader& reader, ExtremalCertificate& c) {
     run.length = reader.integer<std::uint32_t>();
   }
   read_bytes(reader, c.codes, code::kRegularExtremal, "claim section: no such code of a cell");
-  const auto proven = c.codes.size() - static_cast<std::size_t>(
-                                           std::ranges::count(c.codes, code::kOpen));
-  const auto regular = static_cast<std::size_t>(std::ranges::count_if(
-      c.codes, [](std::uint8_t cell) { return cell >= code::kRegular; }));
+  const auto proven =
+      c.codes.size() - static_cast<std::size_t>(std::ranges::count(c.codes, code::kOpen));
+  const auto regular = static_cast<std::size_t>(
+      std::ranges::count_if(c.codes, [](std::uint8_t cell) { return cell >= code::kRegular; }));
   read_directions(reader, c.directions, proven, c.data.dimension);
   read_directions(reader, c.gradients, regular, c.data.dimension);
 }

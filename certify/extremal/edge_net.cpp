@@ -5,10 +5,9 @@ namespace crest::certify::extremal {
 namespace {
 
 /// Six times the Bezier values from four coefficients, by order.
-constexpr int kTable[3][4][4] = {
-    {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}},
-    {{-3, 0, 3, 0}, {-1, -4, 5, 0}, {0, -5, 4, 1}, {0, -3, 0, 3}},
-    {{6, -12, 6, 0}, {4, -6, 0, 2}, {2, 0, -6, 4}, {0, 6, -12, 6}}};
+constexpr int kTable[3][4][4] = {{{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}},
+                                 {{-3, 0, 3, 0}, {-1, -4, 5, 0}, {0, -5, 4, 1}, {0, -3, 0, 3}},
+                                 {{6, -12, 6, 0}, {4, -6, 0, 2}, {2, 0, -6, 4}, {0, 6, -12, 6}}};
 
 /// The coefficients round an edge: 4 along it, 3 across it each way.
 struct Block {
@@ -26,8 +25,8 @@ struct Block {
     for (u32 i = 0; i < 4; ++i)
       for (u32 j = 0; j < 3; ++j)
         for (u32 k = 0; k < 3; ++k) {
-          const double x = static_cast<double>(
-              coefficients[offset(axis, i) + offset(b, j) + offset(c, k)]);
+          const double x =
+              static_cast<double>(coefficients[offset(axis, i) + offset(b, j) + offset(c, k)]);
           at[i][j][k] = x;
           most = std::max(most, std::fabs(x));
         }

@@ -18,8 +18,8 @@ struct EdgeNet {
   double t_size, v_size, h_size;
 };
 
-/// Requires: the edge's low end is a node; the high end need not be one if only the first control is
-/// read.
+/// Requires: the edge's low end is a node; the high end need not be one if only the first control
+/// is read.
 template <class Number>
 EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis);
 

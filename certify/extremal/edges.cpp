@@ -14,7 +14,7 @@ namespace {
 namespace code = extremal_code;
 using kernel::Rational;
 
-constexpr unsigned kDepth = 14;   ///< of trees
+constexpr unsigned kDepth = 14;    ///< of trees
 constexpr unsigned kPieces = 256;  ///< of an edge whose type is proven
 
 /// A node's direction, as stored, and the sign of g there.
@@ -103,8 +103,7 @@ void test_edges_of_cells(const ExtremalCertificate& c, const Fields& fields, con
     };
     for_edges_of_cell(grid, cells.ids[i], [&](u32 edge, unsigned low, unsigned high) {
       if (edges.state[edge] != Edges::kUntested) return;
-      edges.state[edge] =
-          sign_at(low) == sign_at(high) ? Edges::kPlain : Edges::kCritical;
+      edges.state[edge] = sign_at(low) == sign_at(high) ? Edges::kPlain : Edges::kCritical;
     });
   }
 }
@@ -135,8 +134,8 @@ class TreeReader {
     require(node_ < c_.trees.size(), "trees: they end early");
     if (c_.trees[node_++] == code::kLeaf) {
       const Frame frame(c_.leaves[leaf_++]);
-      require(test_cone(doubles<4>(net.t, net.t_size), frame).holds,
-              "edge {}: the cone test fails", edge_);
+      require(test_cone(doubles<4>(net.t, net.t_size), frame).holds, "edge {}: the cone test fails",
+              edge_);
       leaves_.push_back(frame.w);
       return;
     }
@@ -212,8 +211,7 @@ void check_types(const ExtremalCertificate& c, const Fields& fields, const Cells
                  Edges& edges) {
   for (u32 edge = 0; edge < edges.state.size(); ++edge)
     if (edges.is_critical(edge)) edges.critical.push_back(edge);
-  require_equal(static_cast<std::int64_t>(c.types.size()), edges.critical.size(),
-                "critical edges");
+  require_equal(static_cast<std::int64_t>(c.types.size()), edges.critical.size(), "critical edges");
   constexpr size_t kBatch = 64;
   parallel_for((c.types.size() + kBatch - 1) / kBatch, [] { return 0; },
                [&](int, size_t batch) {

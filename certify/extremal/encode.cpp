@@ -28,9 +28,8 @@ std::size_t data_size(const ExtremalData& data) {
 }
 
 void write_data(ByteWriter& out, const ExtremalData& data) {
-  for (const std::uint8_t byte :
-       {data.dimension, data.type, std::uint8_t{data.valley}, std::uint8_t{data.hessian},
-        std::uint8_t{data.has_min_value}})
+  for (const std::uint8_t byte : {data.dimension, data.type, std::uint8_t{data.valley},
+                                  std::uint8_t{data.hessian}, std::uint8_t{data.has_min_value}})
     out.integer(byte);
   const std::size_t d = data.dimension;
   out.numbers(std::span(data.nodes).first(d));

@@ -28,16 +28,35 @@ void read_samples(const ExtremalData& data, Buffer<double>& out) {
 Buffer<double> read_samples(const ExtremalData& data, size_t count) {
   Buffer<double> out(count);
   switch (data.type) {
-    case 0: read_samples<std::uint8_t, std::int8_t>(data, out); break;
-    case 1: read_samples<std::uint8_t, std::uint8_t>(data, out); break;
-    case 2: read_samples<std::uint16_t, std::int16_t>(data, out); break;
-    case 3: read_samples<std::uint16_t, std::uint16_t>(data, out); break;
-    case 4: read_samples<std::uint32_t, std::int32_t>(data, out); break;
-    case 5: read_samples<std::uint32_t, std::uint32_t>(data, out); break;
-    case 6: read_samples<std::uint64_t, std::int64_t>(data, out); break;
-    case 7: read_samples<std::uint64_t, std::uint64_t>(data, out); break;
-    case 8: read_samples<std::uint32_t, float>(data, out); break;
-    default: read_samples<std::uint64_t, double>(data, out);
+    case 0:
+      read_samples<std::uint8_t, std::int8_t>(data, out);
+      break;
+    case 1:
+      read_samples<std::uint8_t, std::uint8_t>(data, out);
+      break;
+    case 2:
+      read_samples<std::uint16_t, std::int16_t>(data, out);
+      break;
+    case 3:
+      read_samples<std::uint16_t, std::uint16_t>(data, out);
+      break;
+    case 4:
+      read_samples<std::uint32_t, std::int32_t>(data, out);
+      break;
+    case 5:
+      read_samples<std::uint32_t, std::uint32_t>(data, out);
+      break;
+    case 6:
+      read_samples<std::uint64_t, std::int64_t>(data, out);
+      break;
+    case 7:
+      read_samples<std::uint64_t, std::uint64_t>(data, out);
+      break;
+    case 8:
+      read_samples<std::uint32_t, float>(data, out);
+      break;
+    default:
+      read_samples<std::uint64_t, double>(data, out);
   }
   return out;
 }
@@ -137,7 +156,8 @@ std::vector<Interval> enclose_weights(const Interval& variance, size_t count) {
   return weights;
 }
 
-/// SPEC.md, "Weights". Relative error 2^-40: exp differs in its last digits from machine to machine.
+/// SPEC.md, "Weights". Relative error 2^-40: exp differs in its last digits from machine to
+/// machine.
 void check_weights(const std::vector<double>& weights, double sigma, double ratio) {
   const kernel::RoundUpward guard;
   const Interval scaled = Interval(sigma) * Interval(ratio);

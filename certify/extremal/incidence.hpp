@@ -29,8 +29,7 @@ void for_edges_of_cell(const Grid& grid, u32 cell, const Visit& visit) {
     for (unsigned k = 0; k < grid.dimension; ++k)
       if ((corner >> k & 1U) != 0) node += grid.stride[k];
     for (unsigned axis = 0; axis < grid.dimension; ++axis)
-      if ((corner >> axis & 1U) == 0)
-        visit(grid.edge(node, axis), corner, corner | 1U << axis);
+      if ((corner >> axis & 1U) == 0) visit(grid.edge(node, axis), corner, corner | 1U << axis);
   }
 }
 inline u32 corner_node(const Grid& grid, u32 cell, unsigned corner) {
@@ -60,7 +59,8 @@ inline Square cell_square(const Grid& grid, u32 cell) {
 }
 
 /// The squares that have the edge: 4 of a volume in the order in which they lie round it, from the
-/// first to the second axis after the edge's own; 2 of an image. Those beyond the border have no id.
+/// first to the second axis after the edge's own; 2 of an image. Those beyond the border have no
+/// id.
 struct SquaresRound {
   std::array<Square, 4> at;
   unsigned count;

@@ -32,9 +32,8 @@ class MeshBuilder {
  private:
   u32 polygon_of(u32 edge) const {
     const auto at = std::ranges::lower_bound(mesh_.polygons, edge);
-    return at != mesh_.polygons.end() && *at == edge
-               ? static_cast<u32>(at - mesh_.polygons.begin())
-               : kNothing;
+    return at != mesh_.polygons.end() && *at == edge ? static_cast<u32>(at - mesh_.polygons.begin())
+                                                     : kNothing;
   }
   static u32 side_on(const Grid& grid, u32 edge, u32 square) {
     const auto around = squares_round(grid, edge);
@@ -47,8 +46,8 @@ class MeshBuilder {
   void add_seam(const Side& own, const Square& square) {
     const Groups groups = squares_.groups(square);
     const u32 edge = mesh_.polygons[own.polygon];
-    const auto slot = static_cast<size_t>(std::ranges::find(square.edges, edge) -
-                                          square.edges.begin());
+    const auto slot =
+        static_cast<size_t>(std::ranges::find(square.edges, edge) - square.edges.begin());
     Seam seam{{own}, 1, 0};
     unsigned mates = 0;
     std::uint8_t other = 4;  // the reason, if the mate has no polygon

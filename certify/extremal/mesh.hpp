@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The mesh: polygons of extremal edges, their sides glued by the groups of squares (SPEC.md, "Mesh").
-// For an image a polygon is a segment; then what is said of sides holds for its ends.
+// The mesh: polygons of extremal edges, their sides glued by the groups of squares (SPEC.md,
+// "Mesh"). For an image a polygon is a segment; then what is said of sides holds for its ends.
 #include "certify/extremal/squares.hpp"
 
 namespace crest::certify::extremal {
@@ -31,7 +31,8 @@ struct SideEnds {
   bool upwards;
 };
 constexpr SideEnds side_ends(u32 side) {
-  constexpr std::array<SideEnds, 4> kEnds = {{{0, 1, true}, {1, 2, true}, {3, 2, false}, {0, 3, false}}};
+  constexpr std::array<SideEnds, 4> kEnds = {
+      {{0, 1, true}, {1, 2, true}, {3, 2, false}, {0, 3, false}}};
   return kEnds[side];
 }
 

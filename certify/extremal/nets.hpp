@@ -5,9 +5,9 @@
 // for every axis times too large: so that all is sums of coefficients times integers.
 //
 // Errors. A row of a table has integer factors whose sizes add up to at most 6, 12, 24 for
-// orders 0 to 2 and takes at most seven roundings; so with m the largest coefficient in reach, every
-// intermediate and control value of total order at most 2 is at most A = 2^10 m in size (24 6 6, 12 12 6)
-// and errs by at most 3 * 8 u A < 2^-48 A, u = 2^-53.
+// orders 0 to 2 and takes at most seven roundings; so with m the largest coefficient in reach,
+// every intermediate and control value of total order at most 2 is at most A = 2^10 m in size (24 6
+// 6, 12 12 6) and errs by at most 3 * 8 u A < 2^-48 A, u = 2^-53.
 #include <algorithm>
 #include <cmath>
 
@@ -90,10 +90,11 @@ class RowNets {
   /// L's net of these orders, together at most 2.
   template <int x, int y, int z>
   void l(Net& out) const {
-    constexpr size_t place = y + z == 0 ? 0 : y + z == 1 ? (z == 0 ? 1 : 2)
-                                          : y == 2       ? 3
-                                          : z == 2       ? 4
-                                                         : 5;
+    constexpr size_t place = y + z == 0   ? 0
+                             : y + z == 1 ? (z == 0 ? 1 : 2)
+                             : y == 2     ? 3
+                             : z == 2     ? 4
+                                          : 5;
     along_x<x>([&](u32 i) { return columns_[(x_ + i) % 4].l[place].data(); }, out);
   }
   /// A component's net of T, of order 0 or one first derivative. Not with `hessian`.

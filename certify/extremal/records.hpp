@@ -25,19 +25,19 @@ inline constexpr std::array<std::uint8_t, 10> kSampleSize = {1, 1, 2, 2, 4, 4, 8
 
 /// The data section.
 struct ExtremalData {
-  std::uint8_t dimension = 3;                 ///< 2 or 3; of what follows the first `dimension` count
-  std::uint8_t type = 8;                      ///< of samples: extremal_code::kSampleSize
-  bool valley = false;                        ///< s = L, else s = -L
-  bool hessian = false;                       ///< T = -+Hess L, else the structure tensor
+  std::uint8_t dimension = 3;  ///< 2 or 3; of what follows the first `dimension` count
+  std::uint8_t type = 8;       ///< of samples: extremal_code::kSampleSize
+  bool valley = false;         ///< s = L, else s = -L
+  bool hessian = false;        ///< T = -+Hess L, else the structure tensor
   std::array<std::uint32_t, 3> nodes{1, 1, 1};
   std::array<double, 3> spacing{1, 1, 1};
   bool has_min_value = false;
-  double min_value = 0;                       ///< 0 without one
-  double min_strength = 0;                    ///< 0: none
-  double sigma = 1, tensor_sigma = 1;         ///< in units of the least spacing
+  double min_value = 0;                ///< 0 without one
+  double min_strength = 0;             ///< 0: none
+  double sigma = 1, tensor_sigma = 1;  ///< in units of the least spacing
   /// Along each axis, of offsets 0 to R; {1}: not smoothed.
   std::array<std::vector<double>, 3> weights{}, tensor_weights{};  ///< T's are {1} with `hessian`
-  std::vector<std::uint8_t> samples;          ///< little-endian, x fastest
+  std::vector<std::uint8_t> samples;                               ///< little-endian, x fastest
 };
 
 /// Listed cells first .. first + length - 1.
@@ -71,17 +71,18 @@ struct ExtremalValences {
 /// samples.
 struct ExtremalCertificate {
   ExtremalData data;
-  std::vector<CellRun> cells;                  ///< ascending, apart; a cell is its lowest node
-  std::vector<std::uint8_t> codes;             ///< a listed cell
-  std::vector<ExtremalDirection> directions;   ///< w, a listed cell that is not open
-  std::vector<ExtremalDirection> gradients;    ///< a, a regular cell
-  std::vector<std::uint32_t> edges;            ///< dimension * node + axis; ascending
-  std::vector<std::uint8_t> trees;             ///< of `edges`, in preorder
-  std::vector<ExtremalDirection> leaves;       ///< w, a leaf
-  std::vector<std::uint8_t> types;             ///< of critical edges, ascending
-  std::vector<std::uint8_t> pairings;          ///< of ambiguous faces, ascending
+  std::vector<CellRun> cells;                 ///< ascending, apart; a cell is its lowest node
+  std::vector<std::uint8_t> codes;            ///< a listed cell
+  std::vector<ExtremalDirection> directions;  ///< w, a listed cell that is not open
+  std::vector<ExtremalDirection> gradients;   ///< a, a regular cell
+  std::vector<std::uint32_t> edges;           ///< dimension * node + axis; ascending
+  std::vector<std::uint8_t> trees;            ///< of `edges`, in preorder
+  std::vector<ExtremalDirection> leaves;      ///< w, a leaf
+  std::vector<std::uint8_t> types;            ///< of critical edges, ascending
+  std::vector<std::uint8_t> pairings;         ///< of ambiguous faces, ascending
   std::vector<std::array<std::uint16_t, 3>> vertices;  ///< place in the cell, in 65536ths
-  std::vector<std::uint16_t> fan_points;  ///< place on extremal edges with a polygon; only if trimmed
+  std::vector<std::uint16_t>
+      fan_points;  ///< place on extremal edges with a polygon; only if trimmed
   std::uint32_t odd_faces = 0;
   ExtremalValences valences;
   std::vector<ExtremalComponent> components;

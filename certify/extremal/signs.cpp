@@ -60,8 +60,7 @@ ExactMatrix adjugate(const ExactMatrix& m) {
 }
 /// The trace of a b.
 Rational product(const ExactMatrix& a, const ExactMatrix& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-         2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
 /// Does the eigenvector belong to the largest eigenvalue, which is simple? (K u = 0; are the other
@@ -108,7 +107,8 @@ Vec likely_direction(const Matrix& t) {
     const Vec next = range_of(adjugate(k));
     if (!(extremal::dot(next, next) > 0)) break;
     n = normalised(next);
-    const Vec bn{extremal::dot(column(b, 0), n), extremal::dot(column(b, 1), n), extremal::dot(column(b, 2), n)};
+    const Vec bn{extremal::dot(column(b, 0), n), extremal::dot(column(b, 1), n),
+                 extremal::dot(column(b, 2), n)};
     lambda = extremal::dot(n, bn);
   }
   return n;

@@ -34,8 +34,8 @@ bool vanishes(const ExactMatrix& t, const ExactVector& v);
 /// zero. Requires: the cone test holds for w. Throws Undecided after 2^-1000.
 int sign_at(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m);
 
-/// The sign of n . grad (s + e x + e^2 y + e^3 z), n oriented by the direction's w; never 0. `exact`
-/// makes the same point's fields, where doubles do not decide.
+/// The sign of n . grad (s + e x + e^2 y + e^3 z), n oriented by the direction's w; never 0.
+/// `exact` makes the same point's fields, where doubles do not decide.
 struct ExactPoint {
   ExactMatrix t;
   ExactVector v;

@@ -30,8 +30,7 @@ Squares::Squares(const ExtremalCertificate& c, const Grid& grid, const Cells& ce
   }
   std::ranges::sort(ambiguous_);
   require_equal(c.odd_faces, odd, "odd faces");
-  require_equal(static_cast<std::int64_t>(c.pairings.size()), ambiguous_.size(),
-                "ambiguous faces");
+  require_equal(static_cast<std::int64_t>(c.pairings.size()), ambiguous_.size(), "ambiguous faces");
 }
 
 Groups Squares::groups(const Square& square) const {

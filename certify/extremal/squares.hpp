@@ -8,16 +8,16 @@
 namespace crest::certify::extremal {
 
 struct Groups {
-  bool tested = true;      ///< all four edges
-  unsigned critical = 0;   ///< edges, of the tested ones
+  bool tested = true;                                ///< all four edges
+  unsigned critical = 0;                             ///< edges, of the tested ones
   std::array<std::int8_t, 4> group{-1, -1, -1, -1};  ///< of each edge of the square
   bool odd() const { return tested && critical % 2 == 1; }
 };
 
 class Squares {
  public:
-  /// Counts odd and ambiguous squares; pairings belong to the latter. Throws Reject unless there are
-  /// as many of each as stated.
+  /// Counts odd and ambiguous squares; pairings belong to the latter. Throws Reject unless there
+  /// are as many of each as stated.
   Squares(const ExtremalCertificate& c, const Grid& grid, const Cells& cells, const Edges& edges);
 
   Groups groups(const Square& square) const;

@@ -50,8 +50,8 @@ class SpotFields {
     Number sum(0);
     for (u32 n = 0; n < 64; ++n) {
       const u32 i = n % 4, j = n / 4 % 4, k = n / 16;
-      const double c = static_cast<double>(
-          coefficients[offsets_[0][i] + offsets_[1][j] + offsets_[2][k]]);
+      const double c =
+          static_cast<double>(coefficients[offsets_[0][i] + offsets_[1][j] + offsets_[2][k]]);
       most = std::max(most, std::fabs(c));
       sum += basis_[0][order[0]][i] * basis_[1][order[1]][j] * basis_[2][order[2]][k] * Number(c);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Uniform cubic B-splines sum c_ijk B(x - i) B(y - j) B(z - k) cell by cell: Bezier nets of value and
-// derivatives, and values at points. Written once for any dimension and number type.
+// Uniform cubic B-splines sum c_ijk B(x - i) B(y - j) B(z - k) cell by cell: Bezier nets of value
+// and derivatives, and values at points. Written once for any dimension and number type.
 //
 // A cell [i, i + 1]^Dim sees the coefficients i - 1 .. i + 2 along each axis: 4^Dim numbers, axis 0
 // fastest. A net has as many, all cubic whatever the derivative's order (lower degrees raised), in

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Cone test: is the dominant eigenvector n of a symmetric tensor T certain, and within 45 degrees of
-// the line of w (../shared/specs/extremal.md, item 1; paper 000, section 2.1.1)?
+// Cone test: is the dominant eigenvector n of a symmetric tensor T certain, and within 45 degrees
+// of the line of w (../shared/specs/extremal.md, item 1; paper 000, section 2.1.1)?
 //
 // Let q = w.Tw / w.w, C = T restricted to the plane across w, mu its larger eigenvalue.
 // cone_test(T, w) is positive iff q > mu; zero iff q = mu; negative iff q < mu.
-// Theorem (Courant-Fischer; Davis-Kahan). If q > mu, then lambda1 - lambda2 >= q - mu, and the angle
-// theta between n and the line of w has tan 2 theta <= 2 |b| / (q - mu), b = the part of T w / |w|
-// across w. q - mu is concave in T and |b| convex: what holds for some tensors holds with the least
-// q - mu and the largest |b| for all their convex combinations, and n turns by less than 90 degrees.
-// Without frames: K = q I - T has w.Kw = 0; with K^ = (w.Tw) I - (w.w) T, q > mu iff tr K^ > 0 and
-// w . adj(K^) w > 0 (trace and determinant of K on the plane).
+// Theorem (Courant-Fischer; Davis-Kahan). If q > mu, then lambda1 - lambda2 >= q - mu, and the
+// angle theta between n and the line of w has tan 2 theta <= 2 |b| / (q - mu), b = the part of T w
+// / |w| across w. q - mu is concave in T and |b| convex: what holds for some tensors holds with the
+// least q - mu and the largest |b| for all their convex combinations, and n turns by less than 90
+// degrees. Without frames: K = q I - T has w.Kw = 0; with K^ = (w.Tw) I - (w.w) T, q > mu iff tr K^
+// > 0 and w . adj(K^) w > 0 (trace and determinant of K on the plane).
 //
 // Laws. (1) cone_test(T, -w) = cone_test(T, w), and for any non-zero multiple of w. (2) T + c I and
-// positive multiples of T change nothing. (3) Positive for w = n iff lambda1 is simple. (4) Positive
-// at T and at S with the same w: positive at T + S. (5) Two w positive at one T are not
+// positive multiples of T change nothing. (3) Positive for w = n iff lambda1 is simple. (4)
+// Positive at T and at S with the same w: positive at T + S. (5) Two w positive at one T are not
 // perpendicular: w.w' has the sign that n gives.
 // Not true: that it is positive for every w within 45 degrees of n.
 #include <array>
@@ -39,32 +39,35 @@ Vector3<T> product(const Symmetric3<T>& t, const Vector3<T>& w) {
 template <class T>
 Symmetric3<T> cone_matrix(const Symmetric3<T>& t, const Vector3<T>& w) {
   const T q = dot(w, product(t, w)), n = dot(w, w);
-  return {q - n * t[0], q - n * t[1], q - n * t[2],
+  return {q - n * t[0],      q - n * t[1],      q - n * t[2],
           T(0.0) - n * t[3], T(0.0) - n * t[4], T(0.0) - n * t[5]};
+}
+template <class T>
+Symmetric3<T> adjugate(const Symmetric3<T>& k) {
+  return {k[1] * k[2] - k[4] * k[4], k[0] * k[2] - k[5] * k[5], k[0] * k[1] - k[3] * k[3],
+          k[4] * k[5] - k[3] * k[2], k[3] * k[5] - k[0] * k[4], k[3] * k[4] - k[1] * k[5]};
 }
 /// w . adj(k) w
 template <class T>
 T cone_minor(const Symmetric3<T>& k, const Vector3<T>& w) {
-  const Symmetric3<T> adjugate = {k[1] * k[2] - k[4] * k[4], k[0] * k[2] - k[5] * k[5],
-                                  k[0] * k[1] - k[3] * k[3], k[4] * k[5] - k[3] * k[2],
-                                  k[3] * k[5] - k[0] * k[4], k[3] * k[4] - k[1] * k[5]};
-  return dot(w, product(adjugate, w));
+  return dot(w, product(adjugate(k), w));
 }
 
 struct ConeTrace {
   Symmetric3<double> t;
   Vec3 w;
-  static constexpr int depth = 15;
+  static constexpr int depth = 11;
   template <class T>
   T value() const {
-    const auto k = cone_matrix<T>({T(t[0]), T(t[1]), T(t[2]), T(t[3]), T(t[4]), T(t[5])}, lift<T>(w));
+    const auto k =
+        cone_matrix<T>({T(t[0]), T(t[1]), T(t[2]), T(t[3]), T(t[4]), T(t[5])}, lift<T>(w));
     return k[0] + k[1] + k[2];
   }
 };
 struct ConeMinor {
   Symmetric3<double> t;
   Vec3 w;
-  static constexpr int depth = 37;
+  static constexpr int depth = 29;
   template <class T>
   T value() const {
     return cone_minor(
@@ -91,10 +94,10 @@ Decision cone_test(const Symmetric3<double>& t, const Vec3& w);
 /// Two unit vectors across the unit vector w and across each other, to a few roundings.
 std::array<Vec3, 2> frame_across(const Vec3& w);
 
-/// Triage where the entries of t, at most `size`, carry errors up to `error`: q - mu less its error,
-/// so positive only if the test is; w is a unit vector to 2^-50.
-/// Proof: q and the entries of C err by 3 error and less than 40 roundings of 3 size, mu by twice
-/// that; the sum is below 32 error + 2^-43 size.
+/// Triage where the entries of t, at most `size`, carry errors up to `error`: q - mu less its
+/// error, so positive only if the test is; w is a unit vector to 2^-50. Proof: q and the entries of
+/// C err by 3 error and less than 40 roundings of 3 size, mu by twice that; the sum is below 32
+/// error + 2^-43 size.
 double cone_margin(const Symmetric3<double>& t, double size, double error, const Vec3& w);
 
 }  // namespace crest::kernel

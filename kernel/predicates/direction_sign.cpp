@@ -9,10 +9,11 @@ namespace {
 
 using Exact3 = Vector3<Rational>;
 
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
 /// Integers in proportion to v, the largest of about so many bits: keeps the next steps short.
 Exact3 rounded(const Exact3& v, unsigned bits) {
-  using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                                boost::multiprecision::et_off>;
   Rational largest = 0;
   for (const Rational& x : v) largest = std::max<Rational>(largest, abs(x));
   const Rational scale = Rational(Integer(1) << bits) / largest;
@@ -24,35 +25,57 @@ Exact3 rounded(const Exact3& v, unsigned bits) {
   return r;
 }
 
-/// The theorem's test.
-bool proves(const Symmetric3<Rational>& t, const Exact3& v, const Exact3& w) {
-  const Rational length = dot(w, w), q = dot(w, product(t, w));
-  const Exact3 tw = product(t, w);
-  const Exact3 b = {length * tw[0] - q * w[0], length * tw[1] - q * w[1],
-                    length * tw[2] - q * w[2]};
-  const auto k = cone_matrix(t, w);
-  const Rational trace = k[0] + k[1] + k[2], minor = cone_minor(k, w), along = dot(w, v);
-  if (!(trace > 0 && minor > 0)) return false;
-  return along * along * minor * minor > dot(b, b) * dot(v, v) * length * length * trace * trace;
-}
+/// w with K^ and b^ of the theorem.
+class Guess {
+ public:
+  Guess(const Symmetric3<Rational>& t, const Exact3& w)
+      : w_(w), length_(dot(w, w)), k_(cone_matrix(t, w)) {
+    const Exact3 tw = product(t, w);
+    const Rational q = dot(w, tw);
+    b_ = {length_ * tw[0] - q * w[0], length_ * tw[1] - q * w[1], length_ * tw[2] - q * w[2]};
+    trace_ = k_[0] + k_[1] + k_[2];
+    minor_ = cone_minor(k_, w);
+  }
 
-/// One step towards n by the inverse iteration (T - (q + shift) I)^-1, whose adjugate needs no
-/// division; q + shift lies above lambda1, so that the side of w is kept.
-Exact3 improved(const Symmetric3<Rational>& t, const Exact3& w) {
-  const Rational length = dot(w, w), q = dot(w, product(t, w));
-  const Exact3 tw = product(t, w);
-  const Exact3 b = {length * tw[0] - q * w[0], length * tw[1] - q * w[1],
-                    length * tw[2] - q * w[2]};
-  const auto k = cone_matrix(t, w);
-  const Rational trace = k[0] + k[1] + k[2], minor = cone_minor(k, w);
-  // lambda1 - q <= |b|^2 / (q - mu) <= |b^|^2 tr K^ / (W minor), times W as K^ is.
-  const Rational shift = dot(b, b) * trace / minor / length;
-  const Symmetric3<Rational> m = {k[0] + shift, k[1] + shift, k[2] + shift, k[3], k[4], k[5]};
-  const Symmetric3<Rational> adjugate = {m[1] * m[2] - m[4] * m[4], m[0] * m[2] - m[5] * m[5],
-                                         m[0] * m[1] - m[3] * m[3], m[4] * m[5] - m[3] * m[2],
-                                         m[3] * m[5] - m[0] * m[4], m[3] * m[4] - m[1] * m[5]};
-  return product(adjugate, w);
-}
+  /// The theorem's test.
+  bool proves(const Exact3& v) const {
+    if (!(trace_ > 0 && minor_ > 0)) return false;
+    const Rational along = dot(w_, v);
+    return along * along * minor_ * minor_ >
+           dot(b_, b_) * dot(v, v) * length_ * length_ * trace_ * trace_;
+  }
+
+  /// About how many bits of w are n's: of |b|^2 W tr^2 / minor^2, half.
+  unsigned bits() const {
+    const Rational square = dot(b_, b_) * length_ * trace_ * trace_ / (minor_ * minor_);
+    if (square == 0) return 4096;
+    const auto high = static_cast<long>(msb(numerator(square)));
+    const auto low = static_cast<long>(msb(denominator(square)));
+    return low > high ? static_cast<unsigned>((low - high) / 2) : 0;
+  }
+
+  /// One step towards n by the inverse iteration (T - (q + shift) I)^-1, whose adjugate needs no
+  /// division; q + shift is at least lambda1, so that the side of w is kept.
+  Exact3 improved() const {
+    // lambda1 - q is at most |b|^2 / (q - mu) <= |b^|^2 tr K^ / (W minor), and at most |b| as mu
+    // <= q; times W as K^ is.
+    const Rational near = dot(b_, b_) * trace_ / minor_;
+    Rational longest = 0;
+    for (const Rational& x : w_) longest = std::max<Rational>(longest, abs(x));
+    const Rational far = (abs(b_[0]) + abs(b_[1]) + abs(b_[2])) / longest;
+    const Rational shift = std::min(near, far);
+    const Symmetric3<Rational> m = {k_[0] + shift, k_[1] + shift, k_[2] + shift,
+                                    k_[3],         k_[4],         k_[5]};
+    return product(adjugate(m), w_);
+  }
+
+ private:
+  Exact3 w_;
+  Rational length_;
+  Symmetric3<Rational> k_;
+  Exact3 b_;
+  Rational trace_, minor_;
+};
 
 bool is_zero(const Symmetric3<Rational>& t, const Exact3& v, const Exact3& w) {
   if (v[0] == 0 && v[1] == 0 && v[2] == 0) return true;
@@ -88,8 +111,12 @@ MaybeSign triage_direction_sign(const Symmetric3<double>& t, double t_error, con
 Sign exact_direction_sign(const Symmetric3<Rational>& t, const Exact3& v, const Exact3& w) {
   if (is_zero(t, v, w)) return Sign::zero;
   Exact3 x = w;
-  for (unsigned bits = 64; !proves(t, v, x); bits *= 2) x = rounded(improved(t, x), bits);
-  return sign_of(dot(x, v));
+  for (;;) {
+    const Guess guess(t, x);
+    if (guess.proves(v)) return sign_of(dot(x, v));
+    // A step triples the bits.
+    x = rounded(guess.improved(), 64 + 4 * guess.bits());
+  }
 }
 
 Sign symbolic_direction_sign(const Symmetric3<Rational>& t, const Exact3& w) {

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Direction sign: the sign of n . v, n the dominant eigenvector of a symmetric tensor T, oriented by
-// n . w > 0 (../shared/specs/extremal.md, item 3).
+// Direction sign: the sign of n . v, n the dominant eigenvector of a symmetric tensor T, oriented
+// by n . w > 0 (../shared/specs/extremal.md, item 3).
 //
 // Theorem. Let w pass the cone test at T, W = w.w, K^ its matrix, b^ = W T w - (w.Tw) w. Then
 // tan theta <= |b| / (q - mu), and q - mu >= det / tr of K across w, so
 //   (w.v)^2 minor^2 > |b^|^2 |v|^2 W^2 (tr K^)^2
 // proves that n . v has the sign of w . v.
 // Zero is decided in rationals, where lambda1 is simple. v = 0: zero. v x Tv = 0: v is an
-// eigenvector, and n . v = 0 iff it is not lambda1's, that is iff 2 (v.w)^2 < |v|^2 W (law 1 of what
-// the cone test proves: n is within 45 degrees of w, all other eigenvectors are not). Else
+// eigenvector, and n . v = 0 iff it is not lambda1's, that is iff 2 (v.w)^2 < |v|^2 W (law 1 of
+// what the cone test proves: n is within 45 degrees of w, all other eigenvectors are not). Else
 // det(v, Tv, T^2 v) = 0: u = v x Tv is an eigenvector, and n . v = 0 iff it is lambda1's: v and Tv
 // span a plane of the other eigenvectors, or one that holds n and in which v is none. Else v has
 // a part along every eigenvector.
-// Symbolic: the sign of the first coordinate of n that is not zero; it stands for adding the gradient
-// of eps x + eps^2 y + eps^3 z to v.
+// Symbolic: the sign of the first coordinate of n that is not zero; it stands for adding the
+// gradient of eps x + eps^2 y + eps^3 z to v.
 //
 // Laws. (1) odd in v; odd in w. (2) the same for positive multiples of v and w, for T + c I and
-// positive multiples of T. (3) the same for all w that pass the cone test on one side. (4) symbolic:
-// never zero.
+// positive multiples of T. (3) the same for all w that pass the cone test on one side. (4)
+// symbolic: never zero.
 #include <array>
 
 #include "kernel/arithmetic/rational.hpp"

@@ -2,9 +2,12 @@
 #pragma once
 
 // Volumes and images with known sheets, in [-1, 1]^d.
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
+#include "certify/extremal/encode.hpp"
+#include "certify/verify.hpp"
 #include "tests/certify_extremal/reference_extremal.hpp"
 
 namespace crest::tests {
@@ -21,7 +24,7 @@ inline certify::ExtremalData sampled(std::array<std::uint32_t, 3> nodes, const P
     for (std::uint32_t y = 0; y < nodes[1]; ++y)
       for (std::uint32_t x = 0; x < nodes[0]; ++x)
         samples.push_back(static_cast<float>(profile(at(x, 0), at(y, 1), at(z, 2))));
-  return make_data(nodes, samples, spacing);
+  return make_data(nodes, samples, spacing, sigma);
 }
 inline double sheet(double distance, double width) {
   return std::exp(-(distance / width) * (distance / width));
@@ -31,14 +34,44 @@ inline certify::ExtremalData with_level(certify::ExtremalData data, double level
   data.min_value = level;
   return data;
 }
-inline double sphere(double x, double y, double z) {
-  return sheet(std::sqrt(x * x + y * y + z * z) - 0.55, 0.25);
+inline Profile sphere(double radius, double width) {
+  return [=](double x, double y, double z) {
+    return sheet(std::sqrt(x * x + y * y + z * z) - radius, width);
+  };
+}
+/// A half plane (ray) along and across a direction: an open sheet.
+inline double half_plane(double x, double y, double) {
+  const double t = std::cos(0.4) * x + std::sin(0.4) * y,
+               d = -std::sin(0.4) * x + std::cos(0.4) * y;
+  return std::exp(-(d * d + std::pow(std::min(t + 0.2, 0.0), 2)) / 0.09);
+}
+/// The smallest 3D volume here of which a component is isotopic to the field's.
+inline const certify::ExtremalCertificate& closed_sphere() {
+  static const auto c =
+      reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
+  return c;
 }
 inline double moebius(double x, double y, double z) {
   const double u = std::atan2(y, x), r = std::hypot(x, y) - 0.6;
   const double d = -std::sin(u / 2) * r + std::cos(u / 2) * z;
   const double t = std::cos(u / 2) * r + std::sin(u / 2) * z;
   return sheet(d, 0.2) * sheet(std::max(0.0, std::fabs(t) - 0.2), 0.2);
+}
+
+inline void require_accepted(const certify::ExtremalCertificate& c) {
+  const auto verdict = certify::verify(certify::encode(c));
+  INFO(verdict.reason);
+  REQUIRE(verdict.accepted);
+}
+inline bool is_accepted(const certify::ExtremalCertificate& c) {
+  return certify::verify(certify::encode(c)).accepted;
+}
+/// The component with most polygons.
+inline const certify::ExtremalComponent& largest(const certify::ExtremalCertificate& c) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < c.components.size(); ++i)
+    if (c.components[i].polygons > c.components[best].polygons) best = i;
+  return c.components.at(best);
 }
 
 }  // namespace crest::tests

@@ -60,7 +60,8 @@ bool holds(const Cone& cone, double scale) {
 /// Proves codes of cells.
 class CellMaker {
  public:
-  explicit CellMaker(const ReferenceFields& fields) : fields_(fields) {}
+  CellMaker(const ReferenceFields& fields, bool world_units)
+      : fields_(fields), world_units_(world_units) {}
 
   void make(u32 cell, ExtremalCertificate& c) {
     Vec centre = fields_.place(cell);
@@ -86,7 +87,7 @@ class CellMaker {
   std::uint8_t kind(u32 cell, ExtremalCertificate& c) {
     double low = HUGE_VAL, high = -HUGE_VAL, p = 0, h = 0, least_curvature = HUGE_VAL;
     Vec sum{};
-    const Vec& d = fields_.data.spacing;
+    const Vec d = world_units_ ? Vec{1, 1, 1} : fields_.data.spacing;
     std::vector<Vec> gradients;
     for (const PointFields& x : controls_) {
       low = std::min(low, dot(w_, x.gradient));
@@ -130,12 +131,14 @@ class CellMaker {
         side = std::max(side, length(across(image(x, w_), w_)));
         most = std::max(most, norm(x));
       }
-      square += std::pow((side + 2 * angle_ * most) / gap_, 2);
+      const double unit = world_units_ ? fields_.data.spacing[k] : 1;
+      square += std::pow((side + 2 * angle_ * most) / (gap_ * unit), 2);
     }
     return std::sqrt(square);
   }
 
   const ReferenceFields& fields_;
+  bool world_units_;
   std::vector<PointFields> controls_;
   Vec w_{};
   double angle_ = 0, gap_ = 0;
@@ -281,7 +284,7 @@ class Maker {
         if (inside && wanted[other] != 0) listed[cell] = 1;
       }
     }
-    CellMaker maker(fields_);
+    CellMaker maker(fields_, options_.world_units);
     for (u32 cell = 0; cell < fields_.nodes; ++cell) {
       if (listed[cell] == 0) continue;
       if (!c_.cells.empty() && c_.cells.back().first + c_.cells.back().length == cell)
@@ -296,7 +299,8 @@ class Maker {
   }
 
   void make_edges() {
-    std::vector<std::uint8_t> of_cell(d_ * fields_.nodes, 0);  // 1: of a proven cell, 2: of an open one
+    std::vector<std::uint8_t> of_cell(d_ * fields_.nodes,
+                                      0);  // 1: of a proven cell, 2: of an open one
     std::size_t at = 0;
     for (const CellRun& run : c_.cells)
       for (u32 cell = run.first; cell < run.first + run.length; ++cell, ++at)

@@ -34,16 +34,26 @@ double sample(const ExtremalData& data, std::size_t i) {
     return static_cast<double>(x);
   };
   switch (data.type) {
-    case 0: return read(std::int8_t{});
-    case 1: return read(std::uint8_t{});
-    case 2: return read(std::int16_t{});
-    case 3: return read(std::uint16_t{});
-    case 4: return read(std::int32_t{});
-    case 5: return read(std::uint32_t{});
-    case 6: return read(std::int64_t{});
-    case 7: return read(std::uint64_t{});
-    case 8: return read(float{});
-    default: return read(double{});
+    case 0:
+      return read(std::int8_t{});
+    case 1:
+      return read(std::uint8_t{});
+    case 2:
+      return read(std::int16_t{});
+    case 3:
+      return read(std::uint16_t{});
+    case 4:
+      return read(std::int32_t{});
+    case 5:
+      return read(std::uint32_t{});
+    case 6:
+      return read(std::int64_t{});
+    case 7:
+      return read(std::uint64_t{});
+    case 8:
+      return read(float{});
+    default:
+      return read(double{});
   }
 }
 
@@ -198,10 +208,9 @@ PointFields ReferenceFields::at(const Vec& place) const {
       Orders orders{};
       ++orders[i];
       ++orders[j];
-      out.hessian[i][j] = std::max(i, j) < data.dimension
-                              ? sign * value(l_, place, orders) /
-                                    (data.spacing[i] * data.spacing[j])
-                              : 0;
+      out.hessian[i][j] = std::max(i, j) < data.dimension ? sign * value(l_, place, orders) /
+                                                                (data.spacing[i] * data.spacing[j])
+                                                          : 0;
       out.tensor[i][j] = data.hessian ? out.hessian[i][j] : value(t_[i][j], place, {0, 0, 0});
     }
   }
@@ -211,20 +220,23 @@ PointFields ReferenceFields::at(const Vec& place) const {
 
 std::vector<double> ReferenceFields::controls(const std::vector<float>& c, std::uint32_t cell,
                                               const Orders& order) const {
-  const Strides grid(data);
-  std::vector<double> at(64);
-  for (long i = 0; i < 64; ++i) {
-    long node = grid.step(cell, 0, i % 4 - 1);
-    node = grid.step(node, 1, i / 4 % 4 - 1);
-    node = grid.step(node, 2, i / 16 - 1);
-    at[static_cast<std::size_t>(i)] = static_cast<double>(c[static_cast<std::size_t>(node)]);
+  if (cell != near_cell_) {
+    const Strides grid(data);
+    near_cell_ = cell;
+    for (long i = 0; i < 64; ++i) {
+      long node = grid.step(cell, 0, i % 4 - 1);
+      node = grid.step(node, 1, i / 4 % 4 - 1);
+      near_[static_cast<std::size_t>(i)] = static_cast<std::size_t>(grid.step(node, 2, i / 16 - 1));
+    }
   }
+  std::vector<double> at(64);
+  for (std::size_t i = 0; i < 64; ++i) at[i] = static_cast<double>(c[near_[i]]);
   std::size_t stride = 1;
   for (unsigned axis = 0; axis < 3; ++axis, stride *= 4)
     for (std::size_t i = 0; i < 64; ++i) {
       if (i / stride % 4 != 0) continue;
-      const auto row = bezier(order[axis], {at[i], at[i + stride], at[i + 2 * stride],
-                                            at[i + 3 * stride]});
+      const auto row =
+          bezier(order[axis], {at[i], at[i + stride], at[i + 2 * stride], at[i + 3 * stride]});
       for (std::size_t k = 0; k < 4; ++k) at[i + k * stride] = row[k];
     }
   return at;
@@ -246,15 +258,16 @@ std::vector<PointFields> ReferenceFields::controls(std::uint32_t cell) const {
     order[i] = 1;
     const auto v = l_controls(cell, order);
     for (std::size_t n = 0; n < 64; ++n) out[n].gradient[i] = sign * v[n] / data.spacing[i];
-    for (unsigned j = 0; j < data.dimension; ++j) {
+    for (unsigned j = i; j < data.dimension; ++j) {
       Orders orders{};
       ++orders[i];
       ++orders[j];
       const auto h = l_controls(cell, orders);
-      const auto t = t_controls(cell, i, j, {0, 0, 0});
+      const auto t = data.hessian ? h : t_controls(cell, i, j, {0, 0, 0});
       for (std::size_t n = 0; n < 64; ++n) {
-        out[n].hessian[i][j] = sign * h[n] / (data.spacing[i] * data.spacing[j]);
-        out[n].tensor[i][j] = data.hessian ? out[n].hessian[i][j] : t[n];
+        const double second = sign * h[n] / (data.spacing[i] * data.spacing[j]);
+        out[n].hessian[i][j] = out[n].hessian[j][i] = second;
+        out[n].tensor[i][j] = out[n].tensor[j][i] = data.hessian ? second : t[n];
       }
     }
   }
@@ -313,9 +326,9 @@ ExtremalData make_data(std::array<std::uint32_t, 3> nodes, const std::vector<flo
   const double least = data.dimension == 2 ? std::min(spacing[0], spacing[1])
                                            : std::min({spacing[0], spacing[1], spacing[2]});
   for (unsigned k = 0; k < 3; ++k)
-    data.weights[k] = data.tensor_weights[k] =
-        k < data.dimension ? smoothing_weights(sigma * (least / spacing[k]))
-                           : std::vector<double>{1};
+    data.weights[k] = data.tensor_weights[k] = k < data.dimension
+                                                   ? smoothing_weights(sigma * (least / spacing[k]))
+                                                   : std::vector<double>{1};
   data.samples.resize(samples.size() * sizeof(float));
   std::memcpy(data.samples.data(), samples.data(), data.samples.size());
   return data;

@@ -55,16 +55,20 @@ class ReferenceFields {
  private:
   std::vector<double> controls(const std::vector<float>& c, std::uint32_t cell,
                                const std::array<int, 3>& order) const;
-  double value(const std::vector<float>& c, const Vec& place, const std::array<int, 3>& order) const;
+  double value(const std::vector<float>& c, const Vec& place,
+               const std::array<int, 3>& order) const;
 
   std::vector<float> l_;
   std::array<std::array<std::vector<float>, 3>, 3> t_;
+  mutable std::uint32_t near_cell_ = 0xffffffffU;
+  mutable std::array<std::size_t, 64> near_;  ///< the coefficients of that cell
 };
 
 /// Weights, as a producer makes them.
 std::vector<double> smoothing_weights(double sigma);
 /// The data section of a volume (or an image, nz = 1) of floats.
-certify::ExtremalData make_data(std::array<std::uint32_t, 3> nodes, const std::vector<float>& samples,
-                                Vec spacing = {1, 1, 1}, double sigma = 1);
+certify::ExtremalData make_data(std::array<std::uint32_t, 3> nodes,
+                                const std::vector<float>& samples, Vec spacing = {1, 1, 1},
+                                double sigma = 1);
 
 }  // namespace crest::tests

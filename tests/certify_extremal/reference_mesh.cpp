@@ -71,13 +71,10 @@ class MeshCounter {
   u32 stride(unsigned k) const {
     return k == 0 ? 1 : k == 1 ? c_.data.nodes[0] : c_.data.nodes[0] * c_.data.nodes[1];
   }
-  u32 at(u32 node, unsigned k) const {
-    return static_cast<u32>(fields_.place(node)[k]);
-  }
+  u32 at(u32 node, unsigned k) const { return static_cast<u32>(fields_.place(node)[k]); }
   bool inside(u32 edge) const {
     for (unsigned k = 0; k < d_; ++k)
-      if (k != edge % d_ &&
-          (at(edge / d_, k) == 0 || at(edge / d_, k) + 1 == c_.data.nodes[k]))
+      if (k != edge % d_ && (at(edge / d_, k) == 0 || at(edge / d_, k) + 1 == c_.data.nodes[k]))
         return false;
     return true;
   }
@@ -87,9 +84,7 @@ class MeshCounter {
     const u32 a = stride((edge + 1) % 3), b = stride((edge + 2) % 3);
     return {node - a - b, node - b, node, node - a};
   }
-  bool is_polygon(u32 edge) const {
-    return std::ranges::binary_search(polygons_, edge);
-  }
+  bool is_polygon(u32 edge) const { return std::ranges::binary_search(polygons_, edge); }
 
   std::vector<Square> squares() const {
     std::vector<Square> out;
@@ -206,12 +201,8 @@ class MeshCounter {
     return (!c_.data.has_min_value || here.l >= c_.data.min_value) &&
            (c_.data.min_strength == 0 || dot(n, image(here.hessian, n)) >= c_.data.min_strength);
   }
-  Key corner(u32 edge, u32 cell) const {
-    return {1, vertex_.at({edge, cell}), 0};
-  }
-  bool kept(const Key& node) const {
-    return kept_.at(node);
-  }
+  Key corner(u32 edge, u32 cell) const { return {1, vertex_.at({edge, cell}), 0}; }
+  bool kept(const Key& node) const { return kept_.at(node); }
 
   /// Makes the pieces.
   void cut() {
@@ -241,7 +232,8 @@ class MeshCounter {
           continue;
         }
         const u32 seam = seams.at({edge, std::min(cells[i], next), std::max(cells[i], next)});
-        clip({{fan, a, corner(edge, next)}, {spoke, {4, seam, 0}, {3, edge, (i + 1) % 4}}}, edge, i);
+        clip({{fan, a, corner(edge, next)}, {spoke, {4, seam, 0}, {3, edge, (i + 1) % 4}}}, edge,
+             i);
       }
     }
   }
@@ -250,9 +242,9 @@ class MeshCounter {
     const std::size_t n = whole.nodes.size();
     for (std::size_t i = 0; i < whole.sides.size(); ++i) {
       const Key &a = whole.nodes[i], &b = whole.nodes[(i + 1) % n], &side = whole.sides[i];
-      const Key middle{5, std::get<0>(side) == 3 ? 4 * std::get<1>(side) + std::get<2>(side)
-                                                 : std::get<1>(side),
-                       static_cast<u32>(std::get<0>(side))};
+      const Key middle{
+          5, std::get<0>(side) == 3 ? 4 * std::get<1>(side) + std::get<2>(side) : std::get<1>(side),
+          static_cast<u32>(std::get<0>(side))};
       if (kept(a)) {
         piece.nodes.push_back(a);
         piece.sides.push_back(side);
@@ -353,9 +345,8 @@ class MeshCounter {
     find_isotopic(polygons, out);
     return out;
   }
-  static bool is_orientable(
-      const std::vector<std::pair<Piece, u32>>& pieces,
-      const std::map<Key, std::vector<std::pair<Key, std::size_t>>>& sides) {
+  static bool is_orientable(const std::vector<std::pair<Piece, u32>>& pieces,
+                            const std::map<Key, std::vector<std::pair<Key, std::size_t>>>& sides) {
     std::vector<int> turn(pieces.size(), 0);
     for (std::size_t seed = 0; seed < pieces.size(); ++seed) {
       if (turn[seed] != 0) continue;

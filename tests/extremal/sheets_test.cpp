@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known surfaces come out with their topology, and their certificates are accepted.
 #include <catch2/catch.hpp>
+#include <tbb/global_control.h>
 
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
+#include "kernel/geometry/input_error.hpp"
 #include "tests/extremal/reference_sheets.hpp"
 
 using namespace crest;
@@ -47,13 +49,17 @@ std::vector<Row> table() {
           {"Moebius", moebius_sheet, 1870, 1870, 256, 0, 1, false}};
 }
 
+extremal::Options at_least(double value) {
+  extremal::Options options;
+  options.min_value = value;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("extremal sheets: the table at 48 nodes") {
   for (const Row& row : table()) {
-    extremal::Options options;
-    options.min_value = 0.4;
-    const auto [r, verdict] = extracted(sampled(row.sheet, 48), options);
+    const auto [r, verdict] = extracted(sampled(row.sheet, 48), at_least(0.4));
     INFO(row.name);
     CHECK(r.counts.critical_edges == row.critical);
     CHECK(r.counts.extremal_edges == row.extremal);
@@ -70,4 +76,182 @@ TEST_CASE("extremal sheets: the table at 48 nodes") {
     INFO(verdict.reason);
     CHECK(verdict.accepted);
   }
+}
+
+TEST_CASE("extremal sheets: three half planes meet along the axis") {
+  const auto [r, verdict] = extracted(sampled(junction_sheet, 48), at_least(0.4));
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.components[0].euler_characteristic == 1);
+  CHECK(r.components[0].boundary_loops == 1);
+  CHECK(r.components[0].orientable);
+  // One on each of the faces across z that have four cells' vertices on both sides.
+  CHECK(r.counts.valence[2] == 46);
+  for (const auto& f : r.features) {
+    if (f.reason != extremal::Reason::discontinuity) continue;
+    CHECK(std::hypot(r.points[f.a][0], r.points[f.a][1]) < 0.05);
+  }
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: a closed shell is isotopic to the field's, and lies on it") {
+  const auto [r, verdict] = extracted(sampled(sphere_sheet, 64), at_least(0.4));
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.components[0].isotopic == true);
+  CHECK(r.components[0].euler_characteristic == 2);
+  CHECK(r.counts.regular + r.counts.empty > 30000);
+  CHECK(r.counts.cone == 0);
+  CHECK(r.features.empty());
+  for (const auto& p : r.points) CHECK(std::hypot(p[0], p[1], p[2]) == Approx(0.6).margin(0.01));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: by Hess, the largest component has the shape; it claims no isotopy") {
+  for (const Row& row : table()) {
+    if (!row.orientable) continue;
+    extremal::Volume v = sampled(row.sheet, 40);
+    v.spacing = {1, 1, 1};
+    extremal::Options options = at_least(0.4);
+    options.definition = extremal::Definition::hessian;
+    options.min_strength = 0.08;
+    const auto [r, verdict] = extracted(v, options);
+    INFO(row.name);
+    const Component& c = largest(r);
+    CHECK(c.euler_characteristic == row.chi);
+    CHECK(c.boundary_loops == 0);
+    CHECK(!c.isotopic.has_value());
+    CHECK(r.counts.odd_valence_unexplained == 0);
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("extremal sheets: spacing is the world's") {
+  extremal::Volume v;
+  v.size = {64, 64, 26};
+  v.spacing = {1, 1, 2.5};
+  std::vector<float> samples;
+  for (int k = 0; k < 26; ++k)
+    for (int j = 0; j < 64; ++j)
+      for (int i = 0; i < 64; ++i) {
+        const double d = std::hypot(i - 31.5, j - 31.5, 2.5 * (k - 12.5)) - 19;
+        samples.push_back(static_cast<float>(std::exp(-d * d / 12)));
+      }
+  v.samples = std::move(samples);
+  extremal::Options options = at_least(0.4);
+  options.sigma = 1.5;
+  const auto [r, verdict] = extracted(v, options);
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.components[0].euler_characteristic == 2);
+  CHECK(r.components[0].boundary_loops == 0);
+  CHECK(r.components[0].area == Approx(4 * M_PI * 19 * 19).epsilon(0.03));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: plateaus give flat nodes and no sheet") {
+  // Clipped on one side: beside the step L is constant where T is not zero yet.
+  extremal::Volume v;
+  v.size = {24, 24, 24};
+  std::vector<float> samples;
+  for (int k = 0; k < 24; ++k)
+    for (int j = 0; j < 24; ++j)
+      for (int i = 0; i < 24; ++i) samples.push_back(i < 10 ? 0.0F : 1.0F);
+  v.samples = std::move(samples);
+  const auto [r, verdict] = extracted(v, {});
+  CHECK(r.counts.flat_nodes > 0);
+  CHECK(r.counts.undecided_edges == 0);
+  CHECK(r.polygons() == 0);
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: a sheet between nodes that are below the level is found") {
+  // Coefficients 0 1 1 0: L = 0.833 at both nodes, 0.958 between.
+  extremal::Volume v;
+  v.size = {12, 12, 12};
+  std::vector<float> samples;
+  for (int k = 0; k < 12; ++k)
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < 12; ++i) samples.push_back(i == 5 || i == 6 ? 1.0F : 0.0F);
+  v.samples = std::move(samples);
+  extremal::Options options = at_least(0.9);
+  options.sigma = 0.5;
+  options.tensor_sigma = 1;
+  const auto [r, verdict] = extracted(v, options);
+  CHECK(r.counts.extremal_edges == 144);
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.components[0].euler_characteristic == 1);
+  for (const auto& p : r.points) CHECK(p[0] == Approx(5.5).margin(1e-4));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: the same bytes with one thread and with several") {
+  const extremal::Volume v = sampled(moebius_sheet, 40);
+  std::vector<certify::Bytes> bytes;
+  for (const std::size_t threads : {1U, 3U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    certify::ExtremalCertificate c;
+    extremal::extract(v, at_least(0.3), &c);
+    bytes.push_back(certify::encode(c));
+  }
+  CHECK(bytes[0] == bytes[1]);
+}
+
+TEST_CASE("extremal sheets: bad input is named") {
+  const auto message = [](const extremal::Volume& v, const extremal::Options& o) -> std::string {
+    try {
+      extremal::extract(v, o);
+    } catch (const kernel::InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  extremal::Volume v = sampled(sphere_sheet, 8);
+  std::get<0>(v.samples)[8 * 8 * 3 + 8 * 2 + 1] = NAN;
+  CHECK(message(v, {}).find("sample (1, 2, 3)") == 0);
+  v.size = {8, 8, 7};
+  CHECK(message(v, {}).find("size") == 0);
+  v.size = {3, 8, 8};
+  CHECK(message(v, {}).find("fewer than 4 nodes") != std::string::npos);
+  v = sampled(sphere_sheet, 8);
+  extremal::Options o;
+  o.sigma = -1;
+  CHECK(message(v, o).find("sigma") == 0);
+  v.spacing[1] = 0;
+  CHECK(message(v, {}).find("spacing") == 0);
+  // Constant: nothing, and no error.
+  v = sampled([](double, double, double) { return 7; }, 8);
+  const auto [r, verdict] = extracted(v, {});
+  CHECK(r.polygons() == 0);
+  CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal curves: a circle in an image, a bar with two ends") {
+  extremal::Volume v;
+  v.size = {64, 70, 1};
+  std::vector<float> ring, bar;
+  for (int j = 0; j < 70; ++j)
+    for (int i = 0; i < 64; ++i) {
+      const double x = (i - 31.7) / 32, y = (j - 34.2) / 32;
+      ring.push_back(static_cast<float>(profile(std::hypot(x, y) - 0.6)));
+      bar.push_back(static_cast<float>(profile(y) * profile(std::max(0.0, std::fabs(x) - 0.5))));
+    }
+  v.samples = std::move(ring);
+  const auto [r, verdict] = extracted(v, at_least(0.4));
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.dimension == 2);
+  CHECK(r.components[0].euler_characteristic == 0);
+  CHECK(r.components[0].ends == 0);
+  CHECK(r.components[0].area == Approx(2 * M_PI * 0.6 * 32).epsilon(0.01));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+  v.samples = std::move(bar);
+  const auto [s, accepted] = extracted(v, at_least(0.4));
+  CHECK(largest(s).ends == 2);
+  CHECK(largest(s).euler_characteristic == 1);
+  INFO(accepted.reason);
+  CHECK(accepted.accepted);
 }

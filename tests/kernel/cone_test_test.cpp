@@ -63,8 +63,9 @@ TEST_CASE("cone test: every stage decides") {
   // w at 45 degrees from n: q equals mu.
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1, 1, 0}).sign == Sign::zero);
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1, 1 - 0x1p-30, 0}).sign == Sign::positive);
-  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 - 0x1p-50, 1, 0}).stage == Stage::exact);
   CHECK(stage({1, 0, 0, 0, 0, 0}, {1 - 0x1p-50, 1, 0}).sign == Sign::negative);
+  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 + 0x1p-52, 1 + 0x1p-52, 0}).sign == Sign::zero);
+  CHECK(stage({1, 0, 0, 0, 0, 0}, {1 + 0x1p-52, 1 + 0x1p-52, 0}).stage == Stage::exact);
 }
 
 TEST_CASE("cone test: laws 1, 2, 4 and 5 on random and degenerate tensors") {
@@ -72,7 +73,8 @@ TEST_CASE("cone test: laws 1, 2, 4 and 5 on random and degenerate tensors") {
   for (const Family family : {Family::generic, Family::small_integers, Family::equal_mantissas}) {
     Draw d(2, family);
     for (std::uint64_t i = 0; i < scaled(3000); ++i) {
-      const Tensor t = d.coin() ? draw_tensor(d, family) : degenerate(d), s = draw_tensor(d, family);
+      const Tensor t = d.coin() ? draw_tensor(d, family) : degenerate(d),
+                   s = draw_tensor(d, family);
       const Vec3 w = draw_vector(d, family), o = draw_vector(d, family);
       const Sign sign = exact_cone_test(t, w);
       const Vec3 back = {-2 * w[0], -2 * w[1], -2 * w[2]};
@@ -103,7 +105,8 @@ TEST_CASE("cone test: the margin of the triage is never more than q - mu") {
     Vec3 w = draw_vector(d, Family::generic);
     w = (1 / norm(w)) * w;
     if (cone_margin(t, 1, 0, w) > 0)
-      failures.expect(exact_cone_test(t, w) == Sign::positive, "a positive margin is right for", t, w);
+      failures.expect(exact_cone_test(t, w) == Sign::positive, "a positive margin is right for", t,
+                      w);
   }
   CHECK(failures.report() == "");
 }

@@ -42,7 +42,8 @@ TEST_CASE("spline nets: values and derivatives to order 3 are exact, dimensions 
           const auto square = plane;
           to_spline_net<Rational, 3>(net, {a, b, c});
           to_spline_net<Rational, 2>(plane, {a, b});
-          const std::array<Rational, 3> t = {Rational(d.integer(0, 7)) / 7, Rational(d.integer(0, 5)) / 5,
+          const std::array<Rational, 3> t = {Rational(d.integer(0, 7)) / 7,
+                                             Rational(d.integer(0, 5)) / 5,
                                              Rational(d.integer(0, 3)) / 3};
           Rational expected = 0, flat = 0;
           for (std::size_t i = 0; i < 64; ++i) {
