@@ -116,12 +116,12 @@ void rows(const std::string& name, const extremal::Volume& volume, const Options
   }
 }
 
-/// n twists in a plane by an angle along an edge, grad s is constant and at 20 degrees to n at the
-/// lower end. T = n n^T lies in the triangle of its values at the ends and the meeting point of the
-/// tangents there: three controls for the cone test.
+/// n twists in a plane by an angle along an edge, grad s is constant and at 20.6 degrees to n at
+/// the lower end. T = n n^T lies in the triangle of its values at the ends and the meeting point of
+/// the tangents there: three controls for the cone test.
 struct Twist {
   double angle;
-  static constexpr double kGradient = std::numbers::pi / 9;
+  static constexpr double kGradient = 0.36;  // 20.6 degrees: no angle of the table is a tie
   double at(double t) const { return angle * t; }
   Vec3 direction(double t) const { return {std::cos(at(t)), std::sin(at(t)), 0}; }
   double g(double t) const { return std::cos(at(t) - kGradient); }
