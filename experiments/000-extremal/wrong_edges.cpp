@@ -109,7 +109,7 @@ void rows(const std::string& name, const extremal::Volume& volume, const Options
         for (v[0] = 0; v[0] < grid.size[0]; v[0] += step)
           for (std::size_t axis = 0; axis < 3; ++axis)
             if (v[axis] + step < grid.size[axis]) count_edge(e, field, v, axis, step, w);
-    fmt::print("| {} | {} | {} | {} | {} | {} / {} | {} / {} | 0 / 0, {} listed |\n", name,
+    fmt::print("| {} | {} | {} | {} | {} | {} / {} | {} / {} | {} |\n", name,
                options.definition == Definition::hessian ? "hessian" : "structure", step, w.edges,
                w.critical, w.dot_false, w.dot_missed, w.ten_false, w.ten_missed, w.listed);
     std::fflush(stdout);
@@ -210,7 +210,8 @@ int main(int argc, char** argv) {
     fmt::print(
         "False / missed critical edges; a long edge is critical if an odd number of its unit edges "
         "is certified so\n\n"
-        "| field | definition | step | edges | critical | dot product | 10 degrees | certified |\n"
+        "| field | definition | step | edges | critical | dot product | 10 degrees | not decided "
+        "|\n"
         "|---|---|---|---|---|---|---|---|\n");
     for (const bool hessian : {false, true}) {
       if (only == (hessian ? "structure" : "hessian")) continue;
