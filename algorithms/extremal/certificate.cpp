@@ -109,8 +109,7 @@ void record_edges(const Extraction& e, certify::ExtremalCertificate& c) {
   }
 }
 
-void record_mesh(const Extraction& e, const Extraction::Mesh& mesh,
-                 certify::ExtremalCertificate& c) {
+void record_mesh(const Extraction& e, const MeasuredMesh& mesh, certify::ExtremalCertificate& c) {
   for (const SheetVertex& v : mesh.sheets.vertices) c.vertices.push_back(v.place);
   if (e.options().min_value || e.options().min_strength > 0)
     for (const SheetPolygon& p : mesh.sheets.polygons) c.fan_points.push_back(p.place);
@@ -136,7 +135,7 @@ void record_mesh(const Extraction& e, const Extraction::Mesh& mesh,
 }  // namespace
 
 certify::ExtremalCertificate make_certificate(const Volume& volume, const Extraction& extraction,
-                                              const Extraction::Mesh& mesh) {
+                                              const MeasuredMesh& mesh) {
   certify::ExtremalCertificate c;
   c.data = data_of(volume, extraction);
   record_cells(extraction, c);

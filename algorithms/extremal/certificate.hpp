@@ -9,6 +9,6 @@ namespace crest::extremal {
 
 /// `mesh` is that of extremal edges.
 certify::ExtremalCertificate make_certificate(const Volume& volume, const Extraction& extraction,
-                                              const Extraction::Mesh& mesh);
+                                              const MeasuredMesh& mesh);
 
 }  // namespace crest::extremal

@@ -67,7 +67,7 @@ class Meter {
       : grid_(grid),
         mesh_(mesh),
         trimmed_(trimmed),
-        plane_(grid.dimension() == 2),
+        plane_(mesh.dimension == 2),
         points_(static_cast<Index>(trimmed.points.size())) {}
 
   Measured run() {
@@ -191,9 +191,7 @@ class Meter {
     last_source_[r_.component_of[p]] = source;
     proof.cut = proof.cut || trimmed_.partly[source];
     if (!mesh_.polygons[source].extremal) c.critical_type = 0;
-    const auto at = [&](Index i) {
-      return grid_.position(trimmed_.points[trimmed_.corners[i]].place);
-    };
+    const auto at = [&](Index i) { return grid_.position(trimmed_.points[trimmed_.corners[i]]); };
     const Index begin = trimmed_.first[p], end = trimmed_.first[p + 1];
     if (plane_) {
       --c.euler_characteristic;  // Segments are edges, counted above.
@@ -214,7 +212,8 @@ class Meter {
   Measured r_;
 };
 
-/// Closed, not cut, and all cells of its vertices in proven clusters.
+}  // namespace
+
 void decide_isotopy(const SheetMesh& mesh, const TrimmedMesh& trimmed, const Clusters& clusters,
                     Measured& m) {
   for (std::size_t i = 0; i < m.components.size(); ++i) {
@@ -232,13 +231,8 @@ void decide_isotopy(const SheetMesh& mesh, const TrimmedMesh& trimmed, const Clu
     }
 }
 
-}  // namespace
-
-Measured measure(const Fields& fields, const SheetMesh& mesh, TrimmedMesh& trimmed,
-                 const Clusters& clusters) {
-  Measured r = Meter(fields.grid(), mesh, trimmed).run();
-  if (fields.structure()) decide_isotopy(mesh, trimmed, clusters, r);
-  return r;
+Measured measure(const Grid& grid, const SheetMesh& mesh, TrimmedMesh& trimmed) {
+  return Meter(grid, mesh, trimmed).run();
 }
 
 }  // namespace crest::extremal

@@ -37,7 +37,20 @@ struct Measured {
   std::vector<Index> component_of;  ///< a polygon's
 };
 /// Orients the polygons of `trimmed` alike across edges of two.
-Measured measure(const Fields& fields, const SheetMesh& mesh, TrimmedMesh& trimmed,
-                 const Clusters& clusters);
+Measured measure(const Grid& grid, const SheetMesh& mesh, TrimmedMesh& trimmed);
+/// isotopic: closed, not cut, all cells of its vertices in proven clusters.
+void decide_isotopy(const SheetMesh& mesh, const TrimmedMesh& trimmed, const Clusters& clusters,
+                    Measured& measured);
+
+/// A mesh and what is measured of it.
+struct MeasuredMesh {
+  SheetMesh sheets;
+  TrimmedMesh trimmed;
+  Measured measured;
+};
+/// The points, polygons and components of a result; `field` gives what a place has, in units of the
+/// grid.
+void write_mesh(const Grid& grid, const MeasuredMesh& mesh,
+                const std::function<Local(const Vec3&)>& field, Result& result);
 
 }  // namespace crest::extremal

@@ -8,14 +8,10 @@ Result extract(const Volume& volume, const Options& options,
                certify::ExtremalCertificate* certificate) {
   if (options.refine > 0) throw kernel::InputError("refine: octrees are not built yet; use 0");
   const Extraction e(volume, options);
-  const Extraction::Mesh mesh = e.mesh(options.critical);
+  const MeasuredMesh mesh = e.mesh(options.critical);
   if (certificate != nullptr)
     *certificate = make_certificate(volume, e, options.critical ? e.mesh(false) : mesh);
   return e.result(mesh);
-}
-
-Result extract(const OrientedPoints&, const PointOptions&, certify::ExtremalCertificate*) {
-  throw kernel::InputError("surfaces of points are not built yet; give a volume or an image");
 }
 
 }  // namespace crest::extremal

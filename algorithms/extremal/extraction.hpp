@@ -18,19 +18,12 @@ class Extraction {
   const Faces& faces() const { return faces_; }
   const Clusters& clusters() const { return clusters_; }
 
-  /// The mesh and what is measured of it, `critical`: of all critical edges.
-  struct Mesh {
-    SheetMesh sheets;
-    TrimmedMesh trimmed;
-    Measured measured;
-  };
-  Mesh mesh(bool critical) const;
-  Result result(const Mesh& mesh) const;
+  /// `critical`: of all critical edges.
+  MeasuredMesh mesh(bool critical) const;
+  Result result(const MeasuredMesh& mesh) const;
 
  private:
-  Counts counts(const Mesh& mesh) const;
-  void write_points(const Mesh& mesh, Result& result) const;
-  void write_polygons(const Mesh& mesh, Result& result) const;
+  Counts counts(const MeasuredMesh& mesh) const;
 
   Options options_;
   Fields fields_;

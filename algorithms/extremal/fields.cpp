@@ -254,6 +254,7 @@ Local Fields::at(const Node& v, const Vec3& t) const {
   const Vec3& d = grid_.spacing;
   Local r;
   r.value = value(l, 0, 0, 0);
+  r.s = sign_ * r.value;
   r.gradient = {sign_ * value(l, 1, 0, 0) / d[0], sign_ * value(l, 0, 1, 0) / d[1],
                 sign_ * value(l, 0, 0, 1) / d[2]};
   const Tensor h = {value(l, 2, 0, 0), value(l, 0, 2, 0), value(l, 0, 0, 2),

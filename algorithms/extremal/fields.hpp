@@ -29,6 +29,7 @@ struct Local {
   Tensor hessian;  ///< of s
   Tensor tensor;   ///< T
   double value;    ///< L
+  double s;
 };
 
 class Fields {

@@ -22,9 +22,9 @@ std::uint16_t snapped(double x) {
 Vec3 as_vector(const Node& v) {
   return {double(v[0]), double(v[1]), double(v[2])};
 }
-Vec3 zero(const Grid& grid, const SheetPolygon& p) {
-  Vec3 x = as_vector(grid.node(p.edge / 3));
-  x[p.edge % 3] += p.place / kUnits;
+Vec3 zero(const Grid& grid, Index edge, std::uint16_t place) {
+  Vec3 x = as_vector(grid.node(edge / 3));
+  x[edge % 3] += place / kUnits;
   return x;
 }
 
@@ -48,7 +48,14 @@ class Polygons {
                        [&](const Node& c) { return dual.inside(c); }))
         continue;
       number_[i] = static_cast<Index>(all.size());
-      all.push_back({e, snapped(list[i].place), extremal, {}, {}});
+      const std::uint16_t place = snapped(list[i].place);
+      all.push_back({e,
+                     place,
+                     extremal,
+                     zero(fields.grid(), e, place),
+                     {},
+                     {},
+                     static_cast<std::uint8_t>(dual.sides)});
     }
   }
 
@@ -132,7 +139,7 @@ class VertexMaker {
     std::vector<Index> number(sets.size());
     for (const auto& [cell, root] : roots) {
       number[root] = static_cast<Index>(vertices_.size());
-      vertices_.push_back({cell, {}});
+      vertices_.push_back({cell, {}, {}});
     }
     for (Index c = 0; c < sets.size(); ++c)
       polygons_.all[c / sides_].corners[c % sides_] = number[sets.find(c)];
@@ -164,14 +171,17 @@ class VertexMaker {
     std::vector<int> count(vertices_.size(), 0);
     for (const SheetPolygon& p : polygons_.all)
       for (std::size_t i = 0; i < sides_; ++i) {
-        sum[p.corners[i]] = sum[p.corners[i]] + zero(grid_, p);
+        sum[p.corners[i]] = sum[p.corners[i]] + p.zero;
         ++count[p.corners[i]];
       }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sum.size(), 256), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         const Node cell = grid_.node(vertices_[i].cell);
         const Vec3 t = projected(cell, (1.0 / count[i]) * sum[i] - as_vector(cell));
-        for (std::size_t k = 0; k < 3; ++k) vertices_[i].place[k] = snapped(t[k]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          vertices_[i].place[k] = snapped(t[k]);
+          vertices_[i].at[k] = cell[k] + vertices_[i].place[k] / kUnits;
+        }
       }
     });
   }
@@ -274,8 +284,7 @@ class EdgeMaker {
     edge.twin = std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
     if (!edge.twin) return;
     for (std::size_t k = 0; k < m.count; ++k)
-      edge.middle =
-          edge.middle + (1.0 / double(m.count)) * zero(grid_, polygons_.all[m.polygons[k]]);
+      edge.middle = edge.middle + (1.0 / double(m.count)) * polygons_.all[m.polygons[k]].zero;
   }
 
   const Grid& grid_;
@@ -290,6 +299,7 @@ class EdgeMaker {
 SheetMesh make_sheets(const Fields& fields, const Cells& cells, const Edges& edges,
                       const Faces& faces, bool critical) {
   SheetMesh r;
+  r.dimension = fields.grid().dimension();
   Polygons polygons(fields, edges, faces, critical);
   r.vertices = VertexMaker(fields, polygons).make();
   EdgeMaker maker(fields, cells, edges, polygons);

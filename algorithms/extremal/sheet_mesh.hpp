@@ -11,8 +11,9 @@
 namespace crest::extremal {
 
 struct SheetVertex {
-  std::size_t cell;                    ///< an image: square
-  std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths
+  std::size_t cell;                    ///< an image: square; an octree: leaf
+  std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths; an octree: unused
+  Vec3 at;                             ///< in units of the grid
 };
 /// An edge of the mesh; an image: unused.
 struct SheetEdge {
@@ -24,13 +25,16 @@ struct SheetEdge {
 };
 struct SheetPolygon {
   Index edge;           ///< of the grid
-  std::uint16_t place;  ///< of its zero on it, in 65536ths
+  std::uint16_t place;  ///< of its zero on it, in 65536ths; an octree: unused
   bool extremal;
+  Vec3 zero;                     ///< in units of the grid
   std::array<Index, 4> corners;  ///< cyclic; an image: the first two
   std::array<Index, 4> sides;    ///< edges of the mesh: from a corner to the next
+  std::uint8_t count = 4;        ///< of corners; an octree: 3 or 4
 };
 
 struct SheetMesh {
+  int dimension = 3;
   std::vector<SheetPolygon> polygons;  ///< by edge
   std::vector<SheetVertex> vertices;   ///< by cell, then by the lowest edge of their polygons
   std::vector<SheetEdge> edges;        ///< by their lowest polygon

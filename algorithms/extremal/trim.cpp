@@ -9,71 +9,24 @@
 namespace crest::extremal {
 namespace {
 
-Vec3 as_vector(const Node& v) {
-  return {double(v[0]), double(v[1]), double(v[2])};
+double level_at(const Fields& fields, const Levels& levels, const Node& cell, const Vec3& t) {
+  const Local l = fields.at(cell, t);
+  double r = HUGE_VAL;
+  if (levels.value) r = l.value - *levels.value;
+  if (levels.strength > 0) {
+    const Vec3 n = dominant_direction(l.tensor);
+    r = std::min(r, kernel::dot(n, product(l.hessian, n)) - levels.strength);
+  }
+  return r;
 }
-
-/// min(L - value, s_nn - strength) at the vertices and the fans' centres; 0 without levels.
-class LevelValues {
- public:
-  LevelValues(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
-      : fields_(fields), levels_(levels) {
-    if (!levels.any()) return;
-    const Grid& grid = fields.grid();
-    corner_.resize(mesh.vertices.size());
-    centre_.resize(mesh.polygons.size());
-    using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, corner_.size(), 256), [&](const Range& r) {
-      for (std::size_t i = r.begin(); i < r.end(); ++i) {
-        const SheetVertex& v = mesh.vertices[i];
-        corner_[i] = at(grid.node(v.cell), place_in(v));
-      }
-    });
-    tbb::parallel_for(Range(0, centre_.size(), 256), [&](const Range& r) {
-      for (std::size_t i = r.begin(); i < r.end(); ++i) {
-        const auto [cell, t] = zero_of(grid, mesh.polygons[i]);
-        centre_[i] = at(cell, t);
-      }
-    });
-  }
-  double corner(Index v) const { return levels_.any() ? corner_[v] : 0; }
-  double centre(Index p) const { return levels_.any() ? centre_[p] : 0; }
-
-  static Vec3 place_in(const SheetVertex& v) {
-    return {v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0};
-  }
-
- private:
-  double at(const Node& cell, const Vec3& t) const {
-    const Local l = fields_.at(cell, t);
-    double r = HUGE_VAL;
-    if (levels_.value) r = l.value - *levels_.value;
-    if (levels_.strength > 0) {
-      const Vec3 n = dominant_direction(l.tensor);
-      r = std::min(r, kernel::dot(n, product(l.hessian, n)) - levels_.strength);
-    }
-    return r;
-  }
-
-  const Fields& fields_;
-  Levels levels_;
-  std::vector<double> corner_, centre_;
-};
 
 class Trimmer {
  public:
-  Trimmer(const Fields& fields, const SheetMesh& mesh, const Levels& levels)
-      : grid_(fields.grid()),
-        mesh_(mesh),
-        values_(fields, mesh, levels),
-        plane_(grid_.dimension() == 2),
-        sides_(plane_ ? 2 : 4) {}
+  Trimmer(const SheetMesh& mesh, const LevelValues& values)
+      : mesh_(mesh), values_(values), plane_(mesh.dimension == 2) {}
 
   TrimmedMesh run() {
-    for (const SheetVertex& v : mesh_.vertices) {
-      const Node cell = grid_.node(v.cell);
-      r_.points.push_back({as_vector(cell) + LevelValues::place_in(v), cell});
-    }
+    for (const SheetVertex& v : mesh_.vertices) r_.points.push_back(v.at);
     r_.partly.assign(mesh_.polygons.size(), false);
     cut_of_.assign(mesh_.edges.size(), kernel::kNone);
     middle_of_.assign(mesh_.edges.size(), kernel::kNone);
@@ -83,15 +36,12 @@ class Trimmer {
   }
 
  private:
-  double corner(Index v) const { return values_.corner(v); }
-  double centre(Index p) const { return values_.centre(p); }
+  double corner(Index v) const { return values_.corners.empty() ? 0 : values_.corners[v]; }
+  double centre(Index p) const { return values_.centres.empty() ? 0 : values_.centres[p]; }
   static bool kept(double x) { return x >= 0; }
 
   Index add_point(const Vec3& x) {
-    Node cell;
-    for (std::size_t k = 0; k < 3; ++k)
-      cell[k] = std::clamp(static_cast<int>(x[k]), 0, std::max(0, grid_.size[k] - 2));
-    r_.points.push_back({x, cell});
+    r_.points.push_back(x);
     return static_cast<Index>(r_.points.size() - 1);
   }
   /// Between a kept and a dropped place.
@@ -107,7 +57,7 @@ class Trimmer {
       if (!kept(corner(a))) continue;
       const bool whole = kept(corner(b));
       if (!whole)
-        cut_of_[i] = add_cut(r_.points[a].place, corner(a), r_.points[b].place, corner(b));
+        cut_of_[i] = add_cut(r_.points[a], corner(a), r_.points[b], corner(b));
       else if (e.twin)
         middle_of_[i] = add_point(e.middle);
       count(e.valence, e.reason);
@@ -146,11 +96,11 @@ class Trimmer {
   void add_polygon(Index p) {
     const SheetPolygon& q = mesh_.polygons[p];
     std::size_t inside = kept(centre(p)) ? 1 : 0;
-    for (std::size_t i = 0; i < sides_; ++i) inside += kept(corner(q.corners[i])) ? 1 : 0;
-    r_.partly[p] = inside != sides_ + 1;
+    for (std::size_t i = 0; i < q.count; ++i) inside += kept(corner(q.corners[i])) ? 1 : 0;
+    r_.partly[p] = inside != q.count + 1U;
     if (inside == 0) return;
-    if (inside == sides_ + 1) {
-      for (std::size_t i = 0; i < sides_; ++i) {
+    if (inside == q.count + 1U) {
+      for (std::size_t i = 0; i < q.count; ++i) {
         r_.corners.push_back(q.corners[i]);
         if (!plane_ && middle_of_[q.sides[i]] != kernel::kNone)
           r_.corners.push_back(middle_of_[q.sides[i]]);
@@ -168,15 +118,14 @@ class Trimmer {
   };
   Spokes spokes(Index p) {
     const SheetPolygon& q = mesh_.polygons[p];
-    const auto [cell, t] = zero_of(grid_, q);
-    const Vec3 z = as_vector(cell) + t;
+    const Vec3& z = q.zero;
     Spokes r;
     if (kept(centre(p))) r.centre = add_point(z);
-    for (std::size_t i = 0; i < sides_; ++i) {
+    for (std::size_t i = 0; i < q.count; ++i) {
       const Index v = q.corners[i];
       if (kept(corner(v)) == kept(centre(p))) continue;
-      r.cut[i] = kept(corner(v)) ? add_cut(r_.points[v].place, corner(v), z, centre(p))
-                                 : add_cut(z, centre(p), r_.points[v].place, corner(v));
+      r.cut[i] = kept(corner(v)) ? add_cut(r_.points[v], corner(v), z, centre(p))
+                                 : add_cut(z, centre(p), r_.points[v], corner(v));
     }
     return r;
   }
@@ -184,8 +133,8 @@ class Trimmer {
   void cut_fan(Index p) {
     const SheetPolygon& q = mesh_.polygons[p];
     const Spokes s = spokes(p);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t k = (i + 1) % 4;
+    for (std::size_t i = 0; i < q.count; ++i) {
+      const std::size_t k = (i + 1) % q.count;
       const Index a = q.corners[i], b = q.corners[k];
       // Round the triangle: what is kept, and a cut where that changes.
       std::array<Index, 2> cuts{};
@@ -223,26 +172,42 @@ class Trimmer {
     }
   }
 
-  const Grid& grid_;
   const SheetMesh& mesh_;
-  LevelValues values_;
+  const LevelValues& values_;
   bool plane_;
-  std::size_t sides_;
   std::vector<Index> cut_of_, middle_of_;  ///< an edge's
   TrimmedMesh r_;
 };
 
 }  // namespace
 
-std::pair<Node, Vec3> zero_of(const Grid& grid, const SheetPolygon& p) {
-  Node cell = grid.node(p.edge / 3);
-  Vec3 t{};
-  t[p.edge % 3] = p.place / 65536.0;
-  return {cell, t};
+LevelValues level_values(const Fields& fields, const SheetMesh& mesh, const Levels& levels) {
+  LevelValues r;
+  if (!levels.value && !(levels.strength > 0)) return r;
+  const Grid& grid = fields.grid();
+  r.corners.resize(mesh.vertices.size());
+  r.centres.resize(mesh.polygons.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, r.corners.size(), 256), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const SheetVertex& v = mesh.vertices[i];
+      r.corners[i] = level_at(fields, levels, grid.node(v.cell),
+                              {v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0});
+    }
+  });
+  tbb::parallel_for(Range(0, r.centres.size(), 256), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const SheetPolygon& p = mesh.polygons[i];
+      Vec3 t{};
+      t[p.edge % 3] = p.place / 65536.0;
+      r.centres[i] = level_at(fields, levels, grid.node(p.edge / 3), t);
+    }
+  });
+  return r;
 }
 
-TrimmedMesh trim(const Fields& fields, const SheetMesh& mesh, const Levels& levels) {
-  return Trimmer(fields, mesh, levels).run();
+TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values) {
+  return Trimmer(mesh, values).run();
 }
 
 }  // namespace crest::extremal

@@ -7,13 +7,8 @@
 
 namespace crest::extremal {
 
-/// A vertex of the cut mesh: the mesh's own first, in their order.
-struct TrimmedPoint {
-  Vec3 place;  ///< in units of the grid
-  Node cell;   ///< which has it
-};
 struct TrimmedMesh {
-  std::vector<TrimmedPoint> points;
+  std::vector<Vec3> points;              ///< in units of the grid; the mesh's own first
   std::vector<Index> first{0}, corners;  ///< polygons; an image: segments
   std::vector<Index> source;             ///< a polygon's in the sheet mesh, ascending
   std::vector<Feature> features;
@@ -22,15 +17,18 @@ struct TrimmedMesh {
   std::array<std::size_t, 5> reasons{};  ///< edges of valence 1 by reason
 };
 
+/// What is kept: where a function is at least 0.
+struct LevelValues {
+  std::vector<double> corners,
+      centres;  ///< at the vertices, at the polygons' zeros; none: all kept
+};
 struct Levels {
   std::optional<double> value;  ///< keeps L >= it
   double strength = 0;          ///< keeps s_nn >= it, if positive
-  bool any() const { return value.has_value() || strength > 0; }
 };
+/// min(L - value, s_nn - strength), each only if given.
+LevelValues level_values(const Fields& fields, const SheetMesh& mesh, const Levels& levels);
 
-TrimmedMesh trim(const Fields& fields, const SheetMesh& mesh, const Levels& levels);
-
-/// The zero of a polygon: its cell and its place there.
-std::pair<Node, Vec3> zero_of(const Grid& grid, const SheetPolygon& p);
+TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values);
 
 }  // namespace crest::extremal

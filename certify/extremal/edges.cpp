@@ -14,8 +14,9 @@ namespace {
 namespace code = extremal_code;
 using kernel::Rational;
 
-constexpr unsigned kDepth = 14;    ///< of trees
-constexpr unsigned kPieces = 256;  ///< of an edge whose type is proven
+constexpr unsigned kDepth = 14;  ///< of trees
+/// Of the halving of an edge whose type is proven.
+constexpr unsigned kTypeDepth = 28, kPieces = 256;
 
 /// A node's direction, as stored, and the sign of g there.
 struct NodeSign {
@@ -184,7 +185,7 @@ class TypeProver {
     if (cone.holds && (sign_on(cone, frame, doubles<4>(net.v, net.v_size)) != 0 ||
                        curvature_on(cone, frame, doubles<4>(net.h, net.h_size)) == sign_))
       return true;
-    return depth < kDepth && prove(half(net, 0), depth + 1) && prove(half(net, 1), depth + 1);
+    return depth < kTypeDepth && prove(half(net, 0), depth + 1) && prove(half(net, 1), depth + 1);
   }
 
  private:

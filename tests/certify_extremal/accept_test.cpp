@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claim 8: true certificates are accepted, with the counts that the sheets have.
+#include <algorithm>
 #include <cstring>
 
 #include "tests/certify_extremal/extremal_samples.hpp"
@@ -61,7 +62,7 @@ ExtremalData with_type(const ExtremalData& data, std::uint8_t type) {
 }  // namespace
 
 TEST_CASE("extremal: a sphere is one closed component, isotopic to the field's") {
-  const auto& c = closed_sphere();
+  const auto c = reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
   require_accepted(c);
   REQUIRE(c.components.size() == 1);
   const auto& sphere = c.components[0];
@@ -72,6 +73,17 @@ TEST_CASE("extremal: a sphere is one closed component, isotopic to the field's")
   CHECK(sphere.isotopic);
   CHECK(sphere.extremal);
   CHECK(c.odd_faces == 0);
+
+  // Not with a vertex nearer than 1/64 to a face, nor with a neighbour that is not proven empty.
+  auto moved = c;
+  moved.vertices[100][2] = 1023;
+  CHECK_FALSE(is_accepted(moved));
+  auto weak = c;
+  const auto regular = std::ranges::find(c.codes, extremal_code::kRegularExtremal);
+  weak.codes[static_cast<std::size_t>(regular - c.codes.begin()) - 1] = extremal_code::kCone;
+  CHECK_FALSE(is_accepted(weak));
+  weak.components[0].isotopic = weak.components[0].extremal = false;
+  CHECK(is_accepted(weak));
 }
 
 TEST_CASE("extremal: without a proven cell every edge has a tree, and the mesh is the same") {
@@ -96,9 +108,18 @@ TEST_CASE("extremal: a Moebius strip is not orientable and has one boundary loop
   CHECK_FALSE(strip.isotopic);
 }
 
+TEST_CASE("extremal: a bowl is cut where it fades") {
+  const auto c = reference_extremal(with_level(sampled({14, 14, 14}, bowl), 0.5));
+  require_accepted(c);
+  CHECK(largest(c).euler_characteristic == 1);
+  CHECK(largest(c).loops == 1);
+  CHECK(largest(c).cut);
+  CHECK(c.valences.one[2] > 10);
+}
+
 TEST_CASE("extremal: a plane through nodes, where g is exactly zero") {
   const auto plane = [](double, double, double z) { return sheet(z, 0.5); };
-  const auto c = reference_extremal(with_level(sampled({9, 9, 9}, plane), 0.8));
+  const auto c = reference_extremal(with_level(sampled({9, 9, 9}, plane), 0.6));
   require_accepted(c);
   REQUIRE(c.components.size() == 1);
   CHECK(c.components[0].polygons == 49);
@@ -114,15 +135,19 @@ TEST_CASE("extremal: curves of images") {
   CHECK(ring.components[0].loops == 0);
   CHECK(ring.components[0].extremal);
 
-  const auto ray = reference_extremal(with_level(sampled({32, 32, 1}, half_plane), 0.4));
-  require_accepted(ray);
-  CHECK(largest(ray).euler_characteristic == 1);
-  CHECK(largest(ray).loops == 2);
-  CHECK(largest(ray).cut);
+  const auto stroke = reference_extremal(with_level(sampled({32, 32, 1}, fading), 0.6));
+  require_accepted(stroke);
+  CHECK(largest(stroke).euler_characteristic == 1);
+  CHECK(largest(stroke).loops == 2);
+  CHECK(largest(stroke).cut);
+  CHECK(stroke.valences.one == std::array<std::uint32_t, 5>{0, 0, 2, 0, 0});
 
-  const auto all = reference_extremal(sampled({24, 24, 1}, half_plane));
-  require_accepted(all);
-  CHECK(all.odd_faces > 0);
+  // A ray ends where n is singular, in an odd cell, and at the border.
+  const auto ray = reference_extremal(with_level(sampled({24, 24, 1}, half_plane), 0.4));
+  require_accepted(ray);
+  CHECK(ray.odd_faces == 1);
+  CHECK(largest(ray).loops == 2);
+  CHECK(ray.valences.one == std::array<std::uint32_t, 5>{1, 0, 0, 1, 0});
 }
 
 TEST_CASE("extremal: second derivatives, valleys, strengths") {

@@ -15,7 +15,7 @@ namespace crest::tests {
 using Profile = std::function<double(double, double, double)>;
 
 inline certify::ExtremalData sampled(std::array<std::uint32_t, 3> nodes, const Profile& profile,
-                                     Vec spacing = {1, 1, 1}) {
+                                     double sigma = 1, Vec spacing = {1, 1, 1}) {
   std::vector<float> samples;
   const auto at = [&](std::uint32_t i, std::size_t k) {
     return nodes[k] == 1 ? 0 : -1 + 2.0 * i / (nodes[k] - 1);
@@ -45,11 +45,15 @@ inline double half_plane(double x, double y, double) {
                d = -std::sin(0.4) * x + std::cos(0.4) * y;
   return std::exp(-(d * d + std::pow(std::min(t + 0.2, 0.0), 2)) / 0.09);
 }
-/// The smallest 3D volume here of which a component is isotopic to the field's.
-inline const certify::ExtremalCertificate& closed_sphere() {
-  static const auto c =
-      reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
-  return c;
+/// A stroke whose height falls along it.
+inline double fading(double x, double y, double) {
+  const double t = std::cos(0.4) * x + std::sin(0.4) * y,
+               d = -std::sin(0.4) * x + std::cos(0.4) * y;
+  return sheet(d, 0.2) * sheet(t, 0.9);
+}
+/// A sphere that fades below.
+inline double bowl(double x, double y, double z) {
+  return sheet(std::sqrt(x * x + y * y + z * z) - 0.6, 0.3) * sheet(std::max(0.0, -z), 0.7);
 }
 inline double moebius(double x, double y, double z) {
   const double u = std::atan2(y, x), r = std::hypot(x, y) - 0.6;

@@ -57,6 +57,13 @@ void unlist(ExtremalCertificate& c, std::uint32_t cell) {
   }
   c.cells = runs;
 }
+const ExtremalCertificate& closed_ring() {
+  static const auto c =
+      reference_extremal(with_level(sampled({40, 40, 1}, sphere(0.6, 0.25)), 0.4));
+  require_accepted(c);
+  REQUIRE(c.components[0].isotopic);
+  return c;
+}
 void set_isotopic(ExtremalCertificate& c, bool to) {
   for (auto& component : c.components) component.isotopic = component.extremal = to;
 }
@@ -82,13 +89,14 @@ TEST_CASE("extremal, referee 1: `hessian` is never isotopic and has no regular c
 }
 
 TEST_CASE("extremal, referee 4: every neighbour of a cluster must be proven empty") {
-  const auto& c = closed_sphere();
+  const auto& c = closed_ring();
   // An empty cell beside the sheet: listed as a cone only, as open, not at all.
   int tried = 0;
   for (const std::uint32_t cell : listed(c)) {
     const std::size_t place = place_of(c, cell);
     const std::size_t before = c.codes[place == 0 ? 0 : place - 1];
-    if (c.codes[place] != code::kEmpty || before < code::kRegular || ++tried % 60 != 0) continue;
+    if (c.codes[place] != code::kEmpty || before < code::kRegular) continue;
+    ++tried;
     auto weak = c;
     weak.codes[place] = code::kCone;
     CHECK_FALSE(is_accepted(weak));
@@ -99,16 +107,12 @@ TEST_CASE("extremal, referee 4: every neighbour of a cluster must be proven empt
     weak.directions.erase(weak.directions.begin() + static_cast<long>(directions_before(c, place)));
     CHECK_FALSE(is_accepted(weak));
   }
-  CHECK(tried > 200);
+  CHECK(tried > 20);
 
-  // On rings also without the cell.
-  const auto ring = reference_extremal(with_level(sampled({40, 40, 1}, sphere(0.6, 0.25)), 0.4));
-  require_accepted(ring);
-  REQUIRE(ring.components[0].isotopic);
   int accepted = 0, rejected = 0;
-  for (const std::uint32_t cell : listed(ring)) {
-    if (ring.codes[place_of(ring, cell)] != code::kEmpty) continue;
-    auto without = ring;
+  for (const std::uint32_t cell : listed(c)) {
+    if (c.codes[place_of(c, cell)] != code::kEmpty) continue;
+    auto without = c;
     unlist(without, cell);
     const bool still = is_accepted(without);
     (still ? accepted : rejected) += 1;
@@ -120,9 +124,9 @@ TEST_CASE("extremal, referee 4: every neighbour of a cluster must be proven empt
 }
 
 TEST_CASE("extremal, referee 5: isotopic vertices are strictly inside their cells") {
-  const auto& c = closed_sphere();
+  const auto& c = closed_ring();
   for (const std::size_t i : {std::size_t{0}, c.vertices.size() / 2, c.vertices.size() - 1})
-    for (const std::size_t k : {0U, 1U, 2U})
+    for (const std::size_t k : {0U, 1U})
       for (const auto& [place, good] : {std::pair{1023, false},
                                         {1024, true},
                                         {64512, true},
@@ -138,14 +142,14 @@ TEST_CASE("extremal, referee 5: isotopic vertices are strictly inside their cell
 }
 
 TEST_CASE("extremal, referee 6: gradients in units in which cells are cubes") {
-  // A sheet whose slope turns from 0.3 to -0.3 within a cell of length 10: (1, 0, +-0.3).
+  // A sheet whose slope turns from 0.3 to -0.3 within a cell of length 10: (1, 0, +-3) by index.
   const Vec spacing{1, 1, 10};
   std::vector<float> samples;
   for (int z = 0; z < 8; ++z)
     for (int y = 0; y < 6; ++y)
       for (int x = 0; x < 24; ++x) {
         const double bend = 10 * 0.3 * std::fabs(z - 3.5);
-        samples.push_back(static_cast<float>(sheet(x - 6 - bend, 2.5)));
+        samples.push_back(static_cast<float>(sheet(x - 8 - bend, 6)));
       }
   const auto data = make_data({24, 6, 8}, samples, spacing, 1);
   const auto c = reference_extremal(with_level(data, 0.3));
@@ -153,7 +157,10 @@ TEST_CASE("extremal, referee 6: gradients in units in which cells are cubes") {
   ReferenceOptions wrong;
   wrong.world_units = true;
   const auto lie = reference_extremal(with_level(data, 0.3), wrong);
-  CHECK(lie.gradients.size() > c.gradients.size());
+  bool more = false;
+  for (std::size_t i = 0; i < c.codes.size(); ++i)
+    more = more || (lie.codes[i] >= code::kRegular && c.codes[i] < code::kRegular);
+  CHECK(more);
   CHECK_FALSE(is_accepted(lie));
 }
 
@@ -176,9 +183,9 @@ TEST_CASE("extremal, referee 7: beside a plateau no cell is empty") {
 }
 
 TEST_CASE("extremal, referee 8: a sheet that passes between nodes") {
-  // Coefficients 0 1 1 0: L is 0.833 at both nodes, 0.958 between them.
+  // Coefficients 0 1 1 0: L is 0.833 at both nodes, 0.958 between them, its control values are 1.
   const auto pass = [](double x, double, double) { return std::fabs(x) < 0.2 ? 1.0 : 0.0; };
-  for (const double level : {0.9, 0.9583, 0.95834, 0.96}) {
+  for (const double level : {0.84, 0.95, 1.0, 1 + 0x1p-50}) {
     const auto c = reference_extremal(with_level(sampled({8, 5, 1}, pass, 0), level));
     CAPTURE(level);
     require_accepted(c);
@@ -196,6 +203,6 @@ TEST_CASE("extremal, referee 8: a sheet that passes between nodes") {
     without.fan_points.clear();
     without.valences = {};
     without.odd_faces = 0;
-    CHECK(is_accepted(without) == (level > 23.0 / 24));
+    CHECK(is_accepted(without) == (level > 1));
   }
 }

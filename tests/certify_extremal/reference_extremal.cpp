@@ -164,15 +164,21 @@ class EdgeMaker {
     if (n == Vec{}) return 0;
     const int first = sign(net[0], n, true);
     int before = first, positive = 0, negative = 0;
+    const auto note_curvature = [&](const PointFields& point) {
+      const double curvature = dot(n, image(point.hessian, n));
+      const double small = 1e-6 * norm(point.hessian) + 1e-12;
+      positive += curvature > -small;
+      negative += curvature < small;
+    };
+    if (sign(net[0], n, false) == 0) note_curvature(net[0]);
     for (int i = 1; i <= kSteps; ++i) {
       const PointFields point = on_edge(net, static_cast<double>(i) / kSteps);
       const Vec next = direction_of(point, n);
       if (next == Vec{} || std::fabs(dot(next, n)) < 0.9) return 0;
       n = next;
       const int here = sign(point, n, i == kSteps);
-      if (here == before || here == 0) continue;
-      (dot(n, image(point.hessian, n)) > 0 ? positive : negative) += 1;
-      before = here;
+      if (here != before || sign(point, n, false) == 0) note_curvature(point);
+      if (here != 0) before = here;
     }
     if (before == first) return 1;
     return positive > 0 && negative > 0 ? 4 : positive > 0 ? 3 : 2;
@@ -235,6 +241,28 @@ class EdgeMaker {
 
   const ReferenceFields& fields_;
 };
+
+/// 1: of a proven cell, 2: of open ones only.
+std::vector<std::uint8_t> edges_of_cells(const ExtremalCertificate& c) {
+  const unsigned d = c.data.dimension;
+  const std::array<u32, 3> stride = {1, c.data.nodes[0], c.data.nodes[0] * c.data.nodes[1]};
+  std::vector<std::uint8_t> out(std::size_t{d} * stride[2] * c.data.nodes[2], 0);
+  std::size_t at = 0;
+  for (const CellRun& run : c.cells)
+    for (u32 cell = run.first; cell < run.first + run.length; ++cell, ++at)
+      for (u32 i = 0; i < (1U << d); ++i)
+        for (unsigned axis = 0; axis < d; ++axis) {
+          if ((i >> axis & 1U) != 0) continue;
+          u32 node = cell;
+          for (unsigned k = 0; k < d; ++k) node += (i >> k & 1U) * stride[k];
+          auto& mark = out[d * node + axis];
+          if (c.codes[at] != code::kOpen)
+            mark = 1;
+          else if (mark == 0)
+            mark = 2;
+        }
+  return out;
+}
 
 class Maker {
  public:
@@ -299,22 +327,7 @@ class Maker {
   }
 
   void make_edges() {
-    std::vector<std::uint8_t> of_cell(d_ * fields_.nodes,
-                                      0);  // 1: of a proven cell, 2: of an open one
-    std::size_t at = 0;
-    for (const CellRun& run : c_.cells)
-      for (u32 cell = run.first; cell < run.first + run.length; ++cell, ++at)
-        for (u32 i = 0; i < (1U << d_); ++i)
-          for (unsigned axis = 0; axis < d_; ++axis) {
-            if ((i >> axis & 1U) != 0) continue;
-            u32 node = cell;
-            for (unsigned k = 0; k < d_; ++k) node += (i >> k & 1U) * stride(k);
-            auto& mark = of_cell[d_ * node + axis];
-            if (c_.codes[at] != code::kOpen)
-              mark = 1;
-            else if (mark == 0)
-              mark = 2;
-          }
+    const auto of_cell = edges_of_cells(c_);
     EdgeMaker maker(fields_);
     states_.assign(of_cell.size(), 0);
     for (u32 edge = 0; edge < of_cell.size(); ++edge) {
@@ -337,6 +350,55 @@ class Maker {
 };
 
 }  // namespace
+
+ExtremalCertificate reference_of(const ExtremalCertificate& c) {
+  const ReferenceFields fields(c.data);
+  ExtremalCertificate out;
+  out.data = c.data;
+  out.cells = c.cells;
+  out.codes = c.codes;
+  const auto of_cell = edges_of_cells(c);
+  std::vector<std::uint8_t> states(of_cell.size(), 0);
+  EdgeMaker maker(fields);
+  for (u32 edge = 0; edge < of_cell.size(); ++edge) {
+    if (of_cell[edge] != 1 && !std::ranges::binary_search(c.edges, edge)) continue;
+    const unsigned d = c.data.dimension;
+    states[edge] = std::max<std::uint8_t>(maker.state(edge / d, edge % d), 1);
+    if (states[edge] == 1) continue;
+    const std::size_t i = out.types.size();
+    const auto found = static_cast<std::uint8_t>(states[edge] - 2);
+    out.types.push_back(found);
+    if (i >= c.types.size()) continue;
+    if (c.types[i] == code::kUndecidedType || found == code::kUndecidedType)
+      states[edge] = static_cast<std::uint8_t>(c.types[i] + 2);
+    else if (c.types[i] != found)
+      out.odd_faces = ~0U;
+  }
+  if (out.types.size() != c.types.size()) out.odd_faces = ~0U;
+  if (out.odd_faces == 0) count_mesh(out, fields, states, &c);
+  return out;
+}
+
+bool code_holds(const ReferenceFields& fields, u32 cell, std::uint8_t stated,
+                const ExtremalDirection& w) {
+  if (stated == code::kOpen) return true;
+  int sign = 0;
+  for (u32 i = 0; i < 125; ++i) {
+    const std::array<u32, 3> step = {i % 5, i / 5 % 5, i / 25};
+    Vec place = fields.place(cell);
+    for (unsigned k = 0; k < fields.data.dimension; ++k) place[k] += step[k] / 4.0;
+    const PointFields here = fields.at(place);
+    Vec n = eigen(here.tensor).vectors[0];
+    const double along = dot(n, direction(w)), turn = along < 0 ? -1 : 1;
+    for (double& x : n) x *= turn;
+    const double g = dot(n, here.gradient);
+    if (std::fabs(along) < 0.707) return false;
+    if (stated == code::kEmpty && (g == 0 || (sign != 0 && (g > 0) != (sign > 0)))) return false;
+    if (stated == code::kRegularExtremal && dot(n, image(here.hessian, n)) <= 0) return false;
+    sign = g > 0 ? 1 : -1;
+  }
+  return true;
+}
 
 ExtremalCertificate reference_extremal(const ExtremalData& data, const ReferenceOptions& options) {
   return Maker(data, options).make();

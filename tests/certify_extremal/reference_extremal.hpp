@@ -16,8 +16,17 @@ struct ReferenceOptions {
 certify::ExtremalCertificate reference_extremal(const certify::ExtremalData& data,
                                                 const ReferenceOptions& options = {});
 
-/// Makes everything that follows from cells, trees, types, pairings and places anew.
+/// What follows from a certificate's data, tested edges, undecided types, pairings and places, made
+/// anew: counts and components. Odd faces are ~0 where its types are not those of the data.
+certify::ExtremalCertificate reference_of(const certify::ExtremalCertificate& c);
+
+/// Does the code hold at points of the cell? (g, n . w and s_nn are sampled)
+bool code_holds(const ReferenceFields& fields, std::uint32_t cell, std::uint8_t code,
+                const certify::ExtremalDirection& w);
+
+/// Counts the mesh of edges with these states; pairings and places are those of `stated` if given.
 void count_mesh(certify::ExtremalCertificate& c, const ReferenceFields& fields,
-                const std::vector<std::uint8_t>& edge_states);
+                const std::vector<std::uint8_t>& edge_states,
+                const certify::ExtremalCertificate* stated = nullptr);
 
 }  // namespace crest::tests

@@ -49,8 +49,13 @@ struct Piece {
 class MeshCounter {
  public:
   MeshCounter(ExtremalCertificate& c, const ReferenceFields& fields,
-              const std::vector<std::uint8_t>& states)
-      : c_(c), fields_(fields), states_(states), d_(c.data.dimension), code_(fields.nodes, 0xff) {
+              const std::vector<std::uint8_t>& states, const ExtremalCertificate* stated)
+      : c_(c),
+        fields_(fields),
+        states_(states),
+        stated_(stated),
+        d_(c.data.dimension),
+        code_(fields.nodes, 0xff) {
     std::size_t at = 0;
     for (const CellRun& run : c.cells)
       for (u32 cell = run.first; cell < run.first + run.length; ++cell) code_[cell] = c.codes[at++];
@@ -132,9 +137,10 @@ class MeshCounter {
         add_group(square, critical, 0);
         continue;
       }
-      c_.pairings.push_back(static_cast<std::uint8_t>(square.id % 2));
+      c_.pairings.push_back(stated_ != nullptr ? stated_->pairings.at(c_.pairings.size())
+                                               : static_cast<std::uint8_t>(square.id % 2));
       const auto& e = square.edges;
-      const bool other = square.id % 2 == 1;
+      const bool other = c_.pairings.back() == 1;
       add_group(square, other ? std::vector{e[1], e[2]} : std::vector{e[0], e[1]}, 0);
       add_group(square, other ? std::vector{e[3], e[0]} : std::vector{e[2], e[3]}, 0);
     }
@@ -176,7 +182,7 @@ class MeshCounter {
       for (unsigned k = 0; k < d_; ++k)
         place[k] = static_cast<std::uint16_t>(
             std::clamp(sum[k] / static_cast<double>(edges.size()) * 65536, 1024.0, 64512.0));
-      c_.vertices.push_back(place);
+      c_.vertices.push_back(stated_ != nullptr ? stated_->vertices.at(c_.vertices.size()) : place);
       vertex_cells_.push_back(first.first);
     }
   }
@@ -219,7 +225,8 @@ class MeshCounter {
     for (const u32 edge : polygons_) {
       const Key fan{2, edge, 0};
       Vec place = fields_.place(edge / d_);
-      const auto point = static_cast<std::uint16_t>(zero(edge) * 65536);
+      auto point = static_cast<std::uint16_t>(zero(edge) * 65536);
+      if (cuts && stated_ != nullptr) point = stated_->fan_points.at(c_.fan_points.size());
       place[edge % d_] += point / 65536.0;
       if (cuts) c_.fan_points.push_back(point);
       kept_[fan] = !cuts || is_kept(place);
@@ -430,6 +437,7 @@ class MeshCounter {
   ExtremalCertificate& c_;
   const ReferenceFields& fields_;
   const std::vector<std::uint8_t>& states_;
+  const ExtremalCertificate* stated_;
   unsigned d_;
   std::vector<std::uint8_t> code_;
   std::vector<u32> polygons_, vertex_cells_;
@@ -444,8 +452,8 @@ class MeshCounter {
 }  // namespace
 
 void count_mesh(ExtremalCertificate& c, const ReferenceFields& fields,
-                const std::vector<std::uint8_t>& edge_states) {
-  MeshCounter(c, fields, edge_states).count();
+                const std::vector<std::uint8_t>& edge_states, const ExtremalCertificate* stated) {
+  MeshCounter(c, fields, edge_states, stated).count();
 }
 
 }  // namespace crest::tests

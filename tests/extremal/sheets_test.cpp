@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known surfaces come out with their topology, and their certificates are accepted.
-#include <catch2/catch.hpp>
 #include <tbb/global_control.h>
+
+#include <catch2/catch.hpp>
 
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"

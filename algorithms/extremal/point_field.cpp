@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/extremal/point_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "algorithms/extremal/direction.hpp"
+
+namespace crest::extremal {
+namespace {
+
+/// Where the rim of a half plane of even points lies, in h (item 9).
+constexpr double kRim = 0.47034;
+
+/// Bounds the Hessian of theta over 8/R^2, y being the least (distance/R)^2.
+double kappa(double y) {
+  if (y >= 1) return 0;
+  const double s = 1 - y;
+  return y >= 3.0 / 7 ? s * s * (7 * y - 1) : std::max(s * s * s, 32.0 / 49);
+}
+
+void add_outer(Tensor& t, double f, const Vec3& a) {
+  t[0] += f * a[0] * a[0];
+  t[1] += f * a[1] * a[1];
+  t[2] += f * a[2] * a[2];
+  t[3] += f * a[0] * a[1];
+  t[4] += f * a[1] * a[2];
+  t[5] += f * a[0] * a[2];
+}
+
+double dot_form(const Vec3& u, const Tensor& t, const Vec3& v) {
+  return kernel::dot(u, product(t, v));
+}
+
+/// T with derivatives at a box's centre, and sums of bounds.
+struct Expansion {
+  Tensor t{};
+  std::array<Tensor, 3> dt{};
+  Vec3 gradient{};
+  double curved = 0;  ///< sum of kappa
+};
+
+}  // namespace
+
+PointField::PointField(std::vector<Vec3> points, std::vector<Vec3> normals, double h)
+    : h_(h), radius_(2 * h) {
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const Key ka = key(points[a]), kb = key(points[b]);
+    return ka != kb ? ka < kb : a < b;
+  });
+  for (const Index i : order) {
+    const auto at = static_cast<Index>(points_.size());
+    auto& range = cells_.try_emplace(key(points[i]), at, at).first->second;
+    range.second = at + 1;
+    points_.push_back(points[i]);
+    normals_.push_back(normals[i]);
+  }
+}
+
+PointField::Key PointField::key(const Vec3& x) const {
+  return {static_cast<int>(std::floor(x[0] / radius_)),
+          static_cast<int>(std::floor(x[1] / radius_)),
+          static_cast<int>(std::floor(x[2] / radius_))};
+}
+
+/// All points within R of the box, in a fixed order.
+template <class Visit>
+void PointField::visit(const Vec3& centre, const Vec3& half, const Visit& f) const {
+  const Vec3 reach = half + Vec3{radius_, radius_, radius_};
+  const Key low = key(centre - reach), high = key(centre + reach);
+  const double square = radius_ * radius_;
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x) {
+        const auto found = cells_.find({x, y, z});
+        if (found == cells_.end()) continue;
+        for (Index i = found->second.first; i < found->second.second; ++i) {
+          const Vec3 d = centre - points_[i];
+          double least = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double beyond = std::max(0.0, std::fabs(d[k]) - half[k]);
+            least += beyond * beyond;
+          }
+          if (least < square) f(i, d, least);
+        }
+      }
+}
+
+PointField::Sums PointField::at(const Vec3& x) const {
+  Sums r{};
+  const double inverse = 1 / (radius_ * radius_);
+  double nearest = radius_ * radius_, total = 0;
+  Vec3 centroid{};
+  visit(x, {0, 0, 0}, [&](Index i, const Vec3& d, double square) {
+    const double y = square * inverse, s = 1 - y, s2 = s * s, theta = s2 * s2;
+    ++r.count;
+    nearest = std::min(nearest, square);
+    total += theta;
+    centroid = centroid - theta * d;
+    add_outer(r.local.tensor, theta, normals_[i]);
+    const double first = 8 * inverse * s2 * s;
+    r.local.gradient = r.local.gradient + first * d;
+    for (std::size_t k = 0; k < 3; ++k) r.local.hessian[k] += first;
+    add_outer(r.local.hessian, -48 * inverse * inverse * s2, d);
+  });
+  r.local.value = total;
+  r.local.s = -total;
+  r.centroid = total > 0 ? x + (1 / total) * centroid : x;
+  r.nearest = std::sqrt(nearest);
+  return r;
+}
+
+double PointField::inside(const Sums& sums, const Vec3& x, const Vec3& n) const {
+  const Vec3 d = sums.centroid - x;
+  return kRim * h_ - kernel::norm(d - kernel::dot(d, n) * n);
+}
+
+PointField::Box PointField::box(const Vec3& centre, const Vec3& half) const {
+  Box r;
+  Expansion e;
+  const double inverse = 1 / (radius_ * radius_), near = 0.81 * h_ * h_;
+  visit(centre, half, [&](Index i, const Vec3& d, double least) {
+    r.near = r.near || least <= near;
+    if (least == 0) ++r.inside;
+    e.curved += kappa(least * inverse);
+    const double y = kernel::dot(d, d) * inverse;
+    if (y >= 1) return;
+    const double s = 1 - y, s2 = s * s, first = 8 * inverse * s2 * s;
+    add_outer(e.t, s2 * s2, normals_[i]);
+    e.gradient = e.gradient + first * d;
+    for (std::size_t k = 0; k < 3; ++k) add_outer(e.dt[k], -first * d[k], normals_[i]);
+  });
+  if (!r.near) return r;
+  const double square = kernel::dot(half, half), lipschitz = 8 * inverse * e.curved;
+  // |M_p| <= 1 and |b_p| <= 1/2.
+  const double rest = 0.5 * square * lipschitz;
+  r.w = dominant_direction(e.t);
+  const auto [u, v] = kernel::frame_across(r.w);
+  double gap = HUGE_VAL, across = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Tensor t = e.t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double step = (corner >> k & 1) != 0 ? half[k] : -half[k];
+      for (std::size_t i = 0; i < 6; ++i) t[i] += step * e.dt[k][i];
+    }
+    const double a = dot_form(u, t, u), b = dot_form(u, t, v), c = dot_form(v, t, v);
+    gap = std::min(gap, dot_form(r.w, t, r.w) - 0.5 * (a + c) - std::hypot(0.5 * (a - c), b));
+    across = std::max(across, std::hypot(dot_form(u, t, r.w), dot_form(v, t, r.w)));
+  }
+  double size = 0;
+  for (const double x : e.t) size = std::max(size, std::fabs(x));
+  gap = gap * (1 - 1e-9) - rest - 1e-10 * size;
+  r.passed = gap > 0;
+  if (!r.passed) return r;
+  r.theta = 0.5 * std::atan(2 * (across + 0.5 * rest) / gap);
+  const double turn = std::sqrt(square) * lipschitz * (1 + 1e-9);
+  const double along = std::fabs(kernel::dot(r.w, e.gradient)) - turn;
+  const double aside = std::hypot(kernel::dot(u, e.gradient), kernel::dot(v, e.gradient)) + turn;
+  r.nonzero = along * std::cos(r.theta) > aside * std::sin(r.theta) * (1 + 1e-9);
+  return r;
+}
+
+}  // namespace crest::extremal

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Claim 8: damaged and hostile bytes get an answer, quickly.
+#include <chrono>
+#include <cstring>
+#include <limits>
+
+#include "certify/container/container.hpp"
+#include "tests/certify_extremal/extremal_samples.hpp"
+
+using namespace crest::certify;
+using namespace crest::tests;
+
+namespace {
+
+const ExtremalCertificate& small() {
+  static const auto c = reference_extremal(with_level(sampled({8, 7, 1}, sphere(0.6, 0.5)), 0.4));
+  return c;
+}
+/// Rejected for that reason.
+void require_rejected(const Bytes& bytes, const std::string& reason) {
+  const Verdict verdict = verify(bytes);
+  CAPTURE(verdict.reason, reason);
+  CHECK_FALSE(verdict.accepted);
+  CHECK(verdict.reason.find(reason) != std::string::npos);
+}
+void require_rejected(const ExtremalCertificate& c, const std::string& reason) {
+  require_rejected(encode(c), reason);
+}
+
+}  // namespace
+
+TEST_CASE("extremal: sections that end anywhere are refused") {
+  const Bytes bytes = encode(small());
+  const auto container = open_container(bytes);
+  const std::size_t data = container.data.size(), claims = container.claims.size();
+  for (std::size_t length = 0; length < claims; ++length) {
+    Bytes cut(bytes.begin(), bytes.begin() + static_cast<long>(kHeaderSize + data + length));
+    cut.resize(cut.size() + kSealSize);
+    for (std::size_t i = 0; i < 8; ++i)
+      cut[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(length >> (8 * i));
+    rebind(cut);
+    REQUIRE_FALSE(verify(cut).accepted);
+  }
+}
+
+TEST_CASE("extremal: numbers that are none are refused") {
+  const float odd[] = {std::numeric_limits<float>::infinity(),
+                       std::numeric_limits<float>::quiet_NaN(), -0.0F};
+  for (const float x : odd) {
+    auto c = small();
+    std::memcpy(c.data.samples.data() + 20, &x, 4);
+    require_rejected(c, "infinite, NaN or -0");
+  }
+  for (const double x : {HUGE_VAL, std::nan("")}) {
+    for (int which = 0; which < 7; ++which) {
+      auto c = small();
+      auto& data = c.data;
+      double* const places[] = {
+          &data.spacing[0],   &data.min_value,     &data.min_strength,        &data.sigma,
+          &data.tensor_sigma, &data.weights[1][0], &data.tensor_weights[0][1]};
+      *places[which] = x;
+      CHECK_FALSE(is_accepted(c));
+    }
+  }
+  auto c = small();
+  c.data.spacing[1] = 1e-300;
+  require_rejected(c, "spacing");
+  c = small();
+  c.data.sigma = -1;
+  require_rejected(c, "negative");
+  c = small();
+  c.data.weights[0][0] = -1;
+  require_rejected(c, "weights");
+}
+
+TEST_CASE("extremal: numbers of any size are held or refused, never believed") {
+  // Largest and least floats: coefficients overflow, or T vanishes.
+  for (const double size : {3e38, 1e25, 1e-25, 1e-45}) {
+    auto data = small().data;
+    for (std::size_t i = 0; i + 4 <= data.samples.size(); i += 4) {
+      float x;
+      std::memcpy(&x, data.samples.data() + i, 4);
+      x = static_cast<float>(static_cast<double>(x) * size);
+      std::memcpy(data.samples.data() + i, &x, 4);
+    }
+    auto c = small();
+    c.data = data;
+    c.data.min_value *= size;
+    CHECK_FALSE(verify(encode(c)).reason == "");
+  }
+}
+
+TEST_CASE("extremal: lists longer than their bytes, runs beyond the grid") {
+  auto c = small();
+  c.cells[0].length = ~0U;
+  require_rejected(c, "cells: ");
+  c = small();
+  c.cells.assign(3, {~0U, 1});
+  c.codes.assign(3, 0);
+  c.directions.clear();
+  c.gradients.clear();
+  require_rejected(c, "leaves the grid");
+  c = small();
+  c.cells = {{6, 2}};
+  c.codes = {0, 0};
+  c.directions.clear();
+  c.gradients.clear();
+  require_rejected(c, "leaves its row");
+  c = small();
+  c.edges = {~0U};
+  require_rejected(c, "is none");
+  c = small();
+  c.directions[0] = {0, 0, 0};
+  require_rejected(c, "a direction is zero");
+  c = small();
+  c.data.nodes = {1U << 16U, 1U << 16U, 1};
+  CHECK_THROWS(encode(c));
+
+  // Every word of the claim section as a count.
+  const Bytes bytes = encode(small());
+  const auto data = open_container(bytes).data.size();
+  for (std::size_t at = kHeaderSize + data; at + 4 + kSealSize < bytes.size(); ++at)
+    for (const std::uint32_t word : {~0U, 0x7fffffffU, 0x10000U}) {
+      Bytes mutant = bytes;
+      std::memcpy(mutant.data() + at, &word, 4);
+      rebind(mutant);
+      (void)verify(mutant);  // any answer but a crash
+    }
+}
+
+TEST_CASE("extremal: deep trees are refused, and cost what they weigh") {
+  auto c = reference_extremal(with_level(sampled({8, 7, 1}, sphere(0.6, 0.5)), 0.4), {true});
+  require_accepted(c);
+  // The first edge's leaf, split 15 times at its low end.
+  auto deep = c;
+  std::size_t first = 0;
+  while (deep.trees[first] != 0) ++first;
+  std::vector<std::uint8_t> chain(15, 1);
+  chain.insert(chain.end(), 16, 0);
+  deep.trees.erase(deep.trees.begin() + static_cast<long>(first));
+  deep.trees.insert(deep.trees.begin() + static_cast<long>(first), chain.begin(), chain.end());
+  deep.leaves.insert(deep.leaves.begin(), 15, deep.leaves[0]);
+  require_rejected(deep, "too deep");
+
+  // All edges split to 64 leaves.
+  auto wide = c;
+  wide.trees.clear();
+  wide.leaves.clear();
+  std::size_t leaf = 0;
+  bool plain = true;
+  for (std::size_t i = 0; i < c.trees.size(); ++i) plain = plain && c.trees[i] == 0;
+  REQUIRE(plain);
+  for (std::size_t i = 0; i < c.edges.size(); ++i, ++leaf) {
+    const std::function<void(int)> split = [&](int depth) {
+      wide.trees.push_back(depth < 6 ? 1 : 0);
+      if (depth == 6) return wide.leaves.push_back(c.leaves[leaf]);
+      split(depth + 1);
+      split(depth + 1);
+    };
+    split(0);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(is_accepted(wide));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  CHECK(time.count() < 5e-5 * static_cast<double>(wide.trees.size()) + 1);
+}
+
+TEST_CASE("extremal: wide smoothing costs what it must") {
+  std::vector<float> samples(64 * 64, 0);
+  samples[100] = 1;
+  const auto data = make_data({64, 64, 1}, samples, {1, 1, 1}, 341);
+  CHECK(data.weights[0].size() == 1024);
+  require_accepted(reference_extremal(with_level(data, 1)));
+  const auto wider = make_data({64, 64, 1}, samples, {1, 1, 1}, 400);
+  ExtremalCertificate c;
+  c.data = with_level(wider, 1);
+  require_rejected(c, "1025 weights");
+}
