@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/extremal/edges.hpp"
 
+#include <atomic>
 #include <memory>
 
 #include "certify/container/parallel.hpp"
@@ -15,8 +16,10 @@ namespace code = extremal_code;
 using kernel::Rational;
 
 constexpr unsigned kDepth = 14;  ///< of trees
-/// Of the halving of an edge whose type is proven.
-constexpr unsigned kTypeDepth = 28, kPieces = 256;
+/// Of the halving of an edge whose type is proven: next to lambda1 = lambda2 n turns quickly.
+constexpr unsigned kTypeDepth = 28, kPieces = 4096;
+/// Of all edges together, for each and for so many more: a file must not cost more than it weighs.
+constexpr std::uint64_t kPiecesEach = 64, kMoreEdges = 4096;
 
 /// A node's direction, as stored, and the sign of g there.
 struct NodeSign {
@@ -188,24 +191,31 @@ class TypeProver {
     return depth < kTypeDepth && prove(half(net, 0), depth + 1) && prove(half(net, 1), depth + 1);
   }
 
+  unsigned pieces() const {
+    return kPieces - left_;
+  }
+
  private:
   int sign_;
   unsigned left_ = kPieces;
 };
 
-void check_type(const Fields& fields, const Cells& cells, u32 edge, std::uint8_t type) {
-  if (type == code::kUndecidedType) return;
+/// Returns how many pieces that took.
+unsigned check_type(const Fields& fields, const Cells& cells, u32 edge, std::uint8_t type) {
+  if (type == code::kUndecidedType) return 0;
   const Grid& grid = fields.grid;
   const bool extremal = type == code::kExtremalEdge;
   if (is_inside(grid, edge))
     for (const u32 cell : cells_round(grid, edge))
       if (cell != kNothing && cells.code[cell] == code::kRegularExtremal) {
         require(extremal, "edge {}: stated as merely critical, but s_nn > 0", edge);
-        return;
+        return 0;
       }
   const auto [node, axis] = edge_place(grid, edge);
-  require(TypeProver(extremal ? 1 : -1).prove(edge_net<double>(fields, node, axis), 0),
-          "edge {}: its type is not proven", edge);
+  TypeProver prover(extremal ? 1 : -1);
+  require(prover.prove(edge_net<double>(fields, node, axis), 0), "edge {}: its type is not proven",
+          edge);
+  return prover.pieces();
 }
 
 void check_types(const ExtremalCertificate& c, const Fields& fields, const Cells& cells,
@@ -214,11 +224,14 @@ void check_types(const ExtremalCertificate& c, const Fields& fields, const Cells
     if (edges.is_critical(edge)) edges.critical.push_back(edge);
   require_equal(static_cast<std::int64_t>(c.types.size()), edges.critical.size(), "critical edges");
   constexpr size_t kBatch = 64;
+  std::atomic<std::uint64_t> pieces{0};
   parallel_for((c.types.size() + kBatch - 1) / kBatch, [] { return 0; },
                [&](int, size_t batch) {
                  const size_t end = std::min(c.types.size(), (batch + 1) * kBatch);
                  for (size_t i = batch * kBatch; i < end; ++i)
-                   check_type(fields, cells, edges.critical[i], c.types[i]);
+                   pieces += check_type(fields, cells, edges.critical[i], c.types[i]);
+                 require(pieces <= kPiecesEach * (c.types.size() + kMoreEdges),
+                         "types: they take too many pieces of edges");
                });
   for (size_t i = 0; i < c.types.size(); ++i)
     edges.state[edges.critical[i]] = static_cast<std::uint8_t>(Edges::kCritical + c.types[i]);

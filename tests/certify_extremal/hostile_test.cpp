@@ -166,12 +166,12 @@ TEST_CASE("extremal: deep trees are refused, and cost what they weigh") {
 }
 
 TEST_CASE("extremal: wide smoothing costs what it must") {
-  std::vector<float> samples(64 * 64, 0);
+  std::vector<float> samples(24 * 24, 0);
   samples[100] = 1;
-  const auto data = make_data({64, 64, 1}, samples, {1, 1, 1}, 341);
+  const auto data = make_data({24, 24, 1}, samples, {1, 1, 1}, 341);
   CHECK(data.weights[0].size() == 1024);
   require_accepted(reference_extremal(with_level(data, 1)));
-  const auto wider = make_data({64, 64, 1}, samples, {1, 1, 1}, 400);
+  const auto wider = make_data({24, 24, 1}, samples, {1, 1, 1}, 400);
   ExtremalCertificate c;
   c.data = with_level(wider, 1);
   require_rejected(c, "1025 weights");
