@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crest sample: meshes of surfaces with known answers and fields of tensors, to try things on.
+// crest sample: meshes of surfaces with known answers, volumes, points and fields of tensors, to
+// try things on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "algorithms/sampling/loaded_block.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
+#include "algorithms/sampling/phantoms.hpp"
 #include "cli/run.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/tet_writer.hpp"
+#include "io/write/volume_writer.hpp"
 
 namespace crest::cli {
 namespace {
@@ -18,7 +22,8 @@ namespace {
 struct SampleOptions {
   CommonOptions common;  ///< input is the surface's name
   std::vector<double> parameters;
-  int vertices = 10000;
+  std::optional<int> vertices;
+  std::optional<int> nodes;
   bool rotate = false;
   double noise = 0;
   std::uint64_t seed = 1;
@@ -26,18 +31,24 @@ struct SampleOptions {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("SURFACE", o.common.input, "one of the surfaces below")->required();
-  app.add_option("-o,--output", o.common.output, "the mesh (.off .obj .ply .vtp; of a block .vtu)")
+  app.add_option(
+         "-o,--output", o.common.output,
+         "the mesh (.off .obj .ply .vtp; of a block .vtu, volumes .nrrd .vti, points .xyz .pwn)")
       ->required()
       ->type_name("FILE");
   app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")
       ->delimiter(',')
       ->type_name("A,B,..");
-  app.add_option("--vertices", o.vertices, "how many, nearly (default 10000)")
+  app.add_option("--vertices", o.vertices, "how many, nearly (default 10000, of points 6000)")
       ->check(CLI::Range(12, 100000000))
+      ->type_name("N");
+  app.add_option("--nodes", o.nodes, "of a volume: along each axis (default 48)")
+      ->check(CLI::Range(4, 2000))
       ->type_name("N");
   app.add_flag("--rotate", o.rotate, "a generic pose and mesh instead of a symmetric one");
   app.add_option("--noise", o.noise,
-                 "deviation along the normals as a share of the mean edge length (default 0)")
+                 "deviation along the normals as a share of the mean edge length, of points in "
+                 "their units (default 0)")
       ->check(CLI::Range(0.0, 10.0))
       ->type_name("F");
   app.add_option("--seed", o.seed, "of the noise (default 1)")->type_name("S");
@@ -49,12 +60,16 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
   for (const sampling::Scenario& s : sampling::scenarios())
     surfaces += fmt::format("\n  block-{}: the stress of an elastic block, {}, on tetrahedra",
                             s.name, s.summary);
+  for (const sampling::Phantom& p : sampling::volume_phantoms())
+    surfaces += fmt::format("\n  {}: a volume with a bright sheet, {}", p.name, p.summary);
+  for (const sampling::Phantom& p : sampling::point_phantoms())
+    surfaces += fmt::format("\n  {}: {}, with normals of random signs", p.name, p.summary);
   app.footer(surfaces);
 }
 
 sampling::SurfaceSample make_sample(const SampleOptions& o) {
   try {
-    return sampling::sample(o.common.input, o.parameters, o.vertices, o.rotate);
+    return sampling::sample(o.common.input, o.parameters, o.vertices.value_or(10000), o.rotate);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -71,6 +86,51 @@ void fill_report(Report& report, const SampleOptions& o, const sampling::Surface
     known["umbilics"] = {{"plus", umbilics->plus}, {"minus", umbilics->minus}};
 }
 
+const sampling::Phantom* find_phantom(const std::vector<sampling::Phantom>& phantoms,
+                                      const std::string& name) {
+  for (const sampling::Phantom& p : phantoms)
+    if (p.name == name) return &p;
+  return nullptr;
+}
+
+void fill_report(Report& report, const sampling::Phantom& phantom) {
+  report["known"] = {{"euler_characteristic", phantom.known.euler_characteristic},
+                     {"boundary_loops", phantom.known.boundary_loops},
+                     {"orientable", phantom.known.orientable}};
+}
+
+Outcome sample_volume(Run& run, const SampleOptions& o, const sampling::Phantom& phantom) {
+  if (!o.parameters.empty() || o.noise > 0 || o.rotate || o.vertices)
+    throw UsageError(o.common.input + ": takes --nodes alone");
+  const int nodes = o.nodes.value_or(48);
+  const auto grid = run.step("sample", "sampling " + phantom.name, [&] {
+    return sampling::volume_phantom(phantom.name, static_cast<std::size_t>(nodes));
+  });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_volume(path, grid); });
+  });
+  run.report()["nodes"] = grid.count();
+  fill_report(run.report(), phantom);
+  return {fmt::format("{}: {} x {} x {} samples\n", o.common.output, nodes, nodes, nodes)};
+}
+
+Outcome sample_points(Run& run, const SampleOptions& o, const sampling::Phantom& phantom) {
+  if (!o.parameters.empty() || o.rotate)
+    throw UsageError(o.common.input + ": takes --vertices, --noise and --seed alone");
+  const auto sample = run.step("sample", "sampling " + phantom.name, [&] {
+    return sampling::point_phantom(phantom.name, o.vertices.value_or(6000), o.noise, o.seed);
+  });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_points(path, sample.points, sample.normals);
+    });
+  });
+  run.report()["vertices"] = sample.points.size();
+  run.report()["noise"] = o.noise;
+  fill_report(run.report(), phantom);
+  return {fmt::format("{}: {} points\n", o.common.output, sample.points.size())};
+}
+
 const sampling::Scenario* find_block(const std::string& name) {
   for (const sampling::Scenario& s : sampling::scenarios())
     if (name == "block-" + s.name) return &s;
@@ -83,7 +143,7 @@ Outcome sample_block(Run& run, const SampleOptions& o, const sampling::Scenario&
   const double whole =
       (scenario.cubes[0] + 1.0) * (scenario.cubes[1] + 1.0) * (scenario.cubes[2] + 1.0);
   const auto loaded = run.step("sample", "loading " + o.common.input, [&] {
-    return sampling::load_block(scenario, std::cbrt(o.vertices / whole));
+    return sampling::load_block(scenario, std::cbrt(o.vertices.value_or(10000) / whole));
   });
   const auto tets = loaded.block.tets();
   run.step("write", "writing", [&] {
@@ -98,7 +158,13 @@ Outcome sample_block(Run& run, const SampleOptions& o, const sampling::Scenario&
 }
 
 Outcome work(Run& run, const SampleOptions& o) {
-  if (const auto* block = find_block(o.common.input)) return sample_block(run, o, *block);
+  const std::string& name = o.common.input;
+  if (const auto* phantom = find_phantom(sampling::volume_phantoms(), name))
+    return sample_volume(run, o, *phantom);
+  if (o.nodes) throw UsageError(name + ": --nodes is for volumes");
+  if (const auto* phantom = find_phantom(sampling::point_phantoms(), name))
+    return sample_points(run, o, *phantom);
+  if (const auto* block = find_block(name)) return sample_block(run, o, *block);
   sampling::SurfaceSample sample =
       run.step("sample", "sampling " + o.common.input, [&] { return make_sample(o); });
   if (o.noise > 0) {
@@ -118,7 +184,9 @@ std::function<int()> add_sample(CLI::App& app) {
   auto options = std::make_shared<SampleOptions>();
   add_sample_options(app, *options);
   return [options] {
-    return run_command({"sample", options->common, {".off", ".obj", ".ply", ".vtp", ".vtu"}},
+    return run_command({"sample",
+                        options->common,
+                        {".off", ".obj", ".ply", ".vtp", ".vtu", ".nrrd", ".vti", ".xyz", ".pwn"}},
                        [&](Run& run) { return work(run, *options); });
   };
 }
@@ -128,10 +196,12 @@ std::function<int()> add_sample(CLI::App& app) {
 extern const Command sample_command;
 const Command sample_command = {
     "sample",
-    "a mesh of a surface with known umbilics and ridges, or a field of tensors",
+    "a mesh of a surface with known answers, a volume, points or a field of tensors",
     add_sample,
     {"crest sample ellipsoid --parameters 1,1.5,2 --vertices 10000 -o ellipsoid.off",
      "crest sample blend --vertices 40000 --rotate --noise 0.01 -o blend.obj",
-     "crest sample block-twist --vertices 2000 -o stress.vtu"}};
+     "crest sample block-twist --vertices 2000 -o stress.vtu",
+     "crest sample moebius-sheet --nodes 48 -o moebius.nrrd",
+     "crest sample moebius-points --vertices 3000 -o strip.xyz"}};
 
 }  // namespace crest::cli

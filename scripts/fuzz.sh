@@ -4,7 +4,7 @@
 # and prints what was run, a row each.
 #   scripts/fuzz.sh [--seconds N] [TARGET...]
 # N: of processor time of each (default 600); TARGET: off obj ply stl vtk msh vtp vtu (the default),
-# field_vtu, expression, reeb and the others of tests/fuzz/CMakeLists.txt. A file that fails is left in
+# field_vtu, volume_nrrd (mha vti nii mrc png pgm vtk xyz), expression, reeb and the others of tests/fuzz/CMakeLists.txt. A file that fails is left in
 # build-fuzz/found/TARGET/; once it is mended it belongs into tests/fuzz/corpus/FORMAT/. Exit code 1
 # if there is one.
 set -eu
@@ -37,7 +37,7 @@ for target in "$@"; do
   options="-max_total_time=$seconds -timeout=10 -rss_limit_mb=4000 -print_final_stats=1"
   # VTK leaks on damaged files and asks malloc for absurd sizes, which Crest reports.
   export ASAN_OPTIONS=allocator_may_return_null=1
-  case $target in *vt[pu]) ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 ;; esac
+  case $target in *vt[piu] | *png) ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 ;; esac
   [ -d "$corpus" ] || corpus=
   # The fuzzer counts seconds of the clock: again until it has had them of the processor.
   used=0 inputs=0 kept=0 runs=0

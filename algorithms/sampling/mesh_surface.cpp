@@ -6,10 +6,10 @@
 
 #include <cmath>
 #include <map>
-#include <random>
 #include <stdexcept>
 
 #include "algorithms/sampling/handles.hpp"
+#include "algorithms/sampling/uniform.hpp"
 
 namespace crest::sampling {
 namespace {
@@ -24,16 +24,6 @@ constexpr Real kJitter = 0.2L;  // of a cell, each way
 struct Grid {
   std::vector<Point> points;  // body
   std::vector<Triangle> faces;
-};
-
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
-  /// In [0, 1), 53 bits.
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// Calls f(i) for each index; every call writes its own result, so threads do not matter.

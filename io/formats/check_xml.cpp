@@ -47,7 +47,8 @@ struct Storage {
 
 Storage storage_of(std::string_view bytes) {
   const std::string_view head =
-      bytes.substr(0, std::min(bytes.find("<PolyData"), bytes.find("<UnstructuredGrid")));
+      bytes.substr(0, std::min({bytes.find("<PolyData"), bytes.find("<UnstructuredGrid"),
+                                bytes.find("<ImageData")}));
   Storage storage{head.find("compressor") != std::string_view::npos,
                   head.find("UInt64") != std::string_view::npos,
                   head.find("BigEndian") != std::string_view::npos};

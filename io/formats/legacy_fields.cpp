@@ -91,15 +91,19 @@ void LegacyFields::read_values(const std::string& name, std::size_t components, 
   owner_->fields.push_back(std::move(field));
 }
 
+std::vector<Field> LegacyFields::taken(const char* section, Owner& owner, std::size_t count) {
+  if (owner.announced && owner.count != count)
+    fail(section, fmt::format("is of {}, the file has {}", owner.count, count), kRepair);
+  return std::move(owner.fields);
+}
+
 void LegacyFields::finish(Soup& soup) {
-  const auto check = [](const char* section, const Owner& owner, std::size_t count) {
-    if (owner.announced && owner.count != count)
-      fail(section, fmt::format("is of {}, the file has {}", owner.count, count), kRepair);
-  };
-  check("POINT_DATA", points_, soup.points.size());
-  check("CELL_DATA", cells_, soup.cells.size());
-  soup.point_fields = std::move(points_.fields);
-  soup.cell_fields = std::move(cells_.fields);
+  soup.point_fields = taken("POINT_DATA", points_, soup.points.size());
+  soup.cell_fields = taken("CELL_DATA", cells_, soup.cells.size());
+}
+
+std::vector<Field> LegacyFields::finish_points(std::size_t points) {
+  return taken("POINT_DATA", points_, points);
 }
 
 }  // namespace crest::io

@@ -16,6 +16,8 @@ class LegacyFields {
   bool read_section();
   /// Hands over the fields. Throws if they announced another number of points or cells.
   void finish(Soup& soup);
+  /// Those of the points of what has no cells. Throws if they announced another number.
+  std::vector<Field> finish_points(std::size_t points);
 
  private:
   struct Owner {
@@ -24,6 +26,7 @@ class LegacyFields {
     std::vector<Field> fields;
   };
 
+  static std::vector<Field> taken(const char* section, Owner& owner, std::size_t count);
   void read_scalars();
   void read_field_array();
   void read_values(const std::string& name, std::size_t components, LegacyType type);

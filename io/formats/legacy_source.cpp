@@ -59,7 +59,7 @@ LegacySource::LegacySource(std::string_view bytes) : scan_(bytes) {
     fail("header (line 1)", "has no version from 1.0 to 5.1", kRepair);
   scan_.next_line();  // to the title, which may be empty
   scan_.next_line();
-  const std::string_view kind = scan_.in_line() ? scan_.word() : "";
+  const std::string_view kind = scan_.more() ? scan_.word() : "";  // as VTK: past blank lines
   binary_ = is_keyword(kind, "binary");
   if (!binary_ && !is_keyword(kind, "ascii"))
     fail("header (line 3)", "is neither ASCII nor BINARY", kRepair);
@@ -96,6 +96,13 @@ std::size_t LegacySource::take_count() {
   if (!scan_.in_line() || !scan_.take(count) || count < 0)
     fail(where(), fmt::format("has a bad count {}", quoted(scan_.peek())), kRepair);
   return static_cast<std::size_t>(count);
+}
+
+double LegacySource::take_real() {
+  double x = 0;
+  if (!scan_.in_line() || !scan_.take(x))
+    fail(where(), fmt::format("{} is not a number", quoted(scan_.peek())), kRepair);
+  return x;
 }
 
 LegacyType LegacySource::take_type() {

@@ -33,6 +33,7 @@ class LegacySource {
   std::string_view take_word();
   std::string take_name();  ///< with %20 and the like decoded
   std::size_t take_count();
+  double take_real();
   LegacyType take_type();
   bool in_line() { return scan_.in_line(); }
   /// Whether the next word, on this line or a later one, is `lower` in any case; takes its line.

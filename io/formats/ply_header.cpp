@@ -117,7 +117,7 @@ void check_element(const PlyElement& element, bool binary, std::size_t room) {
   }
 }
 
-void check_elements(const PlyHeader& header, std::size_t room) {
+void check_elements(const PlyHeader& header, std::size_t room, bool points_will_do) {
   bool faces = false;
   std::string others;
   for (const PlyElement& element : header.elements) {
@@ -134,6 +134,7 @@ void check_elements(const PlyHeader& header, std::size_t room) {
     }
     check_element(element, header.binary, room);
   }
+  if (points_will_do) return;
   if (!faces && !others.empty())
     fail("faces", "there are none, only elements" + others, "convert these to triangles");
   if (!faces) fail("faces", "there are none", "export the mesh with its faces");
@@ -165,7 +166,7 @@ std::size_t PlyElement::least_size() const {
   return size;
 }
 
-PlyHeader read_ply_header(std::string_view bytes) {
+PlyHeader read_ply_header(std::string_view bytes, bool points_will_do) {
   TextScan scan(bytes);
   if (scan.peek() != "ply")
     fail("header (line 1)", "does not start with 'ply'", "correct the PLY header");
@@ -182,7 +183,7 @@ PlyHeader read_ply_header(std::string_view bytes) {
   else if (scan.room() > 0)
     scan.take_bytes(1);
   header.size = scan.position();
-  check_elements(header, scan.room());
+  check_elements(header, scan.room(), points_will_do);
   return header;
 }
 

@@ -43,8 +43,8 @@ struct PlyHeader {
   std::size_t size = 0;  ///< bytes up to the data
 };
 
-/// Throws: kernel::InputError for a header that is wrong, has no faces with corners or announces
-/// more than the bytes behind it may hold.
-PlyHeader read_ply_header(std::string_view bytes);
+/// Throws: kernel::InputError for a header that is wrong, has no faces with corners (unless points
+/// will do) or announces more than the bytes behind it may hold.
+PlyHeader read_ply_header(std::string_view bytes, bool points_will_do);
 
 }  // namespace crest::io

@@ -39,6 +39,12 @@ class CornerNormals {
   std::int64_t size() const { return static_cast<std::int64_t>(normals_.size()); }
   void corner(Cells::Node vertex, std::int64_t normal) { corners_.emplace_back(vertex, normal); }
 
+  /// Of a file without faces, if there are as many as vertices: one each, in their order.
+  void finish_points(Soup& soup) {
+    if (soup.points.size() != normals_.size()) return;
+    for (std::int64_t v = 0; v < size(); ++v) corner(v, v);
+  }
+
   void finish(Soup& soup) const {
     if (corners_.empty()) return;
     std::vector<const kernel::Vec3*> of(soup.points.size(), nullptr);
@@ -74,7 +80,8 @@ class CornerNormals {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, bool normals) : scan_(text, '#'), with_normals_(normals) {}
+  ObjReader(std::string_view text, bool normals, bool points)
+      : scan_(text, '#'), with_normals_(normals), points_(points) {}
 
   Soup read() {
     while (scan_.more()) {
@@ -96,6 +103,7 @@ class ObjReader {
     }
     // After the faces, which thus keep their numbers.
     for (std::size_t c = 0; c < thin_.size(); ++c) soup_.cells.add(thin_.type(c), thin_.nodes(c));
+    if (points_ && soup_.cells.empty()) normals_.finish_points(soup_);
     normals_.finish(soup_);
     return std::move(soup_);
   }
@@ -163,7 +171,7 @@ class ObjReader {
   }
 
   TextScan scan_;
-  bool with_normals_;
+  bool with_normals_, points_;
   Soup soup_;
   Cells thin_;
   CornerNormals normals_;
@@ -178,10 +186,10 @@ class ObjReader {
 Soup read_obj(std::string_view bytes, const FieldRequest& request) {
   bytes = check_text(bytes);
   const bool normals = request.normals || request.asks_for("Normals");
-  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, normals).read();
+  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, normals, request.points).read();
   std::string joined(bytes);
   join_continued_lines(joined);
-  return ObjReader(joined, normals).read();
+  return ObjReader(joined, normals, request.points).read();
 }
 
 }  // namespace crest::io

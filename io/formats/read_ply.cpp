@@ -325,7 +325,7 @@ class BinaryPly : public PlyReader {
 }  // namespace
 
 Soup read_ply(std::string_view bytes, const FieldRequest& request) {
-  const PlyHeader header = read_ply_header(bytes);
+  const PlyHeader header = read_ply_header(bytes, request.points);
   if (header.binary) return BinaryPly(bytes, header, request).read();
   return TextPly(check_text(bytes), header, request).read();
 }

@@ -21,6 +21,7 @@ struct FieldRequest {
   std::string name = {};                  ///< of the field; empty: all fields
   bool normals = false;                   ///< those of the points, whatever their name
   std::optional<std::int64_t> step = {};  ///< of time, as the file numbers it; else its last
+  bool points = false;  ///< will do without faces; in OBJ the n-th normal is the n-th vertex's then
   bool asks_for(const std::string& field) const {
     return wanted && (name.empty() || name == field);
   }

@@ -9,12 +9,14 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -100,6 +102,12 @@ void require_sound(vtkUnstructuredGrid& data) {
   require_common(data);
 }
 
+void require_sound(vtkImageData& data) {
+  vtkDataArray* array = data.GetPointData()->GetScalars();
+  if (!array || array->GetNumberOfTuples() != data.GetNumberOfPoints())
+    refuse("volume has not one sample a node");
+}
+
 /// VTK notes the range of points' norms, which is infinite for coordinates from about 1e154 on, and
 /// then cannot read its own note: such ranges end with the largest double, the note is left out.
 std::string with_finite_ranges(std::string xml) {
@@ -145,6 +153,10 @@ std::string vtp_bytes(vtkPolyData& data) {
 
 std::string vtu_bytes(vtkUnstructuredGrid& data) {
   return bytes_of<vtkXMLUnstructuredGridWriter>(data);
+}
+
+std::string vti_bytes(vtkImageData& data) {
+  return bytes_of<vtkXMLImageDataWriter>(data);
 }
 
 }  // namespace crest::io

@@ -4,6 +4,7 @@
 // VTK's data sets as bytes of its XML formats.
 #include <string>
 
+class vtkImageData;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -18,5 +19,7 @@ namespace crest::io {
 std::string vtp_bytes(vtkPolyData& data);
 /// A .vtu file's, likewise; all cells must be triangles, or all tetrahedra.
 std::string vtu_bytes(vtkUnstructuredGrid& data);
+/// A .vti file's, likewise, of samples in any type; that they are finite is the caller's care.
+std::string vti_bytes(vtkImageData& data);
 
 }  // namespace crest::io

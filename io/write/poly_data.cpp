@@ -32,7 +32,11 @@ Columns& PolyData::add_line(std::span<const Id> points) {
 }
 
 Columns& PolyData::add_triangle(Id a, Id b, Id c) {
-  return add_cell(kTriangle, std::array{a, b, c});
+  return add_cell(kPolygon, std::array{a, b, c});
+}
+
+Columns& PolyData::add_polygon(std::span<const Id> corners) {
+  return add_cell(kPolygon, corners);
 }
 
 Columns& PolyData::add_cell(Kind kind, std::span<const Id> points) {
@@ -49,7 +53,7 @@ std::string PolyData::bytes() {
   data->SetPoints(points_);
   if (cells_[kVertex]->GetNumberOfCells() > 0) data->SetVerts(cells_[kVertex]);
   if (cells_[kLine]->GetNumberOfCells() > 0) data->SetLines(cells_[kLine]);
-  if (cells_[kTriangle]->GetNumberOfCells() > 0) data->SetPolys(cells_[kTriangle]);
+  if (cells_[kPolygon]->GetNumberOfCells() > 0) data->SetPolys(cells_[kPolygon]);
   point_rows_.move_to(*data->GetPointData());
   for (const auto& array : point_arrays_) data->GetPointData()->AddArray(array);
   Columns cell_rows;

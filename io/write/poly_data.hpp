@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Points, polylines and triangles, with a row of numbers each, as a .vtp file: the one way there
+// Points, polylines and polygons, with a row of numbers each, as a .vtp file: the one way there
 // from what systems draw.
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -17,7 +17,7 @@
 
 namespace crest::io {
 
-/// Cells may come in any order: VTK numbers vertices, then lines, then triangles, and so stand
+/// Cells may come in any order: VTK numbers vertices, then lines, then polygons, and so stand
 /// their rows. Either every point (cell) has a row or none, with the same columns.
 class PolyData {
  public:
@@ -38,6 +38,7 @@ class PolyData {
   Columns& add_vertex(Id point);
   Columns& add_line(std::span<const Id> points);
   Columns& add_triangle(Id a, Id b, Id c);
+  Columns& add_polygon(std::span<const Id> corners);
 
   /// Numbers and texts of the whole.
   Columns& fields() { return fields_; }
@@ -46,7 +47,7 @@ class PolyData {
   std::string bytes();
 
  private:
-  enum Kind { kVertex, kLine, kTriangle };
+  enum Kind { kVertex, kLine, kPolygon };
   Columns& add_cell(Kind kind, std::span<const Id> points);
 
   vtkNew<vtkPoints> points_;

@@ -44,6 +44,7 @@ const std::set<std::string>& result_headers() {
   static const std::set<std::string> headers = {
       "algorithms/curvature/curvature.hpp",
       "algorithms/curvature/focal.hpp",
+      "algorithms/extremal/extremal_result.hpp",
       "algorithms/feature_lines/feature_graph.hpp",
       "algorithms/modes/degenerate_result.hpp",
       "algorithms/modes/mode_surface.hpp",

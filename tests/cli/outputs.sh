@@ -33,6 +33,9 @@ sample handles --parameters 2 --vertices 1500 -o handles.off
 sample sphere --vertices 400 -o sphere.obj
 sample umbilic-patch --vertices 900 -o patch.ply
 sample plane --vertices 200 -o plane.off
+sample moebius-sheet --nodes 24 -o moebius.nrrd --report moebius.json
+sample sphere-shell --nodes 24 -o shell.vti
+sample hemisphere-points --vertices 500 --noise 0.01 -o points.xyz
 
 run 0 crest ridges ellipsoid.off -o r1.vtp --picture r1.svg --certificate r1.crest --report r1.json --cite
 run 0 crest ridges noisy.obj --scale auto -o r2.obj --certificate r2.crest --report r2.json
@@ -68,6 +71,11 @@ run 0 crest ridges --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box '-3,3' -o s2.obj
   --certificate s2.crest --report s2.json
 run 4 crest ridges --surface 'x^2 + y^2 + z^2 - 1' --box '-2,2' --start-faces 50 --max-depth 1 -o s3.vtp \
   --mesh s3-mesh.ply --picture s3.png --certificate s3.crest --report s3.json
+
+run 0 crest extremal moebius.nrrd --ridge --min-value 0.4 -o e1.vtp --picture e1.svg --certificate e1.crest \
+  --report e1.json --cite
+run 0 crest extremal shell.vti --valley --definition hessian --critical -o e2.ply --picture e2.png --report e2.json
+run 0 crest extremal shell.vti --ridge --sigma 1.5 --min-value 0.3 -o e3.obj --report e3.json
 
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"

@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every file the fuzzers keep gives a mesh or an InputError of one line, nothing else.
+// Every file the fuzzers keep gives a mesh (a volume, points) or an InputError of one line, nothing
+// else.
 #include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "io/read/mesh_reader.hpp"
+#include "io/read/point_reader.hpp"
 #include "io/read/quadratic_reader.hpp"
+#include "io/read/volume_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
+
+namespace {
+
+/// Faces, samples or points. `folder`: of the corpus, the fuzzer's name.
+std::size_t read_count(const std::string& folder, const std::string& name,
+                       const std::string& bytes) {
+  if (folder == "volume_xyz") return crest::io::read_points_bytes(name, bytes).points.size();
+  if (folder.starts_with("volume_")) return crest::io::read_volume_bytes(name, bytes).grid.count();
+  if (folder == "vtu" || folder == "msh")
+    return crest::io::read_quadratic_mesh_bytes(name, bytes, {}).mesh.face_count();
+  return crest::io::read_mesh_bytes(name, bytes).mesh.face_count();
+}
+
+}  // namespace
 
 TEST_CASE("the fuzzers' corpus gives meshes or input errors", "[io]") {
   const std::filesystem::path corpus =
@@ -15,17 +32,14 @@ TEST_CASE("the fuzzers' corpus gives meshes or input errors", "[io]") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus)) {
     if (!entry.is_regular_file()) continue;
     ++files;
-    // corpus/<format>/<name>
-    const std::string format = entry.path().parent_path().filename().string();
+    // corpus/<format>/<name> or corpus/volume_<format>/<name>
+    const std::string folder = entry.path().parent_path().filename().string();
+    const std::string format = folder.substr(folder.find('_') + 1);
     const std::string bytes = crest::tests::contents(entry.path().string());
     INFO(entry.path());
     try {
-      const std::string name = "mesh." + format;
-      const bool fields = format == "vtu" || format == "msh";
-      const auto faces =
-          fields ? crest::io::read_quadratic_mesh_bytes(name, bytes, {}).mesh.face_count()
-                 : crest::io::read_mesh_bytes(name, bytes).mesh.face_count();
-      CHECK(faces > 0);
+      const std::size_t count = read_count(folder, "mesh." + format, bytes);
+      CHECK(count > 0);
       ++meshes;
     } catch (const crest::kernel::InputError& error) {
       const std::string line = error.what();

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest extremal: extremal curves and surfaces of images, volumes and points (paper 000).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "algorithms/extremal/extremal.hpp"
+#include "certify/certificate.hpp"
+#include "certify/extremal/encode.hpp"
+#include "certify/verify.hpp"
+#include "cli/extremal_report.hpp"
+#include "cli/run.hpp"
+#include "io/extremal/extremal_picture.hpp"
+#include "io/extremal/extremal_writer.hpp"
+#include "io/read/point_reader.hpp"
+#include "io/read/volume_reader.hpp"
+
+namespace crest::cli {
+namespace {
+
+using certify::ExtremalCertificate;
+
+struct ExtremalOptions {
+  CommonOptions common;
+  io::VolumeSource source;
+  bool ridge = false, valley = false, surface = false;
+  std::string definition;
+  std::optional<double> sigma, tensor_sigma, min_value, min_strength;
+  bool critical = false;
+  std::optional<int> refine;
+  std::optional<double> radius;
+  std::optional<int> depth;
+};
+
+void check(const ExtremalOptions& o) {
+  if (o.ridge + o.valley + o.surface != 1)
+    throw UsageError(
+        "give one of --ridge, --valley (of a volume or an image), --surface (of points)");
+  const bool volume = o.sigma || o.tensor_sigma || o.min_value || o.min_strength || o.refine ||
+                      !o.definition.empty() || !o.source.raw.empty() || !o.source.field.empty();
+  if (o.surface && volume)
+    throw UsageError(
+        "--surface takes --radius, --depth and --critical; the other options are for volumes");
+  if (!o.surface && (o.radius || o.depth))
+    throw UsageError("--radius and --depth are for points (--surface)");
+}
+
+/// The samples as the extraction takes them: exactly, in the narrower real type that holds them.
+extremal::Volume volume_of(const kernel::SampledGrid& grid) {
+  extremal::Volume volume;
+  for (std::size_t k = 0; k < 3; ++k) volume.size[k] = static_cast<kernel::Index>(grid.size[k]);
+  volume.spacing = grid.spacing;
+  std::visit(
+      [&](const auto& x) {
+        using Native = typename std::decay_t<decltype(x)>::value_type;
+        if constexpr (sizeof(Native) <= 2 || std::is_same_v<Native, float>)
+          volume.samples = std::vector<float>(x.begin(), x.end());
+        else
+          volume.samples = std::vector<double>(x.begin(), x.end());
+      },
+      grid.samples);
+  return volume;
+}
+
+/// From the grid's own frame.
+void move_to_world(const kernel::SampledGrid& grid, extremal::Result& result) {
+  for (auto& p : result.points) p = grid.to_world(p);
+  for (auto& n : result.normals) n = grid.direction_to_world(n);
+  for (auto& e : result.undecided) {
+    e.a = grid.to_world(e.a);
+    e.b = grid.to_world(e.b);
+  }
+}
+
+io::VolumeFile read_volume(Run& run, const ExtremalOptions& o) {
+  auto file = run.step("read", "reading " + o.common.input,
+                       [&] { return io::read_volume(o.common.input, o.source); });
+  for (const std::string& warning : file.warnings) run.warn(warning);
+  return file;
+}
+
+/// Writes claim 8 if its checker accepts it: what is proven with no margin here may be refused
+/// there. Returns the digest of its data; empty: none was written.
+std::string certify_result(Run& run, const ExtremalCertificate& certificate,
+                           std::size_t undecided) {
+  return run.step("certificate", "writing the certificate", [&]() -> std::string {
+    const auto bytes = certify::encode(certificate);
+    const certify::Verdict verdict = certify::verify(bytes);
+    if (!verdict.accepted) {
+      run.warn("no certificate, its checker does not accept it: " + verdict.reason);
+      return {};
+    }
+    run.write_certificate("extremal", bytes, undecided);
+    return certify::hex(certify::data_digest(bytes));
+  });
+}
+
+Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& result,
+               const std::string& digest, const kernel::SampledGrid* image) {
+  fill_report(run.report(), result);
+  for (const std::string& warning : extremal_warnings(result)) run.warn(warning);
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_extremal(path, result, digest); });
+    if (run.wanted("--picture") && !image && result.polygons() == 0)
+      throw kernel::InputError(o.common.input +
+                               ": surface: there is none; choose other thresholds for --picture");
+    run.write("--picture", [&](const std::string& path) {
+      if (image)
+        io::write_extremal_picture(path, result, *image);
+      else
+        io::write_extremal_picture(path, result, run.viewpoint());
+    });
+  });
+  const bool certified =
+      !run.wanted("--certificate") || (!digest.empty() && result.undecided.empty());
+  return {extremal_summary(result), {"li2010extremal"}, certified ? kDone : kNotCertified};
+}
+
+Outcome of_volume(Run& run, const ExtremalOptions& o) {
+  const io::VolumeFile file = read_volume(run, o);
+  const kernel::SampledGrid& grid = file.grid;
+  extremal::Options options;
+  options.definition =
+      o.definition == "hessian" ? extremal::Definition::hessian : extremal::Definition::structure;
+  options.side = o.valley ? extremal::Side::valley : extremal::Side::ridge;
+  options.sigma = o.sigma.value_or(1);
+  options.tensor_sigma = o.tensor_sigma;
+  options.min_value = o.min_value;
+  options.min_strength = o.min_strength.value_or(0);
+  options.critical = o.critical;
+  options.refine = o.refine.value_or(0);
+  run.report()["definition"] = o.definition.empty() ? "structure" : o.definition;
+  run.report()["sigma"] = options.sigma;
+  std::optional<ExtremalCertificate> certificate;
+  if (run.wanted("--certificate")) certificate.emplace();
+  extremal::Result result = run.step("extract", "extremal surface", [&] {
+    return run.with_input([&] {
+      return extremal::extract(volume_of(grid), options, certificate ? &*certificate : nullptr);
+    });
+  });
+  move_to_world(grid, result);
+  std::string digest;
+  if (certificate) digest = certify_result(run, *certificate, result.undecided.size());
+  return finish(run, o, result, digest, grid.dimension() == 2 ? &grid : nullptr);
+}
+
+Outcome of_points(Run& run, const ExtremalOptions& o) {
+  auto file = run.step("read", "reading " + o.common.input,
+                       [&] { return io::read_points(o.common.input); });
+  for (const std::string& warning : file.warnings) run.warn(warning);
+  const extremal::OrientedPoints points{std::move(file.points), std::move(file.normals)};
+  const extremal::PointOptions options{o.radius, o.depth.value_or(10), o.critical};
+  run.report()["points"] = points.points.size();
+  if (run.wanted("--certificate"))
+    run.warn("no certificate: the claim is about volumes and images, not about points");
+  const extremal::Result result = run.step("extract", "surface of the points", [&] {
+    return run.with_input([&] { return extremal::extract(points, options); });
+  });
+  return finish(run, o, result, "", nullptr);
+}
+
+Outcome work(Run& run, const ExtremalOptions& o) {
+  check(o);
+  return o.surface ? of_points(run, o) : of_volume(run, o);
+}
+
+void add_volume_options(CLI::App& app, ExtremalOptions& o) {
+  constexpr const char* group = "Volumes and images";
+  app.add_flag("--ridge", o.ridge, "where the value is largest along n")->group(group);
+  app.add_flag("--valley", o.valley, "where it is least")->group(group);
+  app.add_option("--definition", o.definition,
+                 "n: the dominant eigenvector of the structure tensor (default) or of the Hessian")
+      ->check(CLI::IsMember({"structure", "hessian"}))
+      ->type_name("WORD")
+      ->group(group);
+  app.add_option("--sigma", o.sigma,
+                 "smoothing of the values, in smallest spacings (default 1); sheets closer than "
+                 "about 3 become one")
+      ->check(finite_number(0))
+      ->type_name("S")
+      ->group(group);
+  app.add_option("--tensor-sigma", o.tensor_sigma, "of the structure tensor (default: --sigma)")
+      ->check(finite_number(0))
+      ->type_name("S")
+      ->group(group);
+  const auto any = finite_number(-HUGE_VAL);
+  app.add_option("--min-value", o.min_value, "keep what has a smoothed value of L at least")
+      ->check(any)
+      ->type_name("L")
+      ->group(group);
+  app.add_option("--min-strength", o.min_strength,
+                 "keep what has a second derivative along n of K at least (default 0)")
+      ->check(finite_number(0))
+      ->type_name("K")
+      ->group(group);
+  app.add_option("--refine", o.refine, "split cells that are not proven, D times (default 0)")
+      ->check(CLI::Range(0, 8))
+      ->type_name("D")
+      ->group(group);
+  app.add_option("--field", o.source.field, "of several arrays (.vti, .vtk)")
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--raw", o.source.raw, "INPUT is NX NY NZ samples without a header, little-endian")
+      ->type_name("NX,NY,NZ,TYPE")
+      ->group(group);
+}
+
+void add_point_options(CLI::App& app, ExtremalOptions& o) {
+  constexpr const char* group = "Points";
+  app.add_flag("--surface", o.surface, "the surface of points whose normals may have any sign")
+      ->group(group);
+  app.add_option("--radius", o.radius,
+                 "H of the weights, which vanish at 2 H (default: the median distance to the 10th "
+                 "neighbour); below half the distance of two sheets, above what holds 15 evenly or "
+                 "40 randomly spread neighbours within 2 H")
+      ->check(finite_number(0))
+      ->type_name("H")
+      ->group(group);
+  app.add_option("--depth", o.depth, "of the octree (default 10)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("D")
+      ->group(group);
+}
+
+std::function<int()> add(CLI::App& app) {
+  auto options = std::make_shared<ExtremalOptions>();
+  ExtremalOptions& o = *options;
+  add_common_options(app, o.common,
+                     "a volume or an image (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .png "
+                     ".pgm), or points with normals (.xyz .pwn .ply .obj .off)",
+                     "the surface or the curves (.vtp .obj .ply)");
+  app.add_flag("--critical", o.critical, "keep the merely critical part, too");
+  add_volume_options(app, o);
+  add_point_options(app, o);
+  return [options] {
+    return run_command({"extremal", options->common, {".vtp", ".obj", ".ply"}},
+                       [&](Run& run) { return work(run, *options); });
+  };
+}
+
+}  // namespace
+
+extern const Command extremal_command;
+const Command extremal_command = {
+    "extremal",
+    "ridge and valley surfaces of volumes, curves of images, surfaces of points",
+    add,
+    {"crest extremal moebius.nrrd --ridge --min-value 0.4 -o sheet.vtp --certificate sheet.crest",
+     "crest extremal strip.xyz --surface --radius 0.15 -o strip.vtp --picture strip.png"}};
+
+}  // namespace crest::cli

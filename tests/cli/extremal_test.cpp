@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest extremal as a user runs it: volumes with known sheets, an image, points, what is refused.
+#include <catch2/catch.hpp>
+
+#include "tests/cli/run_crest.hpp"
+
+using namespace crest::tests;
+
+namespace {
+
+struct Case {
+  const char* arguments;
+  int exit_code;
+  const char* words;
+};
+
+ProgramResult extremal(const std::string& arguments, const TemporaryFolder& folder) {
+  const auto run = run_crest("crest extremal " + arguments, folder.path());
+  INFO(arguments << "\n" << run.err);
+  CHECK(run.exit_code == 0);
+  return run;
+}
+
+void sample(const std::string& arguments, const TemporaryFolder& folder) {
+  REQUIRE(run_crest("crest sample " + arguments + " --quiet", folder.path()).exit_code == 0);
+}
+
+nlohmann::json report_of(const std::string& arguments, const TemporaryFolder& folder) {
+  extremal(arguments + " --report r.json --quiet", folder);
+  return read_json(folder / "r.json");
+}
+
+/// Text of an NRRD of 6 x 6 x 6 samples, a ridge at z = 2.4.
+std::string small_volume(const std::string& sample = "") {
+  std::string text = "NRRD0004\ntype: double\ndimension: 3\nsizes: 6 6 6\nencoding: ascii\n\n";
+  for (int z = 0; z < 6; ++z)
+    for (int i = 0; i < 36; ++i)
+      text += (sample.empty() ? std::to_string(10 - (z - 2.4) * (z - 2.4)) : sample) + "\n";
+  return text;
+}
+
+/// 40 x 30 pixels, a bright line at the given row, 16 bits.
+std::string line_image(int row) {
+  std::string bytes = "P5\n40 30\n65535\n";
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const int value = std::max(0, 60000 - 9000 * std::abs(y - row)) + 13 * x;
+      bytes += static_cast<char>(value >> 8);
+      bytes += static_cast<char>(value & 255);
+    }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "crest extremal: a closed sheet with report, files, picture and an accepted certificate") {
+  const TemporaryFolder folder;
+  sample("sphere-shell --nodes 32 -o s.nrrd", folder);
+  for (const std::string end : {"vtp", "ply", "obj"}) {
+    const auto run = extremal("s.nrrd --ridge --min-value 0.4 -o a." + end +
+                                  " --picture a.png --report a.json --certificate a.crest --cite",
+                              folder);
+    CHECK(run.out.find("{li2010extremal,") != std::string::npos);
+    CHECK(fs::file_size(folder / ("a." + end)) > 0);
+  }
+  const auto report = read_json(folder / "a.json");
+  for (const char* key : {"crest",
+                          "command",
+                          "input",
+                          "seconds",
+                          "peak_rss_bytes",
+                          "threads",
+                          "certificate",
+                          "warnings",
+                          "dimension",
+                          "definition",
+                          "sigma",
+                          "h",
+                          "vertices",
+                          "polygons",
+                          "nodes",
+                          "active_nodes",
+                          "flat_nodes",
+                          "cells",
+                          "critical_edges",
+                          "extremal_edges",
+                          "undecided_edges",
+                          "odd_faces",
+                          "junction_edges",
+                          "ambiguous_faces",
+                          "sheets_split",
+                          "valence",
+                          "bisections",
+                          "octree",
+                          "odd_valence_edges",
+                          "odd_valence_unexplained",
+                          "features",
+                          "components",
+                          "undecided"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  for (const char* key : {"empty", "regular", "cone", "open"}) CHECK(report["cells"].contains(key));
+  CHECK(report["certificate"]["certified"] == true);
+  CHECK(report["odd_valence_edges"] == 0);
+  REQUIRE(report["components"].size() == 1);
+  const auto& sheet = report["components"][0];
+  CHECK(sheet["euler_characteristic"] == 2);
+  CHECK(sheet["boundary_loops"] == 0);
+  CHECK(sheet["orientable"] == true);
+  CHECK(sheet["area"].get<double>() == Approx(4 * 3.14159 * 0.36).epsilon(0.03));
+  const auto verify = run_crest("crest-verify a.crest", folder.path());
+  INFO(verify.out << verify.err);
+  CHECK(verify.exit_code == 0);
+}
+
+TEST_CASE("crest extremal: a one-sided sheet, and the same bytes for any number of threads") {
+  const TemporaryFolder folder;
+  sample("moebius-sheet --nodes 40 -o m.vti", folder);
+  for (const std::string threads : {"1", "2", "3"})
+    extremal("m.vti --ridge --min-value 0.4 -o " + threads + ".vtp --certificate " + threads +
+                 ".crest --report " + threads + ".json --threads " + threads,
+             folder);
+  for (const std::string end : {".vtp", ".crest"})
+    for (const std::string threads : {"2", "3"})
+      CHECK(read_text(folder / (threads + end)) == read_text(folder / ("1" + end)));
+  const auto report = read_json(folder / "1.json");
+  REQUIRE(report["components"].size() == 1);
+  CHECK(report["components"][0]["euler_characteristic"] == 0);
+  CHECK(report["components"][0]["boundary_loops"] == 1);
+  CHECK(report["components"][0]["orientable"] == false);
+  CHECK(report["odd_faces"].get<int>() > 0);
+  CHECK(report["odd_valence_unexplained"] == 0);
+}
+
+TEST_CASE("crest extremal: results stand in the file's world") {
+  const TemporaryFolder folder;
+  // The sheet z = 2.4, axes turned: x along -Y, y along X; z steps of 3.
+  std::string text = small_volume();
+  text.insert(text.find("encoding"),
+              "space directions: (0,-1,0) (1,0,0) (0,0,3)\nspace origin: (10,20,30)\n");
+  write_text(folder / "v.nrrd", text);
+  extremal("v.nrrd --ridge --sigma 0.5 -o v.obj --quiet", folder);
+  std::size_t vertices = 0;
+  for (const std::string& line : split_lines(read_text(folder / "v.obj"))) {
+    if (line.rfind("v ", 0) != 0) continue;
+    double x = 0, y = 0, z = 0;
+    REQUIRE(std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3);
+    ++vertices;
+    CHECK((x >= 10 && x <= 15 && y >= 15 && y <= 20));
+    CHECK(z == Approx(37.2).margin(0.01));
+  }
+  CHECK(vertices > 0);
+}
+
+TEST_CASE("crest extremal: curves of an image, row 0 at the top") {
+  const TemporaryFolder folder;
+  write_text(folder / "i.pgm", line_image(8));
+  const auto report = report_of("i.pgm --ridge --min-value 40000 -o i.obj --picture i.png", folder);
+  CHECK(report["dimension"] == 2);
+  REQUIRE(report["components"].size() == 1);
+  CHECK(report["components"][0]["euler_characteristic"] == 1);
+  CHECK(report["components"][0]["ends"] == 2);
+  for (const std::string& line : split_lines(read_text(folder / "i.obj"))) {
+    double x = 0, y = 0;
+    if (std::sscanf(line.c_str(), "v %lf %lf", &x, &y) == 2) CHECK(y == Approx(29 - 8).margin(0.1));
+  }
+  CHECK(fs::file_size(folder / "i.png") > 0);
+}
+
+TEST_CASE("crest extremal: the surface of points with normals of any sign") {
+  const TemporaryFolder folder;
+  sample("moebius-points --vertices 6000 -o p.xyz", folder);
+  const auto report = report_of("p.xyz --surface --radius 0.12 --depth 6 -o p.vtp", folder);
+  REQUIRE(report["components"].size() == 1);
+  CHECK(report["components"][0]["euler_characteristic"] == 0);
+  CHECK(report["components"][0]["boundary_loops"] == 1);
+  CHECK(report["components"][0]["orientable"] == false);
+  CHECK(report["octree"]["leaves"].get<int>() > 0);
+}
+
+TEST_CASE("crest extremal: nothing to extract is no error") {
+  const TemporaryFolder folder;
+  write_text(folder / "c.nrrd", small_volume("7"));
+  const auto run = extremal("c.nrrd --ridge -o c.vtp --certificate c.crest", folder);
+  CHECK(run.err.find("no extremal surface") != std::string::npos);
+  CHECK(run_crest("crest-verify c.crest", folder.path()).exit_code == 0);
+  const auto picture = run_crest("crest extremal c.nrrd --ridge --picture c.png", folder.path());
+  CHECK(picture.exit_code == 3);
+  CHECK(!fs::exists(folder / "c.png"));
+}
+
+TEST_CASE("crest extremal: one line and the right exit code for what cannot be done") {
+  const TemporaryFolder folder;
+  write_text(folder / "v.nrrd", small_volume());
+  write_text(folder / "nan.nrrd", small_volume().replace(small_volume().rfind("3."), 1, "nan"));
+  write_text(folder / "short.nrrd", small_volume().substr(0, 300));
+  write_text(folder / "p.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
+  write_text(folder / "bare.xyz", "0 0 0\n1 0 0\n");
+  for (const Case& c :
+       {Case{"v.nrrd", 2, "give one of --ridge, --valley"},
+        Case{"v.nrrd --ridge --valley", 2, "give one of"},
+        Case{"v.nrrd --ridge --radius 1", 2, "are for points"},
+        Case{"p.xyz --surface --sigma 1", 2, "are for volumes"},
+        Case{"v.nrrd --ridge --sigma -1", 2, "is less than 0"},
+        Case{"v.nrrd --ridge --sigma nan", 2, "not a finite number"},
+        Case{"p.xyz --surface --radius -1", 2, "is less than 0"},
+        Case{"v.nrrd --ridge --definition tensor", 2, "tensor"},
+        Case{"v.nrrd --ridge -o v.off", 2, "v.off"}, Case{"none.nrrd --ridge", 3, "does not exist"},
+        Case{"nan.nrrd --ridge -o n.vtp", 3, "is not a number"},
+        Case{"short.nrrd --ridge -o n.vtp", 3, "samples"},
+        Case{"bare.xyz --surface", 3, "has no normal"},
+        Case{"v.nrrd --ridge --raw 6,6,6,half", 3, "--raw"},
+        Case{"p.xyz --ridge", 3, "'.xyz' are not read"}}) {
+    const auto run = run_crest(std::string("crest extremal ") + c.arguments, folder.path());
+    INFO(c.arguments << "\n" << run.err);
+    CHECK(run.exit_code == c.exit_code);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(c.words) != std::string::npos);
+  }
+  CHECK(!fs::exists(folder / "n.vtp"));
+}
