@@ -48,9 +48,9 @@ class Big {
   }
   friend bool is_finite(const Big& a) { return mpfr_number_p(a.x_) != 0; }
   /// 2^-k.
-  static Big power(unsigned k) {
+  static Big power_of_half(int k) {
     Big one(1.0);
-    mpfr_div_2ui(one.x_, one.x_, k, MPFR_RNDN);
+    mpfr_div_2si(one.x_, one.x_, k, MPFR_RNDN);
     return one;
   }
 
@@ -79,11 +79,11 @@ inline bool is_finite(double x) {
 }
 
 template <class Number>
-Number power_of_half(unsigned k) {
+Number power_of_half(int k) {
   if constexpr (std::is_same_v<Number, double>)
-    return std::ldexp(1.0, -static_cast<int>(k));
+    return std::ldexp(1.0, -k);
   else
-    return Number::power(k);
+    return Number::power_of_half(k);
 }
 /// Half the distance from 1 to the next number.
 template <class Number>

@@ -93,7 +93,7 @@ void read(ByteReader& reader, SkeletonBarrier& barrier) {
   barrier.degree = reader.integer<std::uint8_t>();
   barrier.angle = reader.integer<std::uint16_t>();
   barrier.bits = reader.integer<std::uint16_t>();
-  barrier.shrink = reader.integer<std::uint8_t>();
+  barrier.shrink = reader.integer<std::int8_t>();
 }
 void read(ByteReader& reader, SkeletonException& exception) {
   exception.step = reader.integer<std::uint32_t>();

@@ -12,7 +12,7 @@ void check_barrier(const SkeletonBarrier& b, const std::string& name) {
   require(std::find(kBits.begin(), kBits.end(), b.bits) != kBits.end(), "{}: {} bits", name,
           b.bits);
   require(b.degree >= 1 && b.degree <= (b.bits == 53 ? 50 : 128), "{}: degree {}", name, b.degree);
-  require(b.angle >= 1 && b.angle <= b.bits && b.shrink <= 16, "{}: angle {}, shrink {}", name,
+  require(b.angle >= 1 && b.angle <= b.bits && std::abs(b.shrink) <= 16, "{}: angle {}, shrink {}", name,
           b.angle, b.shrink);
 }
 void check_barriers(const SkeletonBarrier& barrier, const std::vector<SkeletonException>& list,

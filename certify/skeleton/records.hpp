@@ -66,7 +66,7 @@ struct SkeletonBarrier {
   std::uint8_t degree = 10;
   std::uint16_t angle = 30;  ///< theta = 2^-angle
   std::uint16_t bits = 53;
-  std::uint8_t shrink = 0;  ///< steps are 2^-shrink times as long
+  std::int8_t shrink = 0;  ///< steps are 2^-shrink times as long
 };
 /// A step whose barriers are others.
 struct SkeletonException {
