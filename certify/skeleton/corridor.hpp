@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A stream line between two barriers, triangle by triangle (SPEC.md, "Cell lemma").
+// A stream line between two barriers, triangle by triangle (SPEC.md, lemma 11).
+#include <atomic>
+
 #include "certify/container/reject.hpp"
 #include "certify/skeleton/arc.hpp"
 #include "certify/skeleton/boundary.hpp"
@@ -22,6 +24,8 @@ struct Context {
   const Domain& domain;
   const ZeroSet& zeros;
   const Boundary& boundary;
+  /// Corners that straight lines may still look at: else a short file could cost much.
+  std::atomic<std::int64_t>& straight_left;
 };
 
 /// How much was done.

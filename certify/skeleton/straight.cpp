@@ -26,9 +26,16 @@ Exact velocity(const Field& field, u32 t, const Exact& x) {
 
 }  // namespace
 
+void StraightWalk::spend(std::size_t corners) const {
+  const auto cost = static_cast<std::int64_t>(corners);
+  if (context_.straight_left.fetch_sub(cost) < cost) throw Reject("too long straight lines");
+}
+
 StraightWalk::Element StraightWalk::ahead_of_vertex(u32 corner) const {
   const Field& field = context_.field;
-  for (const u32 c : context_.domain.corners_of(context_.domain.fan[corner])) {
+  const auto fan = context_.domain.corners_of(context_.domain.fan[corner]);
+  spend(fan.size());
+  for (const u32 c : fan) {
     const Exact e1 = exact(field.position(next_corner(c))) - x_,
                 e2 = exact(field.position(previous_corner(c))) - x_;
     const Rational from = det(e1, d_), to = det(d_, e2);
@@ -122,6 +129,7 @@ void StraightWalk::run(const SkeletonLeg& leg, const Component* zero) {
   }
   for (u32 i = 0; i < leg.elements; ++i) {
     if (at_zero_) fail("goes on beyond a zero");
+    spend(1);
     const Element element = ahead();
     if (element.name == kNone) fail("goes on beyond the boundary");
     pass(element);

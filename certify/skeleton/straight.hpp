@@ -39,9 +39,10 @@ class StraightWalk {
   };
   Element ahead() const;
   Element ahead_of_vertex(u32 corner) const;
-  void step();
   void pass(const Element& element);
   void check(const Plane<Rational>& v_from, const Plane<Rational>& v_to, const Plane<Rational>& y);
+  /// Throws Reject when all lines together have looked at too many corners.
+  void spend(std::size_t corners) const;
   [[noreturn]] void fail(const char* what) const { throw Reject(name_ + ": " + what); }
 
   const Context& context_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/skeleton/traps.hpp"
 
+#include <algorithm>
+
 #include "certify/container/reject.hpp"
 
 namespace crest::certify::skeleton {
@@ -107,16 +109,26 @@ void Trap::check_star(const Field& field, const Domain& domain, const Component&
     const Part part{p.corner, {p.a, p.b},
                     stays ? Point<Rational>{q.a, q.b} : Point<Rational>{0, q.a}};
     check_part(field, part, stated.zero);
+    auto& range = parts_of_.try_emplace(part.corner / 3, std::array{i, i}).first->second;
+    range[1] = i + 1;
     parts_.push_back(part);
   }
   require(turned == fan.size(), "trap of zero {}: not once around", stated.zero);
 }
 
-bool Trap::in_part(const Part& part, u32 corner, const Point<Rational>& p) const {
-  if (part.corner / 3 != corner / 3) return false;
-  const Point<Rational> x = reframed(p, corner, part.corner);
-  return cross(part.from, x) >= 0 && cross(x, part.to) >= 0 &&
-         cross(minus(part.to, part.from), minus(x, part.from)) > 0;
+std::size_t Trap::part_of(u32 corner, const Point<Rational>& p) const {
+  const auto range = parts_of_.find(corner / 3);
+  if (range == parts_of_.end()) return kNone;
+  const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(range->second[0]),
+             end = parts_.begin() + static_cast<std::ptrdiff_t>(range->second[1]);
+  const Point<Rational> x = reframed(p, corner, begin->corner);
+  const auto after = std::partition_point(
+      begin, end, [&](const Part& part) { return cross(part.from, x) >= 0; });
+  if (after == begin) return kNone;
+  const Part& part = *(after - 1);
+  const bool inside = cross(x, part.to) >= 0 &&
+                      cross(minus(part.to, part.from), minus(x, part.from)) > 0;
+  return inside ? static_cast<std::size_t>(&part - parts_.data()) : kNone;
 }
 
 bool Trap::holds(u32 corner, const Point<Rational>& p, const Point<Rational>& q) const {
@@ -128,9 +140,8 @@ bool Trap::holds(u32 corner, const Point<Rational>& p, const Point<Rational>& q)
     }
     return true;
   }
-  for (const Part& part : parts_)
-    if (in_part(part, corner, p) && in_part(part, corner, q)) return true;
-  return false;
+  const std::size_t part = part_of(corner, p);
+  return part != kNone && part_of(corner, q) == part;
 }
 
 bool Trap::seems_to_hold(u32 corner, const Point<double>& p) const {

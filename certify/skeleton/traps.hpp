@@ -2,6 +2,8 @@
 #pragma once
 
 // Neighbourhoods of a sink that nobody leaves (of a source: of -v) (SPEC.md, step 4).
+#include <map>
+
 #include "certify/skeleton/frame.hpp"
 #include "certify/skeleton/zeros.hpp"
 
@@ -29,14 +31,16 @@ class Trap {
   void check_star(const Field& field, const Domain& domain, const Component& zero,
                   const SkeletonTrap& stated);
   void check_part(const Field& field, const Part& part, u32 zero) const;
-  bool in_part(const Part& part, u32 corner, const Point<Rational>& p) const;
+  /// The part that holds a point, or kNone. Cost: logarithmic.
+  std::size_t part_of(u32 corner, const Point<Rational>& p) const;
 
   bool backward_ = false;
   u32 triangle_ = kNone;          ///< of the ellipse
   Point<Rational> centre_{};      ///< in the frame of corner 0
   std::array<Rational, 3> form_;
   std::array<double, 5> rounded_{};  ///< centre, form
-  std::vector<Part> parts_;
+  std::vector<Part> parts_;  ///< counter-clockwise
+  std::map<u32, std::array<std::size_t, 2>> parts_of_;  ///< of a triangle: from, to
 };
 
 /// The same point in the frame of another corner of the triangle.

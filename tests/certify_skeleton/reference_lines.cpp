@@ -63,9 +63,13 @@ class Tracer {
   }
 
   void all_lines() {
+    // Of zeros on vertices and edges nothing is known.
+    std::erase_if(c_.separatrices, [&](const SkeletonSeparatrix& line) {
+      return line.origin != SkeletonOrigin::zero ||
+             c_.zeros[line.from].kind != ZeroClass::higher_order;
+    });
     for (u32 i = 0; i < c_.zeros.size(); ++i)
       if (c_.zeros[i].kind == ZeroClass::saddle) saddle(i);
-      else vertex_zero(i);
     for (u32 i = 0; i < c_.switches.size(); ++i)
       if (c_.switches[i].inside != 0)
         for (const bool backward : {false, true}) switch_line(i, backward);
@@ -189,10 +193,9 @@ class Tracer {
     line.from = zero;
     line.backward = backward;
     line.legs = {leg};
-    follow(line, side, head, false, true);
+    follow(line, side, head);
     c_.separatrices.push_back(line);
   }
-  void vertex_zero(u32) {}
 
   void switch_line(u32 i, bool backward) {
     const SkeletonSwitch& point = c_.switches[i];
@@ -248,7 +251,7 @@ class Tracer {
     const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
     const u32 side = nx(opposite);
     if (turn) line.legs[0].turns.push_back(turn_of(corner, side));
-    follow(line, side, head_weight(corner, at, side), true, false);
+    follow(line, side, head_weight(corner, at, side));
   }
   static Turn turn_of(u32 entered, u32 exit) {
     return exit == entered ? Turn::back : exit == nx(entered) ? Turn::right : Turn::left;
@@ -321,7 +324,7 @@ class Tracer {
   }
 
   /// On from a point of a side that was left (weight of its head), triangle by triangle.
-  void follow(SkeletonSeparatrix& line, u32 left, double head, bool, bool) {
+  void follow(SkeletonSeparatrix& line, u32 left, double head) {
     auto& turns = line.legs[0].turns;
     const bool backward = line.backward != 0;
     std::map<u32, std::vector<std::pair<std::size_t, double>>> visits;

@@ -165,10 +165,12 @@ void classify(const Mesh& m, u32 t, SkeletonZero& z) {
 
 /// Sectors by sampling the circle in rational directions between all sign changes would need the
 /// rays; here 4096 directions a cone decide, which is enough for small integers.
-void sectors(const Mesh& m, const PointSet& s, SkeletonZero& z) {
+/// Returns how many rays bound hyperbolic sectors: outwards, inwards.
+std::array<int, 2> sectors(const Mesh& m, const PointSet& s, SkeletonZero& z) {
   struct Ray {
     bool out;
     int after;
+    bool bounds = false;
   };
   std::vector<Ray> rays;
   const auto [kind, name] = *s.places.begin();
@@ -210,13 +212,21 @@ void sectors(const Mesh& m, const PointSet& s, SkeletonZero& z) {
   }
   z.hyperbolic = z.elliptic = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Ray &ray = rays[i], &next = rays[(i + 1) % rays.size()];
+    Ray &ray = rays[i], &next = rays[(i + 1) % rays.size()];
     if (ray.after == 0 || ray.out == next.out) continue;
-    ++((ray.after > 0) == next.out ? z.hyperbolic : z.elliptic);
+    if ((ray.after > 0) == next.out) {
+      ++z.hyperbolic;
+      ray.bounds = next.bounds = true;
+    } else {
+      ++z.elliptic;
+    }
   }
+  std::array<int, 2> count{};
+  for (const Ray& ray : rays) count[ray.out ? 0 : 1] += ray.bounds;
+  return count;
 }
 
-SkeletonZero zero_record(const Mesh& m, const PointSet& s) {
+SkeletonZero zero_record(const Mesh& m, const PointSet& s, std::array<int, 2>& rays) {
   SkeletonZero z;
   z.triangle = *s.triangles.begin();
   const int kind = std::get<0>(*s.places.begin());
@@ -237,7 +247,8 @@ SkeletonZero zero_record(const Mesh& m, const PointSet& s) {
     }
     if (signs[0] == signs[1] && signs[1] == signs[2]) z.index += signs[0];
   }
-  if (z.place != ZeroPlace::triangle) sectors(m, s, z);
+  if (z.place != ZeroPlace::triangle) rays = sectors(m, s, z);
+  if (z.kind == ZeroClass::saddle) rays = {2, 2};
   return z;
 }
 
@@ -306,6 +317,16 @@ void loop_record(const Mesh& m, const std::vector<u32>& sides, SkeletonCertifica
   c.loops.push_back(loop);
 }
 
+void add_open(SkeletonCertificate& c, SkeletonOrigin origin, std::size_t from,
+              std::uint8_t backward, int count) {
+  SkeletonSeparatrix line;
+  line.origin = origin;
+  line.from = static_cast<u32>(from);
+  line.backward = backward;
+  line.reason = OpenReason::budget;
+  for (int i = 0; i < count; ++i) c.separatrices.push_back(line);
+}
+
 }  // namespace
 
 SkeletonCertificate reference_points(const PlaneField& field) {
@@ -315,7 +336,10 @@ SkeletonCertificate reference_points(const PlaneField& field) {
   c.triangles = field.triangles;
   c.vectors = field.vectors;
   for (const PointSet& s : components(m)) {
-    c.zeros.push_back(zero_record(m, s));
+    std::array<int, 2> rays{};
+    c.zeros.push_back(zero_record(m, s, rays));
+    for (const std::uint8_t backward : {0, 1})
+      add_open(c, SkeletonOrigin::zero, c.zeros.size() - 1, backward, rays[backward]);
     if (c.zeros.back().index != kNoIndex) c.index_sum += c.zeros.back().index;
   }
   std::set<u32> seen;
@@ -328,6 +352,10 @@ SkeletonCertificate reference_points(const PlaneField& field) {
     }
     loop_record(m, sides, c);
   }
+  for (std::size_t i = 0; i < c.switches.size(); ++i)
+    for (const std::uint8_t backward : {0, 1})
+      add_open(c, SkeletonOrigin::switch_point, i, backward, c.switches[i].inside);
+  c.ends[4] = static_cast<u32>(c.separatrices.size());
   return c;
 }
 

@@ -24,7 +24,8 @@ PlaneField grid_field(std::uint32_t nx, std::uint32_t ny, double spacing,
 /// The lattice field L(seed, m) on n x n cells of the unit square; `hole`: without the middle.
 PlaneField lattice_field(std::uint64_t seed, std::uint32_t m, std::uint32_t n, bool hole);
 
-/// Everything but lines and traps: exact, also for fields with ties.
+/// Everything but traps and ways: all separatrices are undecided. Exact, also for fields with ties
+/// (sectors: where rays are 1/4096 of a cone apart).
 certify::SkeletonCertificate reference_points(const PlaneField& field);
 
 /// All of it; lines that cannot be followed are undecided. Then the lines that the checker refuses
