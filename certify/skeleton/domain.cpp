@@ -78,8 +78,11 @@ void check_angles(const Field& field, const Domain& d, SignLadder& sign) {
     }
     const Sign order = compare_angles(sign, p, field.position(next_corner(corners.front())),
                                       field.position(previous_corner(corners.back())));
-    require(order != Sign::zero, "vertex {}: its boundary sides coincide", vertex);
-    require(crossings == (order == Sign::positive), "vertex {}: its triangles overlap", vertex);
+    // A wall that ends at a zero is cut: its fan goes round once.
+    const bool cut = order == Sign::zero && is_zero(field.vector(corners[0]));
+    require(cut || order != Sign::zero, "vertex {}: its boundary sides coincide", vertex);
+    require(crossings == (cut || order == Sign::positive), "vertex {}: its triangles overlap",
+            vertex);
   }
 }
 

@@ -338,7 +338,7 @@ SkeletonCertificate reference_points(const PlaneField& field) {
   for (const PointSet& s : components(m)) {
     std::array<int, 2> rays{};
     c.zeros.push_back(zero_record(m, s, rays));
-    for (const std::uint8_t backward : {0, 1})
+    for (const std::uint8_t backward : {std::uint8_t{0}, std::uint8_t{1}})
       add_open(c, SkeletonOrigin::zero, c.zeros.size() - 1, backward, rays[backward]);
     if (c.zeros.back().index != kNoIndex) c.index_sum += c.zeros.back().index;
   }
@@ -353,7 +353,7 @@ SkeletonCertificate reference_points(const PlaneField& field) {
     loop_record(m, sides, c);
   }
   for (std::size_t i = 0; i < c.switches.size(); ++i)
-    for (const std::uint8_t backward : {0, 1})
+    for (const std::uint8_t backward : {std::uint8_t{0}, std::uint8_t{1}})
       add_open(c, SkeletonOrigin::switch_point, i, backward, c.switches[i].inside);
   c.ends[4] = static_cast<u32>(c.separatrices.size());
   return c;
