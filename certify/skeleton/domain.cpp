@@ -16,13 +16,10 @@ void glue_live(const Field& field, Domain& d) {
   d.live.assign(field.triangles(), 0);
   for (u32 c = 0; c < field.corners(); ++c) d.live[c / 3] |= !is_zero(field.vector(c));
   d.at_dead.assign(field.corners(), 0);
-  for (u32 c = 0; c < field.corners(); ++c) {
-    const u32 other = d.twin[c];
-    if (other == kNone) continue;
-    d.at_dead[c] = d.live[other / 3] == 0;
-    if (is_zero(field.vector(c)) && is_zero(field.vector(next_corner(c))))
-      d.twin[c] = d.twin[other] = kNone;
-  }
+  for (u32 c = 0; c < field.corners(); ++c)
+    d.at_dead[c] = d.twin[c] != kNone && d.live[d.twin[c] / 3] == 0;
+  for (u32 c = 0; c < field.corners(); ++c)
+    if (is_zero(field.vector(c)) && is_zero(field.vector(next_corner(c)))) d.twin[c] = kNone;
   for (const u8 live : d.live) d.dead += live == 0;
 }
 
