@@ -156,8 +156,8 @@ class Corridor {
   Maker left_, right_;
   Segment<Number> at_;
   bool at_boundary_ = false;
-  bool along_ = false;       ///< the next cell starts at along_starts_
-  std::array<Start, 2> along_starts_{};
+  bool starting_ = false;  ///< the next cell starts at starts_
+  std::array<Start, 2> starts_{};
   std::uint64_t cells_ = 0;
 };
 
