@@ -6,51 +6,9 @@
 #include <atomic>
 #include <vector>
 
-#include "certify/skeleton/frame.hpp"
+#include "certify/skeleton/signs.hpp"
 
 namespace crest::certify::skeleton {
-
-/// The signs of sum_k C(n-1, k) D_k (first_j da_k + second_j db_k) C(n, j) for k + j = m, m < 2n:
-/// Bernstein coefficients of a form along the curve with these control points, times positive
-/// numbers.
-template <class Number>
-class Products {
- public:
-  void compute(const std::vector<Point<Number>>& control, const LinearForms<Number>& forms) {
-    const std::size_t n = control.size() - 1;
-    sums_.assign(2 * n, Number(0.0));
-    first_.resize(n + 1);
-    second_.resize(n + 1);
-    Number binomial = 1.0;
-    for (std::size_t j = 0; j <= n; ++j) {
-      const auto& [a, b] = control[j];
-      first_[j] = binomial * along(forms.first, a, b);
-      second_[j] = binomial * along(forms.second, a, b);
-      binomial = next_binomial(binomial, n, j);
-    }
-    binomial = 1.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Number da = binomial * (control[k + 1].a - control[k].a),
-                   db = binomial * (control[k + 1].b - control[k].b);
-      for (std::size_t j = 0; j <= n; ++j)
-        sums_[k + j] = sums_[k + j] + (da * first_[j] + db * second_[j]);
-      binomial = next_binomial(binomial, n - 1, k);
-    }
-  }
-  const std::vector<Number>& sums() const { return sums_; }
-
- private:
-  static Number along(const std::array<Number, 3>& f, const Number& a, const Number& b) {
-    return f[0] + (a * (f[1] - f[0]) + b * (f[2] - f[0]));
-  }
-  /// C(n, k + 1) of C(n, k): whole numbers below 2^53, exact (n <= 50), or of 128 bits.
-  static Number next_binomial(const Number& binomial, std::size_t n, std::size_t k) {
-    return k < n ? Number(binomial * Number(static_cast<double>(n - k)) /
-                          Number(static_cast<double>(k + 1)))
-                 : binomial;
-  }
-  std::vector<Number> sums_, first_, second_;
-};
 
 /// Makes and checks barriers over double or Big; keeps its memory.
 template <class Number>
@@ -79,9 +37,9 @@ class ArcMaker {
       const bool last = make_piece(task, at);
       if (failure_ != nullptr) return failure_;
       if (!inside(last ? task.exit : -1)) return "a barrier is not inside the triangle";
-      if (!has_sign(frame_.determinant, &Frame<Rational>::determinant, -task.turn))
+      if (!has_sign([](const auto& f) -> const auto& { return f.determinant; }, -task.turn))
         return "a barrier is not one-way";
-      if (task.zero && !has_sign(frame_.product, &Frame<Rational>::product, 1))
+      if (task.zero && !has_sign([](const auto& f) -> const auto& { return f.product; }, 1))
         return "a barrier turns away from the field";
       at = control_.back();
       if (last || (task.exit < 0 && trapped(at))) {
@@ -97,6 +55,8 @@ class ArcMaker {
  private:
   void prepare(const Task& task) {
     if (frame_.corner != task.corner) frame_ = make_frame<Number>(field_, task.corner, backward_);
+    if (binomials_.degree.size() != task.barrier.degree + 1U)
+      binomials_ = Binomials<Number>(task.barrier.degree);
     // w = (det(v, e2), det(e1, v)) = (-second, first) of the determinant.
     const Number theta = power_of_half<Number>(task.barrier.angle);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -183,11 +143,8 @@ class ArcMaker {
   /// b_j = sum_k C(j, k) / C(n, k) c_k.
   void to_bernstein() {
     const std::size_t n = control_.size() - 1;
-    Number binomial = 1.0;
-    for (std::size_t k = 1; k <= n; ++k) {
-      binomial = binomial * Number(static_cast<double>(n - k + 1)) / Number(static_cast<double>(k));
-      control_[k] = {control_[k].a / binomial, control_[k].b / binomial};
-    }
+    for (std::size_t k = 1; k <= n; ++k)
+      control_[k] = {control_[k].a / binomials_.degree[k], control_[k].b / binomials_.degree[k]};
     for (std::size_t i = 1; i <= n; ++i)
       for (std::size_t j = n; j >= i; --j)
         control_[j] = {control_[j].a + control_[j - 1].a, control_[j].b + control_[j - 1].b};
@@ -222,46 +179,26 @@ class ArcMaker {
     return true;
   }
 
-  /// All Bernstein coefficients of a form have the sign. In numbers with this bound, where S bounds
-  /// max |da| |first| + max |db| |second| and u is half a unit: e1, e2 round once, a form's value
-  /// at a corner is within 4 u M, M its magnitude; at a control point (a, b >= 0, a + b <= 1) all
-  /// terms are below 5 M and the value within 40 u M; da within u |da|; n <= 128 products a sum,
-  /// each rounded thrice with its binomials: below (128 + 16 n) u S C(2n-1, m). Underflow (below
-  /// 2^-1074 an operation) is what the last term covers.
-  bool has_sign(const LinearForms<Number>& forms, LinearForms<Rational> Frame<Rational>::*exact,
-                int wanted) {
+  /// In numbers of the path, then (from doubles) of 133 bits, then in rationals.
+  template <class Form>
+  bool has_sign(const Form& form, int wanted) {
     ++pieces_;
-    products_.compute(control_, forms);
-    const std::size_t n = control_.size() - 1;
-    double da = 0, db = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      da = std::max(da, std::fabs(to_double(control_[k + 1].a - control_[k].a)));
-      db = std::max(db, std::fabs(to_double(control_[k + 1].b - control_[k].b)));
-    }
-    const double unit = static_cast<double>(128 + 16 * n) * unit_roundoff<Number>() *
-                        (da * forms.magnitude_first + db * forms.magnitude_second);
-    double binomial = 1;
-    bool certain = true;
-    const auto& sums = products_.sums();
-    for (std::size_t m = 0; m < sums.size(); ++m) {
-      const double bound = unit * binomial + 0x1p-1030 * binomial;
-      const double value = wanted * to_double(sums[m]);
-      if (value < -bound) return false;
-      certain = certain && value > bound;
-      binomial = binomial * static_cast<double>(2 * n - 1 - m) / static_cast<double>(m + 1);
-    }
-    return certain || has_exact_sign(exact, wanted);
-  }
-  bool has_exact_sign(LinearForms<Rational> Frame<Rational>::*forms, int wanted) {
+    const Answer answer = have_sign(control_, form(frame_), binomials_, products_, wanted);
+    if (answer != Answer::open) return answer == Answer::yes;
     ++exact_;
+    if constexpr (std::is_same_v<Number, double>) {
+      Big::bits = 133;
+      if (wide_frame_.corner != frame_.corner)
+        wide_frame_ = make_frame<Big>(field_, frame_.corner, backward_);
+      wide_control_.clear();
+      for (const auto& [a, b] : control_) wide_control_.push_back({Big(a), Big(b)});
+      const Answer wide = have_sign(wide_control_, form(wide_frame_),
+                                    Binomials<Big>(control_.size() - 1), wide_products_, wanted);
+      if (wide != Answer::open) return wide == Answer::yes;
+    }
     if (exact_frame_.corner != frame_.corner)
       exact_frame_ = make_frame<Rational>(field_, frame_.corner, backward_);
-    exact_control_.clear();
-    for (const auto& [a, b] : control_)
-      exact_control_.push_back({to_rational(a), to_rational(b)});
-    exact_products_.compute(exact_control_, exact_frame_.*forms);
-    return std::all_of(exact_products_.sums().begin(), exact_products_.sums().end(),
-                       [&](const Rational& x) { return wanted * x > 0; });
+    return exact_signs_.have(control_, form(exact_frame_), wanted);
   }
 
   const Field& field_;
@@ -273,9 +210,12 @@ class ArcMaker {
   double norm_ = 0;
   std::vector<Point<Number>> control_;
   std::vector<Number> series_;
+  Binomials<Number> binomials_;
   Products<Number> products_;
-  std::vector<Point<Rational>> exact_control_;
-  Products<Rational> exact_products_;
+  Frame<Big> wide_frame_;
+  std::vector<Point<Big>> wide_control_;
+  Products<Big> wide_products_;
+  ExactSigns exact_signs_;
   const char* failure_ = nullptr;
   std::uint64_t pieces_ = 0, exact_ = 0;
 };
