@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/vector_fields.hpp"
+
+#include "algorithms/vector_fields/boundary.hpp"
+#include "algorithms/vector_fields/sectors.hpp"
+#include "algorithms/vector_fields/starts.hpp"
+#include "algorithms/vector_fields/trace.hpp"
+
+namespace crest::vector_fields {
+
+namespace {
+
+Separatrix separatrix_of(const Trace& t, Vec2 from) {
+  Separatrix s;
+  s.forward = t.start.forward;
+  s.from_switch_point = t.start.from_switch_point;
+  s.origin = t.start.origin;
+  s.end = t.end;
+  s.target = t.target;
+  s.reason = t.reason;
+  s.bits = t.setting.bits;
+  s.width = t.width;
+  s.crossings = static_cast<Index>(t.turns.size());
+  s.line.push_back(from);
+  s.line.insert(s.line.end(), t.line.begin(), t.line.end());
+  return s;
+}
+
+}  // namespace
+
+Skeleton extract_skeleton(const PlanarField& field) {
+  const Domain domain(field);
+  std::vector<ZeroComponent> zeros = find_zeros(domain);
+  std::vector<FanPortrait> portraits;
+  classify_fans(domain, zeros, portraits);
+  const Boundary boundary = examine_boundary(domain);
+  Skeleton result;
+  result.euler_characteristic = domain.euler_characteristic();
+  result.components = domain.components();
+  result.zero_triangles = domain.zero_triangles();
+  result.zero_regions = domain.zero_regions();
+  result.zero_edges = domain.zero_edges();
+  for (const ZeroComponent& z : zeros) {
+    result.critical_points.push_back(z.item);
+    if (z.item.index) result.index_sum += *z.item.index;
+  }
+  result.winding_sum = winding_around(domain, boundary, zeros);
+  result.switch_points = boundary.switch_points;
+  result.loops = boundary.loops;
+  const auto traps = make_traps(domain, zeros);
+  const Surroundings around{domain, boundary, zeros, traps};
+  std::vector<Annulus> annuli;
+  for (const Start& start : find_starts(domain, zeros, portraits, boundary)) {
+    const Trace t = trace(around, start, annuli);
+    const Vec2 from = start.from_switch_point ? boundary.switch_points[start.origin].point
+                                              : zeros[start.origin].item.point;
+    Separatrix& s = result.separatrices.emplace_back(separatrix_of(t, from));
+    if (s.end == EndKind::critical_point) s.line.push_back(zeros[s.target].item.point);
+    result.counts.crossings += s.crossings;
+    if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];
+  }
+  for (Annulus& a : annuli) result.orbits.push_back({a.forward, std::move(a.line)});
+  return result;
+}
+
+}  // namespace crest::vector_fields
