@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Numbers of any precision, rounded to nearest: what double is at 53 bits. Their precision is the
+// thread's at the time they are made.
+#include <mpfr.h>
+
+#include <cmath>
+#include <utility>
+
+#include "kernel/arithmetic/rational.hpp"
+
+namespace crest::certify::skeleton {
+
+class Big {
+ public:
+  Big() : Big(0.0) {}
+  Big(double x) {  // NOLINT: numbers convert; exact from 53 bits on
+    mpfr_init2(x_, bits);
+    mpfr_set_d(x_, x, MPFR_RNDN);
+  }
+  Big(const Big& o) {
+    mpfr_init2(x_, mpfr_get_prec(o.x_));
+    mpfr_set(x_, o.x_, MPFR_RNDN);
+  }
+  Big(Big&& o) noexcept : Big() { mpfr_swap(x_, o.x_); }
+  Big& operator=(Big o) noexcept {
+    mpfr_swap(x_, o.x_);
+    return *this;
+  }
+  ~Big() { mpfr_clear(x_); }
+
+  friend Big operator+(const Big& a, const Big& b) { return made(mpfr_add, a, b); }
+  friend Big operator-(const Big& a, const Big& b) { return made(mpfr_sub, a, b); }
+  friend Big operator*(const Big& a, const Big& b) { return made(mpfr_mul, a, b); }
+  friend Big operator/(const Big& a, const Big& b) { return made(mpfr_div, a, b); }
+  Big operator-() const { return Big(0.0) - *this; }
+  friend bool operator<(const Big& a, const Big& b) { return mpfr_less_p(a.x_, b.x_) != 0; }
+  friend bool operator>(const Big& a, const Big& b) { return b < a; }
+  friend bool operator<=(const Big& a, const Big& b) { return mpfr_lessequal_p(a.x_, b.x_) != 0; }
+  friend bool operator==(const Big& a, const Big& b) { return mpfr_equal_p(a.x_, b.x_) != 0; }
+
+  friend double to_double(const Big& a) { return mpfr_get_d(a.x_, MPFR_RNDN); }
+  friend kernel::Rational to_rational(const Big& a) {
+    kernel::Rational q;
+    mpfr_get_q(q.backend().data(), a.x_);
+    return q;
+  }
+  friend bool is_finite(const Big& a) { return mpfr_number_p(a.x_) != 0; }
+  /// 2^-k.
+  static Big power_of_half(int k) {
+    Big one(1.0);
+    mpfr_div_2si(one.x_, one.x_, k, MPFR_RNDN);
+    return one;
+  }
+
+  static thread_local mpfr_prec_t bits;
+
+ private:
+  template <class Operation>
+  static Big made(Operation operation, const Big& a, const Big& b) {
+    Big result;
+    operation(result.x_, a.x_, b.x_, MPFR_RNDN);
+    return result;
+  }
+  mpfr_t x_;
+};
+inline thread_local mpfr_prec_t Big::bits = 133;
+
+// The same of doubles.
+inline double to_double(double x) {
+  return x;
+}
+inline kernel::Rational to_rational(double x) {
+  return kernel::Rational(x);
+}
+inline bool is_finite(double x) {
+  return std::isfinite(x);
+}
+
+template <class Number>
+Number power_of_half(int k) {
+  if constexpr (std::is_same_v<Number, double>)
+    return std::ldexp(1.0, -k);
+  else
+    return Number::power_of_half(k);
+}
+/// Half the distance from 1 to the next number.
+template <class Number>
+double unit_roundoff() {
+  if constexpr (std::is_same_v<Number, double>)
+    return 0x1p-53;
+  else
+    return std::ldexp(1.0, -static_cast<int>(Number::bits));
+}
+
+}  // namespace crest::certify::skeleton

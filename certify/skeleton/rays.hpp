@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which separatrix of its zero or switch point a listed line is: none is missing, none twice.
+#include "certify/skeleton/straight.hpp"
+
+namespace crest::certify::skeleton {
+
+/// Of a leg of kind ray. Throws Reject unless its segment lies across from the zero in a triangle.
+RaySigns ray_signs(const Context& context, const SkeletonLeg& leg, const Component& zero);
+
+/// The name of a line among those of its origin: a ray of a vertex or edge, or the side (root 0)
+/// or vertex (root 3, a fan) through which a saddle's ray leaves its triangle.
+Ray ray_name(const Context& context, const SkeletonLeg& leg, const Component& zero,
+             const RaySigns& signs, bool backward);
+Ray ray_name(const Context& context, const StraightWalk& walk, const Component& zero,
+             bool backward);
+
+/// What a line claims of its origin: known iff it has legs.
+struct Claimed {
+  SkeletonOrigin origin;
+  u32 from;
+  bool backward, known;
+  Ray ray;
+};
+
+/// Throws Reject unless the lines are all separatrices of saddles, inside switch points and inner
+/// zeros on vertices and edges, each once; and no lines of other points off the boundary.
+void check_completeness(const Context& context, std::vector<Claimed> lines);
+
+}  // namespace crest::certify::skeleton

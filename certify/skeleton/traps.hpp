@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Neighbourhoods of a sink that nobody leaves (of a source: of -v) (SPEC.md, step 4).
+#include <map>
+
+#include "certify/skeleton/frame.hpp"
+#include "certify/skeleton/zeros.hpp"
+
+namespace crest::certify::skeleton {
+
+class Trap {
+ public:
+  /// Throws Reject unless it is one. Cost: rationals, a few dozen a point.
+  Trap(const Field& field, const Domain& domain, const ZeroSet& zeros, const SkeletonTrap& stated);
+
+  bool backward() const { return backward_; }
+  /// Whether two points of the triangle of `corner`, in its frame, are inside together with the
+  /// segment between them.
+  bool holds(u32 corner, const Point<Rational>& p, const Point<Rational>& q) const;
+  /// A guess for one point.
+  bool seems_to_hold(u32 corner, const Point<double>& p) const;
+
+ private:
+  /// A part of the polygon: the triangle z, from, to in the frame of its corner at z.
+  struct Part {
+    u32 corner;
+    Point<Rational> from, to;
+  };
+  void check_ellipse(const Field& field, const SkeletonTrap& stated, u32 triangle);
+  void check_star(const Field& field, const Domain& domain, const Component& zero,
+                  const SkeletonTrap& stated);
+  void check_part(const Field& field, const Part& part, u32 zero) const;
+  /// The part that holds a point, or kNone. Cost: logarithmic.
+  std::size_t part_of(u32 corner, const Point<Rational>& p) const;
+
+  bool backward_ = false;
+  u32 triangle_ = kNone;          ///< of the ellipse
+  Point<Rational> centre_{};      ///< in the frame of corner 0
+  std::array<Rational, 3> form_;
+  std::array<double, 5> rounded_{};  ///< centre, form
+  std::vector<Part> parts_;  ///< counter-clockwise
+  std::map<u32, std::array<std::size_t, 2>> parts_of_;  ///< of a triangle: from, to
+};
+
+/// The same point in the frame of another corner of the triangle.
+template <class Number>
+Point<Number> reframed(const Point<Number>& p, u32 from, u32 to) {
+  if (from == to) return p;
+  const Number o = (Number(1.0) - p.a) - p.b;
+  return to == next_corner(from) ? Point<Number>{p.b, o} : Point<Number>{o, p.a};
+}
+
+}  // namespace crest::certify::skeleton
