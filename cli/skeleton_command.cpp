@@ -5,7 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "algorithms/vector_fields/vector_fields.hpp"
+#include "algorithms/vector_fields/certificate.hpp"
+#include "certify/certificate.hpp"
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "io/read/planar_field_reader.hpp"
@@ -26,12 +27,19 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   for (const std::string& warning : file.warnings) run.warn(warning);
   const vector_fields::PlanarField field{std::move(file.points), std::move(file.vectors),
                                          std::move(file.triangles)};
+  certify::SkeletonCertificate record;
   const auto skeleton = run.step("skeleton", "skeleton of '" + file.field + "'", [&] {
-    return run.with_input([&] { return vector_fields::extract_skeleton(field); });
+    return run.with_input([&] { return vector_fields::extract_skeleton(field, record); });
   });
   run.report()["vectors"] = file.field;
   report_skeleton(run.report(), field, skeleton);
-  const io::SkeletonScene scene{&field, &skeleton};
+  io::SkeletonScene scene{&field, &skeleton};
+  if (run.wanted("--certificate"))
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(record);
+      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      run.write_certificate("skeleton", bytes, undecided_count(skeleton));
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_skeleton(path, scene); });
   });
@@ -64,7 +72,7 @@ const Command skeleton_command = {
     "skeleton",
     "zeros, switch points, separatrices and closed orbits of a plane vector field",
     add,
-    {"crest skeleton lattice.vtu -o skeleton.vtp --report report.json",
+    {"crest skeleton lattice.vtu -o skeleton.vtp --certificate skeleton.crest",
      "crest skeleton twin-bodden.vtu --vectors flow -o bodden.vtp"}};
 
 }  // namespace crest::cli

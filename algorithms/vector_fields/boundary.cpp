@@ -69,30 +69,34 @@ class LoopWalk {
       bool wall = false;
       for (const EdgeEnd& e : ends_) wall = wall || e.zero;
       ++(wall ? out_.zero : out_.tangent);
+      ++regions_;
       return out_;
     }
     const std::size_t first_switch = result_.switch_points.size();
-    const Index first_region = regions_;
-    Index region = first_region;
+    Index events = 0;
     count_region(ends_[start].across, 1);
-    set_region(start, region);
+    std::vector<std::pair<std::size_t, Index>> events_before = {{start, 0}};
     std::size_t last = start;
     for (std::size_t at = start + 1; at < start + n; ++at) {
       const Sign across = ends_[at % n].across;
       if (across == Sign::zero) continue;
       if (separates(last, at)) {
-        ++region;
+        ++events;
         count_region(across, 1);
       }
-      set_region(at % n, region);
+      events_before.push_back({at % n, events});
       last = at;
     }
     // The last run joins the first unless something lies between.
-    regions_ = region + 1;
-    if (!separates(last, start + n) && region != first_region) {
-      merge(region, first_region);
+    if (separates(last, start + n))
+      ++events;
+    else if (events > 0)
       count_region(ends_[start].across, -1);
-    }
+    // Region r follows event r; the loop's start lies in the last one.
+    const Index count = std::max<Index>(events, 1);
+    for (const auto& [end, before] : events_before)
+      set_region(end, regions_ + (before + count - 1) % count);
+    regions_ += count;
     std::sort(result_.switch_points.begin() + static_cast<std::ptrdiff_t>(first_switch),
               result_.switch_points.end(), [&](const SwitchPoint& a, const SwitchPoint& b) {
                 return place_of(a) < place_of(b);
@@ -126,15 +130,6 @@ class LoopWalk {
     EdgeRegions& r = result_.regions[loop_[end / 2]];
     (end % 2 == 0 ? r.at_from : r.at_to) = region;
   }
-  void merge(Index from, Index to) {
-    if (from == to) return;
-    for (const HalfEdge h : loop_) {
-      EdgeRegions& r = result_.regions[h];
-      if (r.at_from == from) r.at_from = to;
-      if (r.at_to == from) r.at_to = to;
-    }
-  }
-
   /// Looks between two ends whose flow across is not zero, all between them being zero: whether a
   /// region ends there; a switch point is added. Ends count on around the loop.
   bool separates(std::size_t a, std::size_t b) {
@@ -167,7 +162,7 @@ class LoopWalk {
   SwitchPoint& add(HalfEdge h, Sign after) {
     SwitchPoint& s = result_.switch_points.emplace_back();
     s.loop = number_;
-    s.edge = s.last_edge = h;
+    s.edge = s.last_edge = s.side = h;
     s.point = domain_.point(domain_.from(h));
     s.inflow_after = after == Sign::positive;
     return s;
@@ -195,7 +190,7 @@ class LoopWalk {
   }
   void add_corner(std::size_t i, std::size_t j, Sign after) {
     SwitchPoint& s = add(loop_[j], after);
-    s.last_edge = loop_[i];
+    s.last_edge = s.side = loop_[i];
     s.at_vertex = s.corner = true;
     s.inside = corner(i, j) == Sign::negative;
     note(s);
@@ -208,15 +203,16 @@ class LoopWalk {
     const std::size_t i = (first + 1) / 2 % edges, j = (last + 1) / 2 % edges;
     SwitchPoint& s = add(loop_[i], after);
     s.last_edge = loop_[(j + edges - 1) % edges];
-    s.at_vertex = true;
+    s.side = loop_[(first - 1) % n / 2];
+    s.at_vertex = s.tangent = true;
     s.corner = corner((i + edges - 1) % edges, i) != Sign::zero ||
                corner((j + edges - 1) % edges, j) != Sign::zero;
     s.inside = along(first % n) == after;
     note(s);
   }
   std::size_t place_of(const SwitchPoint& s) const {
-    const auto at = std::find(loop_.begin(), loop_.end(), s.edge) - loop_.begin();
-    return 2 * static_cast<std::size_t>(at) + (s.at_vertex ? 0 : 1);
+    const auto at = std::find(loop_.begin(), loop_.end(), s.side) - loop_.begin();
+    return 2 * static_cast<std::size_t>(at) + (s.at_vertex ? 1 : 0);
   }
 
   const Domain& domain_;

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/vector_fields/sectors.hpp"
 
-#include "kernel/arithmetic/rational.hpp"
+#include "algorithms/vector_fields/exact.hpp"
 
 namespace crest::vector_fields {
 
 using kernel::cross;
 using kernel::dot;
-using kernel::Rational;
 using kernel::operator-;
 using kernel::operator*;
 using kernel::operator+;
 
 namespace {
 
-using Exact = kernel::Vector2<Rational>;
-
-Exact exact(const Vec2& a) {
-  return {Rational(a[0]), Rational(a[1])};
-}
 int sign(const Rational& x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
@@ -26,6 +20,8 @@ int sign(const Rational& x) {
 /// Directions of the fan's edges from the apex, and the field there.
 struct Star {
   std::vector<Exact> r, v;
+  std::vector<HalfEdge> edges;   ///< at a vertex: those of the fan, by a half-edge that leaves it
+  std::vector<HalfEdge> across;  ///< of each cone the side that faces the apex
   bool closed = true;
   std::size_t cones() const { return closed ? r.size() : r.size() - 1; }
 };
@@ -39,8 +35,15 @@ Star star_at_vertex(const Domain& domain, HalfEdge place) {
     star.r.push_back(exact(domain.point(w)) - apex);
     star.v.push_back(exact(domain.vector(w)));
   };
-  for (const HalfEdge h : fan.leaving) add(domain.to(h));
-  if (!fan.closed) add(domain.from(Domain::previous(fan.leaving.back())));
+  for (const HalfEdge h : fan.leaving) {
+    add(domain.to(h));
+    star.across.push_back(Domain::next(h));
+    star.edges.push_back(h);
+  }
+  if (!fan.closed) {
+    add(domain.from(Domain::previous(fan.leaving.back())));
+    star.edges.push_back(fan.leaving.back());
+  }
   return star;
 }
 
@@ -61,7 +64,12 @@ Star star_on_edge(const Domain& domain, HalfEdge place) {
   add(a);
   const HalfEdge twin = domain.twin(place);
   star.closed = twin != kNone;
-  if (star.closed) add(domain.from(Domain::previous(twin)));
+  star.across = {Domain::next(place), Domain::previous(place)};
+  if (star.closed) {
+    add(domain.from(Domain::previous(twin)));
+    star.across.push_back(Domain::next(twin));
+    star.across.push_back(Domain::previous(twin));
+  }
   return star;
 }
 
@@ -99,6 +107,8 @@ class Portrait {
       if (k < forms_.size()) inner_rays(k);
     }
     const std::size_t m = rays_.size();
+    for (TurningRay& r : rays_)
+      if (r.ray.on_edge) r.ray.edge = star_.edges.empty() ? kNone : star_.edges[r.ray.cone];
     for (std::size_t i = 0; i + (star_.closed ? 0 : 1) < m; ++i)
       sector(i, (i + 1) % m, result.sectors);
     if (!star_.closed && m > 0) half_fans();
@@ -116,6 +126,7 @@ class Portrait {
     r.ray.cone = k;
     r.ray.on_edge = true;
     r.ray.out = mu > 0;
+    r.ray.direction = as_doubles(star_.r[k]);
     const bool first = !star_.closed && k == 0, last = !star_.closed && k + 1 == n_;
     if (!last) r.after = forms_[k].near();
     if (!first) r.before = forms_[(k + n_ - 1) % n_].far();
@@ -128,19 +139,23 @@ class Portrait {
       if (sign(f.a) * sign(f.b) < 0) add(k, -f.a / f.b, f.near(), f.far(), true);
       return;
     }
-    const Rational turn = -f.b / (2 * f.c), discriminant = f.b * f.b - 4 * f.a * f.c;
     if (sign(f.a) == 0) {
       if (sign(f.b) * sign(f.c) < 0) add(k, -f.b / f.c, f.near(), f.far(), true);
-    } else if (sign(f.a) * sign(f.c) < 0) {
+      return;
+    }
+    const Rational turn = -f.b / (2 * f.c), discriminant = f.b * f.b - 4 * f.a * f.c;
+    if (discriminant == 0 && turn > 0) add(k, turn, f.near(), f.far(), true);
+    if (discriminant <= 0) return;
+    const int outer = sign(f.c);  // the form's sign beyond its roots
+    if (const auto root = square_root(discriminant)) {
+      const Rational half = *root / (2 * abs(f.c));
+      if (turn - half > 0) add(k, turn - half, outer, -outer, true);
+      if (turn + half > 0) add(k, turn + half, -outer, outer, true);
+    } else if (sign(f.a) * outer < 0) {
       isolate(k, 0, {}, f.near(), f.far());
-    } else if (turn > 0 && discriminant >= 0) {
-      if (discriminant == 0) {
-        add(k, turn, f.near(), f.far(), true);
-        rays_.back().ray.exists_twice = true;
-      } else {
-        isolate(k, 0, turn, f.near(), -f.near());
-        isolate(k, turn, {}, -f.near(), f.far());
-      }
+    } else if (turn > 0) {
+      isolate(k, 0, turn, outer, -outer);
+      isolate(k, turn, {}, -outer, outer);
     }
   }
 
@@ -166,11 +181,13 @@ class Portrait {
     }
   }
 
-  void add(std::size_t k, const Rational& t, int before, int after, bool) {
+  void add(std::size_t k, const Rational& t, int before, int after, bool exactly) {
     TurningRay r;
     r.ray.cone = k;
     r.ray.ratio = static_cast<double>(t);
+    r.ray.side = star_.across[k];
     const std::size_t m = (k + 1) % n_;
+    if (exactly) r.ray.direction = as_doubles(star_.r[k] + t * star_.r[m]);
     r.ray.out = sign(cross(star_.r[k], star_.v[k]) + t * cross(star_.r[k], star_.v[m])) > 0;
     r.before = before;
     r.after = after;

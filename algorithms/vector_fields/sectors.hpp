@@ -17,11 +17,15 @@ namespace crest::vector_fields {
 /// A ray in the cone that starts at a half-edge (of a zero vertex: leaving it).
 struct Ray {
   std::size_t cone = 0;
-  bool on_edge = false;       ///< along the cone's first edge
-  bool exists_twice = false;  ///< a double root: the flow turns the same way on both sides
-  double ratio = 0;           ///< second over first coefficient, inside a cone
+  bool on_edge = false;  ///< along the cone's first edge
+  double ratio = 0;      ///< second over first coefficient, inside a cone
   bool out = false;
   bool separatrix = false;  ///< forward if out, else backward
+  /// The side across from the zero that the ray meets, of a ray inside a cone.
+  HalfEdge side = kNone;
+  /// Its direction, if two doubles hold it exactly.
+  std::optional<Vec2> direction = {};
+  HalfEdge edge = kNone;  ///< on an edge, at a vertex: a half-edge of the fan that leaves it
 };
 
 struct FanPortrait {

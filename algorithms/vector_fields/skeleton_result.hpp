@@ -39,7 +39,9 @@ struct SwitchPoint {
   bool inflow_after = false;  ///< along the loop, the domain at the left
   Index edge = 0;             ///< 3 t + k: the edge, or the one that leaves the run's first vertex
   bool at_vertex = false;
-  Index last_edge = 0;  ///< of a tangent run: the edge that arrives at its last vertex
+  bool tangent = false;  ///< v is tangent there
+  Index last_edge = 0;  ///< at a vertex: the edge that arrives at the (last) one
+  Index side = 0;       ///< the edge that holds the last sign before it
 };
 
 struct BoundaryLoop {

@@ -12,13 +12,22 @@ namespace crest::vector_fields {
 std::vector<Start> find_starts(const Domain& domain, const std::vector<ZeroComponent>& zeros,
                                const std::vector<FanPortrait>& portraits, const Boundary& boundary);
 
-/// A number as an exact sum of doubles.
+/// How the line through a vertex where the field is not zero goes on; `kind` none: along an edge.
+Start start_at_vertex(const Domain& domain, const Fan& fan, bool forward);
+
+/// The direction of a ray of a saddle inside a triangle, if two doubles hold it exactly.
+std::optional<Vec2> exact_direction(const Domain& domain, const Start& ray);
+
+/// A number as a sum of doubles, of at most so many; exactly, if it has no more bits and no double
+/// underflows.
 template <class Real>
-Expansion expand(Real x) {
+Expansion expand(Real x, std::size_t most = 40) {
   Expansion sum;
-  while (x != 0) {
-    sum.push_back(static_cast<double>(x));
-    x -= sum.back();
+  while (x != 0 && sum.size() < most) {
+    const double next = static_cast<double>(x);
+    if (next == 0 || !std::isfinite(next)) break;
+    sum.push_back(next);
+    x -= next;
   }
   if (sum.empty()) sum.push_back(0);
   return sum;

@@ -6,6 +6,7 @@
 #include "algorithms/vector_fields/corridor.hpp"
 #include "algorithms/vector_fields/reals.hpp"
 #include "algorithms/vector_fields/starts.hpp"
+#include "algorithms/vector_fields/straight.hpp"
 
 namespace crest::vector_fields {
 
@@ -34,9 +35,14 @@ class Follower {
         annuli_(annuli) {}
 
   /// Whether it ends by name.
-  bool follow(const Start& start, Trace& trace) {
+  bool follow(const Start& line, Trace& trace) {
     trace = {};
-    trace.start = start;
+    trace.start = trace.leg = line;
+    return follow_leg(trace);
+  }
+  /// The same from `trace.leg` on.
+  bool follow_leg(Trace& trace) {
+    const Start start = trace.leg;
     trace.setting = maker_.setting();
     CellResult<Real> cell = begin(maker_, start, trace, trap_in(start.place / 3, start.forward));
     const bool inner = start.kind == StartKind::along;  // whose first triangle counts as a turn
@@ -206,15 +212,36 @@ class Follower {
 
 }  // namespace
 
+/// At one precision after the other, until one suffices. `straight`: the line's first part, or none.
+template <class Real>
+bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
+               const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
+  Follower<Real> follower(around, setting, annuli);
+  if (!straight.straight) return follower.follow(start, result);
+  result = straight;
+  return follower.follow_leg(result);
+}
+
 Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli) {
-  Trace result;
+  Trace result, straight;
   result.start = start;
   result.reason = OpenReason::vertex_hit;
-  if (start.kind == StartKind::none) return result;
-  if (Follower<double>(around, kDoubles, annuli).follow(start, result)) return result;
-  if (Follower<Real133>(around, {133, 90, 24, 0}, annuli).follow(start, result)) return result;
-  if (Follower<Real332>(around, {332, 240, 50, 0}, annuli).follow(start, result)) return result;
-  Follower<Real1000>(around, {1000, 720, 120, 0}, annuli).follow(start, result);
+  if (start.kind != StartKind::none && Follower<double>(around, kDoubles, annuli).follow(start, result))
+    return result;
+  Start exact_start = start;
+  if (start.kind == StartKind::ray)
+    exact_start.direction = exact_direction(around.domain, start);
+  if (exact_start.direction) {
+    walk_straight(around, exact_start, straight);
+    if (straight.end != EndKind::undecided) return straight;
+    if (straight.leg.kind == StartKind::none) straight.straight.reset();
+  }
+  if (start.kind == StartKind::none && !straight.straight) return result;
+  const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
+    return follow_at<Real>(around, setting, start, straight, annuli, result);
+  };
+  (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
+      at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});
   return result;
 }
 

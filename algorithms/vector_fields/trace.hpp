@@ -14,7 +14,7 @@ namespace crest::vector_fields {
 /// Sums of doubles, which hold numbers of more bits exactly.
 using Expansion = std::vector<double>;
 
-enum class StartKind : std::uint8_t { ray, point, along, none };
+enum class StartKind : std::uint8_t { ray, fan_ray, point, along, none };
 
 /// What a separatrix starts from, whatever the precision.
 struct Start {
@@ -22,17 +22,30 @@ struct Start {
   bool forward = true;
   bool from_switch_point = false;
   Index origin = 0;
-  /// ray: the zero's triangle, 3 t. point: the half-edge that leaves the vertex with the line at
+  /// ray of a saddle in a triangle: 3 t; fan_ray: the side that it meets. point: the half-edge that leaves the vertex with the line at
   /// its left. along: the side at which it starts.
   HalfEdge place = kNone;
   int sense = 1;  ///< ray: which of the two; along: 1 towards the head, -1 towards the tail
   int at = 0;     ///< along: 0 inside the side, -1 at its tail, 1 at its head
+  double share = 0;  ///< fan_ray: where on the side, nearly; 0 at its tail, 1 at its head
+  /// Where the line is straight at first, its direction, and a half-edge that leaves its vertex.
+  std::optional<Vec2> direction = {};
+  HalfEdge vertex = kNone;
+};
+
+/// The first part of a line, straight; through so many triangles or along so many edges.
+struct StraightPart {
+  Vec2 direction;
+  HalfEdge vertex = kNone;
+  Index elements = 0;
 };
 
 /// One separatrix as it was proven.
 struct Trace {
   Start start;
   BarrierSetting setting;
+  std::optional<StraightPart> straight = {};
+  Start leg;  ///< how the corridor starts: as the line, or where it stops being straight
   HalfEdge first_side = kNone;  ///< ray: the side by which the zero's triangle is left
   Expansion first, second;      ///< as a certificate's leg has them
   Expansion second_height;      ///< along: of the inner start

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/vector_fields/vector_fields.hpp"
 
-#include "algorithms/vector_fields/boundary.hpp"
-#include "algorithms/vector_fields/sectors.hpp"
+#include "algorithms/vector_fields/analysis.hpp"
 #include "algorithms/vector_fields/starts.hpp"
-#include "algorithms/vector_fields/trace.hpp"
 
 namespace crest::vector_fields {
 
@@ -28,12 +26,17 @@ Separatrix separatrix_of(const Trace& t, Vec2 from) {
 
 }  // namespace
 
-Skeleton extract_skeleton(const PlanarField& field) {
-  const Domain domain(field);
-  std::vector<ZeroComponent> zeros = find_zeros(domain);
-  std::vector<FanPortrait> portraits;
+Analysis::Analysis(const PlanarField& field) : domain(field) {
+  zeros = find_zeros(domain);
   classify_fans(domain, zeros, portraits);
-  const Boundary boundary = examine_boundary(domain);
+  boundary = examine_boundary(domain);
+  traps = make_traps(domain, zeros);
+  const Surroundings around{domain, boundary, zeros, traps};
+  for (const Start& start : find_starts(domain, zeros, portraits, boundary))
+    traces.push_back(trace(around, start, annuli));
+}
+
+Skeleton Analysis::skeleton() const {
   Skeleton result;
   result.euler_characteristic = domain.euler_characteristic();
   result.components = domain.components();
@@ -47,20 +50,20 @@ Skeleton extract_skeleton(const PlanarField& field) {
   result.winding_sum = winding_around(domain, boundary, zeros);
   result.switch_points = boundary.switch_points;
   result.loops = boundary.loops;
-  const auto traps = make_traps(domain, zeros);
-  const Surroundings around{domain, boundary, zeros, traps};
-  std::vector<Annulus> annuli;
-  for (const Start& start : find_starts(domain, zeros, portraits, boundary)) {
-    const Trace t = trace(around, start, annuli);
-    const Vec2 from = start.from_switch_point ? boundary.switch_points[start.origin].point
-                                              : zeros[start.origin].item.point;
+  for (const Trace& t : traces) {
+    const Vec2 from = t.start.from_switch_point ? boundary.switch_points[t.start.origin].point
+                                                : zeros[t.start.origin].item.point;
     Separatrix& s = result.separatrices.emplace_back(separatrix_of(t, from));
     if (s.end == EndKind::critical_point) s.line.push_back(zeros[s.target].item.point);
     result.counts.crossings += s.crossings;
     if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];
   }
-  for (Annulus& a : annuli) result.orbits.push_back({a.forward, std::move(a.line)});
+  for (const Annulus& a : annuli) result.orbits.push_back({a.forward, a.line});
   return result;
+}
+
+Skeleton extract_skeleton(const PlanarField& field) {
+  return Analysis(field).skeleton();
 }
 
 }  // namespace crest::vector_fields
