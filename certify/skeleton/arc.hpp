@@ -3,6 +3,7 @@
 
 // Barriers: paths of Bezier pieces in a triangle that flow crosses one way only. How they are made
 // proves nothing; what is checked of the rounded control points is exact (SPEC.md, "Barriers").
+#include <atomic>
 #include <vector>
 
 #include "certify/skeleton/frame.hpp"
@@ -55,7 +56,9 @@ class Products {
 template <class Number>
 class ArcMaker {
  public:
-  ArcMaker(const Field& field, bool backward) : field_(field), backward_(backward) {}
+  /// `extra`: pieces beyond 64 a path are taken from it.
+  ArcMaker(const Field& field, bool backward, std::atomic<std::int64_t>& extra)
+      : field_(field), backward_(backward), extra_(extra) {}
 
   struct Task {
     u32 corner;              ///< of the frame
@@ -71,8 +74,8 @@ class ArcMaker {
   const char* run(const Task& task, const Trapped& trapped, Point<Number>& end) {
     prepare(task);
     Point<Number> at = task.start;
-    const int most = task.exit < 0 ? 4096 : 64;
-    for (int pieces = 0; pieces < most; ++pieces) {
+    for (int pieces = 0; pieces < 4096; ++pieces) {
+      if (pieces >= 64 && extra_.fetch_sub(std::is_same_v<Number, double> ? 1 : 64) < 64) break;
       const bool last = make_piece(task, at);
       if (failure_ != nullptr) return failure_;
       if (!inside(last ? task.exit : -1)) return "a barrier is not inside the triangle";
@@ -263,6 +266,7 @@ class ArcMaker {
 
   const Field& field_;
   bool backward_;
+  std::atomic<std::int64_t>& extra_;
   Frame<Number> frame_;
   Frame<Rational> exact_frame_;
   std::array<Point<Number>, 3> w_;  ///< turned field: at o, and its differences

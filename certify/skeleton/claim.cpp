@@ -161,8 +161,8 @@ void verify_skeleton(std::span<const std::uint8_t> data, std::span<const std::ui
   prove(verdict, "boundary: {} loops, {} switch points; the indices sum to {}, the winding",
         boundary.loops.size(), boundary.switches.size(), indices);
   verdict.signs = sign.counts();
-  std::atomic<std::int64_t> straight_left{static_cast<std::int64_t>(16 * field.corners() + 1024)};
-  check_lines(c, {c, field, domain, zeros, boundary, straight_left}, options.arithmetic, verdict);
+  Budget budget{static_cast<std::int64_t>(16 * field.corners() + 1024), std::int64_t{1} << 20U};
+  check_lines(c, {c, field, domain, zeros, boundary, budget}, options.arithmetic, verdict);
 }
 
 }  // namespace

@@ -86,11 +86,11 @@ void Corridor<Number>::follow(const std::vector<Turn>& turns, const SkeletonBarr
     const bool other = next < exceptions.size() && exceptions[next].step == i;
     const SkeletonBarrier& now = other ? exceptions[next++].barrier : barrier;
     const u32 exit = exit_of(at_.side, turns[i]);
-    if (along_)
-      cross(along_starts_[0], along_starts_[1], exit, now);
+    if (starting_)
+      cross(starts_[0], starts_[1], exit, now);
     else
       cross(on_side(at_.side, at_.left), on_side(at_.side, at_.right), exit, now);
-    along_ = false;
+    starting_ = false;
   }
 }
 
@@ -109,7 +109,7 @@ void Corridor<Number>::end_in_region(u32 region) const {
 
 template <class Number>
 void Corridor<Number>::end_in_segment(const Segment<Number>& other, bool strictly) const {
-  need(!at_boundary_ && at_.side == other.side, "does not reach the orbit's segment",
+  need(!at_boundary_ && !starting_ && at_.side == other.side, "does not reach the orbit's segment",
        at_.side / 3);
   // Seen from the triangle entered, left is nearer to the tail.
   const bool inside = strictly
@@ -120,7 +120,7 @@ void Corridor<Number>::end_in_segment(const Segment<Number>& other, bool strictl
 
 template <class Number>
 void Corridor<Number>::end_in_wall(u32 component) const {
-  need(!at_boundary_, "ends at the boundary", at_.side / 3);
+  need(!at_boundary_ && !starting_, "ends at the boundary", at_.side / 3);
   const Field& field = context_.field;
   const u32 t = at_.side / 3;
   need(context_.zeros.of_triangle[t] == component, "not at the zero that is stated", t);

@@ -17,6 +17,12 @@ struct RaySigns {
   int left, right;
 };
 
+/// What all lines together may still spend: else a short file could cost much.
+struct Budget {
+  std::atomic<std::int64_t> corners;  ///< that straight lines look at
+  std::atomic<std::int64_t> pieces;   ///< of paths, beyond 64 each
+};
+
 /// All that is known before lines are followed.
 struct Context {
   const SkeletonCertificate& stated;
@@ -24,8 +30,7 @@ struct Context {
   const Domain& domain;
   const ZeroSet& zeros;
   const Boundary& boundary;
-  /// Corners that straight lines may still look at: else a short file could cost much.
-  std::atomic<std::int64_t>& straight_left;
+  Budget& budget;
 };
 
 /// How much was done.
@@ -94,8 +99,8 @@ class Corridor {
         sign_(sign),
         backward_(backward),
         name_(std::move(name)),
-        left_(context.field, backward),
-        right_(context.field, backward) {}
+        left_(context.field, backward, context.budget.pieces),
+        right_(context.field, backward, context.budget.pieces) {}
 
   // Starts (SPEC.md, "Legs").
   void start_segment(const Segment<Number>& entered) { at_ = entered; }
@@ -151,8 +156,8 @@ class Corridor {
   Maker left_, right_;
   Segment<Number> at_;
   bool at_boundary_ = false;
-  bool along_ = false;       ///< the next cell starts at along_starts_
-  std::array<Start, 2> along_starts_{};
+  bool starting_ = false;  ///< the next cell starts at starts_
+  std::array<Start, 2> starts_{};
   std::uint64_t cells_ = 0;
 };
 

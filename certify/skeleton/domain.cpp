@@ -16,13 +16,10 @@ void glue_live(const Field& field, Domain& d) {
   d.live.assign(field.triangles(), 0);
   for (u32 c = 0; c < field.corners(); ++c) d.live[c / 3] |= !is_zero(field.vector(c));
   d.at_dead.assign(field.corners(), 0);
-  for (u32 c = 0; c < field.corners(); ++c) {
-    const u32 other = d.twin[c];
-    if (other == kNone) continue;
-    d.at_dead[c] = d.live[other / 3] == 0;
-    if (is_zero(field.vector(c)) && is_zero(field.vector(next_corner(c))))
-      d.twin[c] = d.twin[other] = kNone;
-  }
+  for (u32 c = 0; c < field.corners(); ++c)
+    d.at_dead[c] = d.twin[c] != kNone && d.live[d.twin[c] / 3] == 0;
+  for (u32 c = 0; c < field.corners(); ++c)
+    if (is_zero(field.vector(c)) && is_zero(field.vector(next_corner(c)))) d.twin[c] = kNone;
   for (const u8 live : d.live) d.dead += live == 0;
 }
 
@@ -78,8 +75,11 @@ void check_angles(const Field& field, const Domain& d, SignLadder& sign) {
     }
     const Sign order = compare_angles(sign, p, field.position(next_corner(corners.front())),
                                       field.position(previous_corner(corners.back())));
-    require(order != Sign::zero, "vertex {}: its boundary sides coincide", vertex);
-    require(crossings == (order == Sign::positive), "vertex {}: its triangles overlap", vertex);
+    // A wall that ends at a zero is cut: its fan goes round once.
+    const bool cut = order == Sign::zero && is_zero(field.vector(corners[0]));
+    require(cut || order != Sign::zero, "vertex {}: its boundary sides coincide", vertex);
+    require(crossings == (cut || order == Sign::positive), "vertex {}: its triangles overlap",
+            vertex);
   }
 }
 

@@ -39,7 +39,9 @@ template <class Number>
 void Corridor<Number>::start_point(const SkeletonLeg& leg) {
   need(!is_zero(context_.field.vector(leg.corner)), "starts at a zero", leg.corner / 3);
   const Start start{leg.corner, {Number(0.0), Number(0.0)}};
-  cross(start, start, next_corner(leg.corner), leg.barrier);
+  starts_ = {start, start};
+  at_.side = leg.corner;
+  starting_ = true;
 }
 
 template <class Number>
@@ -90,20 +92,21 @@ void Corridor<Number>::start_along(const SkeletonLeg& leg, u32 vertex) {
     need(dot(step, v_p) > 0 && dot(step, v_x) > 0 && dot(along, v_p) > 0 && dot(along, v_q) > 0,
          "a start turns away from the field", t);
   const Start inside{side, inner}, outside = on_side(side, q);
-  along_starts_ = inner_turn > 0 ? std::array{inside, outside} : std::array{outside, inside};
+  starts_ = inner_turn > 0 ? std::array{inside, outside} : std::array{outside, inside};
   at_.side = side;
-  along_ = true;
+  starting_ = true;
 }
 
 template <class Number>
 void Corridor<Number>::end_in_trap(const Trap& trap, const SkeletonBarrier& barrier) {
   need(!at_boundary_, "ends at the boundary", at_.side / 3);
-  need(!along_, "ends where it begins", at_.side / 3);
   need(trap.backward() == backward_, "ends in a zero of the other kind", at_.side / 3);
   ++cells_;
-  const Start starts[2] = {on_side(at_.side, at_.left), on_side(at_.side, at_.right)};
+  const auto starts = starting_ ? starts_
+                             : std::array{on_side(at_.side, at_.left),
+                                          on_side(at_.side, at_.right)};
   Point<Number> ends[2];
-  for (const int i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     Maker& maker = i == 0 ? left_ : right_;
     const auto trapped = [&](const Point<Number>& p) {
       return trap.seems_to_hold(starts[i].corner, {to_double(p.a), to_double(p.b)});

@@ -28,7 +28,7 @@ Exact velocity(const Field& field, u32 t, const Exact& x) {
 
 void StraightWalk::spend(std::size_t corners) const {
   const auto cost = static_cast<std::int64_t>(corners);
-  if (context_.straight_left.fetch_sub(cost) < cost) throw Reject("too long straight lines");
+  if (context_.budget.corners.fetch_sub(cost) < cost) throw Reject("too long straight lines");
 }
 
 StraightWalk::Element StraightWalk::ahead_of_vertex(u32 corner) const {

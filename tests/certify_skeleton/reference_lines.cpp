@@ -217,7 +217,7 @@ class Tracer {
       leg.first = {signed_distance(p0 + step)};
       leg.second = {p0 + step, height};
       line.legs = {leg};
-      follow_from(line, point.side, {p0 + step, height / 4}, true);
+      follow_from(line, point.side, {p0 + step, height / 4});
     } else {
       // The triangle of the fan into which v points.
       for (u32 c = nx(point.side);;) {
@@ -226,7 +226,7 @@ class Tracer {
           leg.kind = LegKind::point;
           leg.corner = c;
           line.legs = {leg};
-          follow_from(line, c, {0, 0}, false);
+          follow_from(line, c, {0, 0});
           break;
         }
         c = twin_[pv(c)];
@@ -240,7 +240,7 @@ class Tracer {
   }
 
   /// Inside the triangle of a corner at x in its frame.
-  void follow_from(SkeletonSeparatrix& line, u32 corner, const Vec& x, bool turn) {
+  void follow_from(SkeletonSeparatrix& line, u32 corner, const Vec& x) {
     Vec at = x;
     const int exit = leave(corner, line.backward != 0, at);
     if (exit < 0) {
@@ -250,7 +250,7 @@ class Tracer {
     }
     const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
     const u32 side = nx(opposite);
-    if (turn) line.legs[0].turns.push_back(turn_of(corner, side));
+    line.legs[0].turns.push_back(turn_of(corner, side));
     follow(line, side, head_weight(corner, at, side));
   }
   static Turn turn_of(u32 entered, u32 exit) {

@@ -164,7 +164,7 @@ void classify(const Mesh& m, u32 t, SkeletonZero& z) {
 }
 
 /// Sectors by sampling the circle in rational directions between all sign changes would need the
-/// rays; here 4096 directions a cone decide, which is enough for small integers.
+/// rays; here 512 directions a cone decide, which is enough for small integers.
 /// Returns how many rays bound hyperbolic sectors: outwards, inwards.
 std::array<int, 2> sectors(const Mesh& m, const PointSet& s, SkeletonZero& z) {
   struct Ray {
@@ -192,16 +192,25 @@ std::array<int, 2> sectors(const Mesh& m, const PointSet& s, SkeletonZero& z) {
       cones.push_back({pv(c), c});
     }
   }
-  constexpr int kSteps = 4096;
+  constexpr int kSteps = 512;
   std::vector<std::array<int, 2>> samples;  // sign of det(d, v), of d . v
-  for (const auto& [from, to] : cones)
-    for (int k = 0; k < kSteps; ++k) {
-      const Q r = Q(k) / kSteps;
-      const Vec d0 = m.p(from) - at, d1 = m.p(to) - at, v0 = m.w(from), v1 = m.w(to);
+  for (const auto& [from, to] : cones) {
+    const Vec d0 = m.p(from) - at, d1 = m.p(to) - at, v0 = m.w(from), v1 = m.w(to);
+    std::vector<Q> steps;
+    for (int k = 0; k < kSteps; ++k) steps.push_back(Q(k) / kSteps);
+    // No sign changes at a double root: it is a sample.
+    const Q q0 = cross(d0, v0), q1 = cross(d0, v1) + cross(d1, v0), q2 = cross(d1, v1),
+            bend = q0 - q1 + q2;
+    if (bend != 0 && q1 * q1 == 4 * q0 * q2) steps.push_back((2 * q0 - q1) / (2 * bend));
+    std::sort(steps.begin(), steps.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    for (const Q& r : steps) {
+      if (r < 0 || r >= 1) continue;
       const Vec d{d0.x + r * (d1.x - d0.x), d0.y + r * (d1.y - d0.y)},
           v{v0.x + r * (v1.x - v0.x), v0.y + r * (v1.y - v0.y)};
       samples.push_back({sgn(cross(d, v)), sgn(inner(d, v))});
     }
+  }
   // A ray where the sign changes, and where it is zero; in or out by the neighbours' d . v.
   const std::size_t n = samples.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -338,7 +347,7 @@ SkeletonCertificate reference_points(const PlaneField& field) {
   for (const PointSet& s : components(m)) {
     std::array<int, 2> rays{};
     c.zeros.push_back(zero_record(m, s, rays));
-    for (const std::uint8_t backward : {0, 1})
+    for (const std::uint8_t backward : {std::uint8_t{0}, std::uint8_t{1}})
       add_open(c, SkeletonOrigin::zero, c.zeros.size() - 1, backward, rays[backward]);
     if (c.zeros.back().index != kNoIndex) c.index_sum += c.zeros.back().index;
   }
@@ -353,7 +362,7 @@ SkeletonCertificate reference_points(const PlaneField& field) {
     loop_record(m, sides, c);
   }
   for (std::size_t i = 0; i < c.switches.size(); ++i)
-    for (const std::uint8_t backward : {0, 1})
+    for (const std::uint8_t backward : {std::uint8_t{0}, std::uint8_t{1}})
       add_open(c, SkeletonOrigin::switch_point, i, backward, c.switches[i].inside);
   c.ends[4] = static_cast<u32>(c.separatrices.size());
   return c;

@@ -25,7 +25,7 @@ PlaneField grid_field(std::uint32_t nx, std::uint32_t ny, double spacing,
 PlaneField lattice_field(std::uint64_t seed, std::uint32_t m, std::uint32_t n, bool hole);
 
 /// Everything but traps and ways: all separatrices are undecided. Exact, also for fields with ties
-/// (sectors: where rays are 1/4096 of a cone apart).
+/// (sectors: where rays are 1/512 of a cone apart).
 certify::SkeletonCertificate reference_points(const PlaneField& field);
 
 /// All of it; lines that cannot be followed are undecided. Then the lines that the checker refuses
