@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 
 #include "algorithms/vector_fields/certificate.hpp"
@@ -42,6 +43,8 @@ Outcome work(Run& run, const SkeletonOptions& o) {
     });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_skeleton(path, scene); });
+    run.write("--picture",
+              [&](const std::string& path) { io::write_skeleton_picture(path, scene); });
   });
   return {skeleton_summary(skeleton),
           {"roessl2005surfaces"},
@@ -52,13 +55,25 @@ std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<SkeletonOptions>();
   SkeletonOptions& o = *options;
   add_common_options(app, o.common,
-                     "a plane mesh with a vector at each point (.vtu .vtp .vtk .msh)",
+                     "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts, winds .json, "
+                     "velocimetry .txt .vec)",
                      "the skeleton (.vtp)");
   app.add_option("--vectors", o.vectors.field,
                  "the array (default: the only one of 2 or 3 numbers)")
       ->type_name("NAME");
   app.add_flag("--cell-to-point", o.vectors.cell_to_point,
                "take vectors of cells: at a point the mean of those around it");
+  const std::map<std::string, io::Diagonal> diagonals = {{"up", io::Diagonal::up},
+                                                         {"down", io::Diagonal::down},
+                                                         {"short", io::Diagonal::shorter}};
+  app.add_option("--diagonal", o.vectors.diagonal,
+                 "of grids' cells: up, down or short (default: up)")
+      ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))
+      ->type_name("WORD");
+  app.add_option("--slice", o.vectors.slice, "the layer of a grid with several, from 0")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->type_name("K");
+  app.add_flag("--all", o.vectors.all, "keep points that the file flags as bad");
   return [options] {
     return run_command({"skeleton", options->common, {".vtp"}},
                        [&](Run& run) { return work(run, *options); });
@@ -73,6 +88,6 @@ const Command skeleton_command = {
     "zeros, switch points, separatrices and closed orbits of a plane vector field",
     add,
     {"crest skeleton lattice.vtu -o skeleton.vtp --certificate skeleton.crest",
-     "crest skeleton twin-bodden.vtu --vectors flow -o bodden.vtp"}};
+     "crest skeleton twin-bodden.vtu --vectors flow --picture bodden.png"}};
 
 }  // namespace crest::cli

@@ -214,8 +214,8 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
     for (int axis = 0; axis < 3; ++axis) {
       if (!outside[axis]) continue;
       const int corner = (frame.origin + axis) % 3;
-      if (pieces == 0 && entry == 3 && axis != 0) return std::nullopt;
-      const Real r = root(piece, corner, pieces == 0 && corner == entry);
+      const bool from_zero = pieces == 0 && (corner == entry || (entry == 3 && axis != 0));
+      const Real r = root(piece, corner, from_zero);
       if (r < s) {
         s = r;
         exit = corner;

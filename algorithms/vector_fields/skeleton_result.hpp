@@ -82,6 +82,12 @@ struct ClosedOrbit {
   std::vector<Vec2> line;  ///< a polygon in the annulus
 };
 
+/// A part of a boundary edge with flow of one direction.
+struct BoundaryPiece {
+  Vec2 from, to;
+  int flow = 0;  ///< 1: in, -1: out, 0: tangent or zero
+};
+
 struct SkeletonCounts {
   std::uint64_t crossings = 0;
   std::map<int, std::uint64_t> bits = {};  ///< separatrices by the precision that decided them
@@ -98,6 +104,7 @@ struct Skeleton {
   int index_sum = 0, winding_sum = 0;
   std::vector<Separatrix> separatrices;
   std::vector<ClosedOrbit> orbits;
+  std::vector<BoundaryPiece> boundary;  ///< along the loops
   SkeletonCounts counts;
 };
 

@@ -45,8 +45,8 @@ class Follower {
     const Start start = trace.leg;
     trace.setting = maker_.setting();
     CellResult<Real> cell = begin(maker_, start, trace, trap_in(start.place / 3, start.forward));
-    const bool inner = start.kind == StartKind::along;  // whose first triangle counts as a turn
-    if (inner) note(trace, cell);
+    // Of rays the first triangle is not crossed, but left.
+    if (start.kind == StartKind::along || start.kind == StartKind::point) note(trace, cell);
     Index triangle = start.place / 3;
     for (;;) {
       if (cell.end == CellEnd::left_domain) return finish_at_boundary(trace, cell);

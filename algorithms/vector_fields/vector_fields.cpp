@@ -3,6 +3,7 @@
 
 #include "algorithms/vector_fields/analysis.hpp"
 #include "algorithms/vector_fields/starts.hpp"
+#include "kernel/predicates/planar_field.hpp"
 
 namespace crest::vector_fields {
 
@@ -22,6 +23,30 @@ Separatrix separatrix_of(const Trace& t, Vec2 from) {
   s.line.push_back(from);
   s.line.insert(s.line.end(), t.line.begin(), t.line.end());
   return s;
+}
+
+/// The edges of the loops, cut at switch points.
+std::vector<BoundaryPiece> pieces_of(const Domain& domain, const Boundary& boundary) {
+  std::unordered_map<HalfEdge, Vec2> cuts;
+  for (const SwitchPoint& s : boundary.switch_points)
+    if (!s.at_vertex) cuts.emplace(s.edge, s.point);
+  std::vector<BoundaryPiece> pieces;
+  for (const auto& loop : boundary.half_edges)
+    for (const HalfEdge h : loop) {
+      const Vec2 &p = domain.point(domain.from(h)), &q = domain.point(domain.to(h));
+      const auto flow = [&](Index v) {
+        return static_cast<int>(kernel::flow_across(p, q, domain.vector(v)));
+      };
+      const int at_p = flow(domain.from(h)), at_q = flow(domain.to(h));
+      const auto cut = cuts.find(h);
+      if (cut == cuts.end()) {
+        pieces.push_back({p, q, at_p != 0 ? at_p : at_q});
+      } else {
+        pieces.push_back({p, cut->second, at_p});
+        pieces.push_back({cut->second, q, at_q});
+      }
+    }
+  return pieces;
 }
 
 }  // namespace
@@ -58,6 +83,7 @@ Skeleton Analysis::skeleton() const {
     result.counts.crossings += s.crossings;
     if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];
   }
+  result.boundary = pieces_of(domain, boundary);
   for (const Annulus& a : annuli) result.orbits.push_back({a.forward, a.line});
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/read/plane_grid.hpp"
 #include "kernel/predicates/planar_field.hpp"
 
 namespace crest::io {
@@ -202,11 +203,17 @@ PlanarFieldFile from_soup(const Soup& soup, const VectorRequest& request) {
 PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& request) {
   PlanarFieldFile file;
   read_named(path, [&] {
+    const std::string end = lower_extension(path);
+    const bool grid = end == ".vti" || end == ".vtr" || end == ".vts" ||
+                      (end == ".vtk" && is_legacy_grid(path));
+    if (grid) return add_triangles(read_vtk_grid(path, request, file), request.diagonal, file);
+    if (end == ".json") return add_triangles(read_wind_json(path, file), request.diagonal, file);
+    if (end == ".txt" || end == ".vec")
+      return add_triangles(read_particle_image_text(path, request, file), request.diagonal, file);
     FieldRequest fields;
     fields.wanted = true;
     fields.name = request.field;
-    const Soup soup = soup_reader(lower_extension(path))(load(path), fields);
-    file = from_soup(soup, request);
+    file = from_soup(soup_reader(end)(load(path), fields), request);
   });
   return file;
 }
