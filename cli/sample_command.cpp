@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crest sample: meshes of surfaces with known answers, volumes, points and fields of tensors, to
-// try things on.
+// crest sample: meshes of surfaces with known answers, volumes, points, fields of tensors and plane
+// fields of vectors, to try things on.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,8 +11,10 @@
 #include "algorithms/sampling/loaded_block.hpp"
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "algorithms/sampling/phantoms.hpp"
+#include "algorithms/sampling/planar_fields.hpp"
 #include "cli/run.hpp"
 #include "io/write/mesh_writer.hpp"
+#include "io/write/planar_field_writer.hpp"
 #include "io/write/tet_writer.hpp"
 #include "io/write/volume_writer.hpp"
 
@@ -31,9 +33,9 @@ struct SampleOptions {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("SURFACE", o.common.input, "one of the surfaces below")->required();
-  app.add_option(
-         "-o,--output", o.common.output,
-         "the mesh (.off .obj .ply .vtp; of a block .vtu, volumes .nrrd .vti, points .xyz .pwn)")
+  app.add_option("-o,--output", o.common.output,
+                 "the mesh (.off .obj .ply .vtp; of blocks and plane fields .vtu, volumes .nrrd .vti,\n"
+                 "points .xyz .pwn)")
       ->required()
       ->type_name("FILE");
   app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")
@@ -51,7 +53,7 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
                  "their units (default 0)")
       ->check(CLI::Range(0.0, 10.0))
       ->type_name("F");
-  app.add_option("--seed", o.seed, "of the noise (default 1)")->type_name("S");
+  app.add_option("--seed", o.seed, "of the noise, of a lattice field (default 1)")->type_name("S");
   app.add_option("--report", o.common.report, "what is known about the surface (.json)")
       ->type_name("FILE");
   add_run_options(app, o.common);
@@ -64,6 +66,11 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
     surfaces += fmt::format("\n  {}: a volume with a bright sheet, {}", p.name, p.summary);
   for (const sampling::Phantom& p : sampling::point_phantoms())
     surfaces += fmt::format("\n  {}: {}, with normals of random signs", p.name, p.summary);
+  surfaces +=
+      "\n  lattice N[,HOLE[,M]]: a plane vector field on N x N cells (default 40), without the "
+      "middle "
+      "if HOLE is 1, blended from M x M random vectors"
+      "\n  twin-bodden, twin-skin: plane vector fields like those of paper 001, tables 5.1 and 5.2";
   app.footer(surfaces);
 }
 
@@ -157,6 +164,42 @@ Outcome sample_block(Run& run, const SampleOptions& o, const sampling::Scenario&
                       tets.size())};
 }
 
+bool is_planar_field(const std::string& name) {
+  return name == "lattice" || name == "twin-bodden" || name == "twin-skin";
+}
+
+/// Parameter i as an integer of a range.
+int integer(const SampleOptions& o, std::size_t i, int fallback, int least, int most) {
+  if (o.parameters.size() <= i) return fallback;
+  const double x = o.parameters[i];
+  if (!(x >= least && x <= most) || x != std::floor(x))
+    throw UsageError(fmt::format("{}: parameter {} is no whole number from {} to {}",
+                                 o.common.input, i + 1, least, most));
+  return static_cast<int>(x);
+}
+
+Outcome sample_planar_field(Run& run, const SampleOptions& o) {
+  const bool lattice = o.common.input == "lattice";
+  if (o.noise > 0 || o.rotate || o.parameters.size() > (lattice ? 3 : 0))
+    throw UsageError(o.common.input + (lattice ? ": takes --parameters N,HOLE,M and --seed alone"
+                                               : ": takes no options"));
+  const auto sample = run.step("sample", "sampling " + o.common.input, [&] {
+    if (o.common.input == "twin-bodden") return sampling::twin_bodden();
+    if (o.common.input == "twin-skin") return sampling::twin_skin();
+    return sampling::lattice_field(o.seed, integer(o, 0, 40, 1, 20000), integer(o, 1, 0, 0, 1) == 1,
+                                   integer(o, 2, 0, 0, 10000));
+  });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_planar_field(path, sample.points, sample.triangles, "flow", sample.vectors);
+    });
+  });
+  run.report()["vertices"] = sample.points.size();
+  run.report()["triangles"] = sample.triangles.size();
+  return {fmt::format("{}: {} vertices, {} triangles\n", o.common.output, sample.points.size(),
+                      sample.triangles.size())};
+}
+
 Outcome work(Run& run, const SampleOptions& o) {
   const std::string& name = o.common.input;
   if (const auto* phantom = find_phantom(sampling::volume_phantoms(), name))
@@ -164,6 +207,7 @@ Outcome work(Run& run, const SampleOptions& o) {
   if (o.nodes) throw UsageError(name + ": --nodes is for volumes");
   if (const auto* phantom = find_phantom(sampling::point_phantoms(), name))
     return sample_points(run, o, *phantom);
+  if (is_planar_field(name)) return sample_planar_field(run, o);
   if (const auto* block = find_block(name)) return sample_block(run, o, *block);
   sampling::SurfaceSample sample =
       run.step("sample", "sampling " + o.common.input, [&] { return make_sample(o); });
@@ -196,12 +240,13 @@ std::function<int()> add_sample(CLI::App& app) {
 extern const Command sample_command;
 const Command sample_command = {
     "sample",
-    "a mesh of a surface with known answers, a volume, points or a field of tensors",
+    "a mesh of a surface with known answers, a volume, points or a field of tensors or vectors",
     add_sample,
     {"crest sample ellipsoid --parameters 1,1.5,2 --vertices 10000 -o ellipsoid.off",
      "crest sample blend --vertices 40000 --rotate --noise 0.01 -o blend.obj",
      "crest sample block-twist --vertices 2000 -o stress.vtu",
      "crest sample moebius-sheet --nodes 48 -o moebius.nrrd",
-     "crest sample moebius-points --vertices 3000 -o strip.xyz"}};
+     "crest sample moebius-points --vertices 3000 -o strip.xyz",
+     "crest sample lattice --seed 5 -o lattice.vtu"}};
 
 }  // namespace crest::cli

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/straight.hpp"
+
+#include <algorithm>
+
+#include "algorithms/vector_fields/exact.hpp"
+#include "algorithms/vector_fields/starts.hpp"
+
+namespace crest::vector_fields {
+
+using kernel::cross;
+using kernel::dot;
+using kernel::operator+;
+using kernel::operator-;
+
+namespace {
+
+constexpr Index kMostElements = 100'000;
+
+class Walk {
+ public:
+  Walk(const Surroundings& around, const Start& start, Trace& trace)
+      : around_(around), domain_(around.domain), start_(start), trace_(trace) {
+    d_ = exact(*start.direction);
+  }
+
+  void run() {
+    trace_.straight = StraightPart{*start_.direction, start_.vertex, 0};
+    if (!begin()) return;
+    while (trace_.end == EndKind::undecided && trace_.straight->elements < kMostElements)
+      if (vertex_ != kNone ? !from_vertex() : !from_side()) return;
+    if (trace_.end == EndKind::undecided) trace_.reason = OpenReason::budget;
+  }
+
+ private:
+  Exact at(Index v) const { return exact(domain_.point(v)); }
+  /// The field, turned round for lines backward.
+  Exact velocity(Index v) const {
+    const Exact w = exact(domain_.vector(v));
+    return start_.forward ? w : Exact{-w[0], -w[1]};
+  }
+  bool parallel(const Exact& w) const { return cross(w, d_) == 0; }
+
+  bool begin() {
+    if (start_.vertex != kNone) {
+      vertex_ = start_.vertex;
+      x_ = at(domain_.from(vertex_));
+      return true;
+    }
+    if (start_.kind != StartKind::ray) return false;
+    // From inside the triangle to its side or corner ahead.
+    const Index t = start_.place / 3;
+    const Exact a = at(domain_.from(3 * t)), b = at(domain_.from(3 * t + 1)),
+                c = at(domain_.from(3 * t + 2));
+    const Exact u = velocity(domain_.from(3 * t)), v = velocity(domain_.from(3 * t + 1)),
+                w = velocity(domain_.from(3 * t + 2));
+    const Rational l0 = cross(v, w), l1 = cross(w, u), l2 = cross(u, v), sum = l0 + l1 + l2;
+    for (std::size_t i = 0; i < 2; ++i)
+      x_[i] = (l0 * a[i] + l1 * b[i] + l2 * c[i]) / sum;
+    return through(t, kNone);
+  }
+
+  /// Through triangle t from x_, which lies inside, on the side `entry` or at its corner.
+  bool through(Index t, HalfEdge entry) {
+    HalfEdge exit = kNone;
+    Rational time = -1;
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      if (h == entry) continue;
+      const Exact p = at(domain_.from(h)), e = at(domain_.to(h)) - p;
+      const Rational towards = cross(e, d_), here = cross(e, x_ - p);
+      if (towards >= 0 || here == 0) continue;
+      const Rational s = -here / towards;
+      if (time < 0 || s < time) {
+        time = s;
+        exit = h;
+      }
+    }
+    if (exit == kNone) return false;
+    const Exact y = {x_[0] + time * d_[0], x_[1] + time * d_[1]};
+    const Index a = domain_.from(exit), b = domain_.to(exit);
+    const Exact e = at(b) - at(a);
+    const Rational share = dot(y - at(a), e) / dot(e, e);
+    const Exact u = velocity(a), v = velocity(b);
+    Exact w;
+    for (std::size_t i = 0; i < 2; ++i) w[i] = u[i] + share * (v[i] - u[i]);
+    if (!parallel(w)) return false;
+    passed(y);
+    if (share == 0 || share == 1) {
+      vertex_ = share == 0 ? exit : Domain::next(exit);
+    } else {
+      vertex_ = kNone;
+      side_ = exit;
+    }
+    look_at(w, t);
+    return true;
+  }
+
+  void passed(const Exact& y) {
+    x_ = y;
+    ++trace_.straight->elements;
+    trace_.line.push_back({static_cast<double>(y[0]), static_cast<double>(y[1])});
+  }
+
+  /// The velocity at the new place: a zero there, or one that was passed on the way, is the end.
+  void look_at(const Exact& w, Index t) {
+    if (dot(w, d_) > 0) return;
+    for (Index i = 0; i < around_.zeros.size(); ++i) {
+      const auto& triangles = around_.zeros[i].triangles;
+      if (!std::binary_search(triangles.begin(), triangles.end(), t)) continue;
+      trace_.end = EndKind::critical_point;
+      trace_.target = i;
+      return;
+    }
+  }
+
+  bool from_vertex() {
+    const Fan fan = domain_.fan(vertex_);
+    for (const HalfEdge h : fan.leaving) {
+      const Exact e = at(domain_.to(h)) - x_, f = at(domain_.from(Domain::previous(h))) - x_;
+      const Rational s = cross(e, d_), r = cross(f, d_);
+      if (s == 0 && dot(e, d_) > 0) return follow_edge(domain_.to(h), Domain::next(h), h / 3);
+      if (r == 0 && dot(f, d_) > 0 && domain_.twin(Domain::previous(h)) == kNone)
+        return follow_edge(domain_.from(Domain::previous(h)), Domain::previous(h), h / 3);
+      if (s > 0 && r < 0) {
+        if (through(h / 3, kNone)) return true;
+        return go_on(fan);
+      }
+    }
+    leave_at_vertex(fan);
+    return true;
+  }
+  /// Along an edge to `head`, which the half-edge leaves.
+  bool follow_edge(Index head, HalfEdge leaving, Index t) {
+    if (!parallel(velocity(head))) return go_on(domain_.fan(vertex_));
+    passed(at(head));
+    vertex_ = leaving;
+    look_at(velocity(head), t);
+    return true;
+  }
+  bool from_side() {
+    const HalfEdge twin = domain_.twin(side_);
+    if (twin == kNone) {
+      leave_on_side();
+      return true;
+    }
+    return through(twin / 3, twin);
+  }
+
+  /// The line bends at a vertex: a corridor goes on.
+  bool go_on(const Fan& fan) {
+    if (domain_.is_zero(domain_.from(vertex_)) || trace_.straight->elements == 0) return false;
+    trace_.leg = start_at_vertex(domain_, fan, start_.forward);
+    return false;
+  }
+
+  void set_boundary(Index region) {
+    if (region == kNone) return;
+    trace_.end = EndKind::boundary;
+    trace_.target = region;
+  }
+  void leave_on_side() {
+    const EdgeRegions& r = around_.boundary.regions.at(side_);
+    if (r.at_from == r.at_to) return set_boundary(r.at_from);
+    const Exact e = at(domain_.to(side_)) - at(domain_.from(side_));
+    // Outward: the end of the edge that flows out, too.
+    set_boundary(cross(e, velocity(domain_.from(side_))) < 0 ? r.at_from : r.at_to);
+  }
+  void leave_at_vertex(const Fan& fan) {
+    const Index v = domain_.from(vertex_);
+    const HalfEdge after = fan.leaving.front(), before = Domain::previous(fan.leaving.back());
+    for (Index i = 0; i < around_.boundary.switch_points.size(); ++i) {
+      const SwitchPoint& s = around_.boundary.switch_points[i];
+      if (!s.at_vertex || (s.edge != after && s.last_edge != before)) continue;
+      if (domain_.from(s.edge) != v && domain_.to(s.last_edge) != v) continue;
+      trace_.end = EndKind::switch_point;
+      trace_.target = i;
+      return;
+    }
+    const Index r = around_.boundary.regions.at(after).at_from;
+    set_boundary(r != kNone ? r : around_.boundary.regions.at(before).at_to);
+  }
+
+  const Surroundings& around_;
+  const Domain& domain_;
+  const Start& start_;
+  Trace& trace_;
+  Exact x_, d_;
+  HalfEdge vertex_ = kNone;  ///< a half-edge that leaves the vertex where the line is; or none
+  HalfEdge side_ = kNone;    ///< else the side that it reached, seen from the triangle it left
+};
+
+}  // namespace
+
+void walk_straight(const Surroundings& around, const Start& start, Trace& trace) {
+  trace = {};
+  trace.start = start;
+  trace.leg.kind = StartKind::none;
+  trace.reason = OpenReason::vertex_hit;
+  Walk(around, start, trace).run();
+}
+
+}  // namespace crest::vector_fields

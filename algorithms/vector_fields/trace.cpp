@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/trace.hpp"
+
+#include <algorithm>
+
+#include "algorithms/vector_fields/corridor.hpp"
+#include "algorithms/vector_fields/reals.hpp"
+#include "algorithms/vector_fields/starts.hpp"
+#include "algorithms/vector_fields/straight.hpp"
+
+namespace crest::vector_fields {
+
+namespace {
+
+constexpr BarrierSetting kDoubles{53, 36, 12, 0};
+constexpr std::size_t kMostCrossings = 200'000;
+constexpr std::size_t kMostTurns = 20'000;  ///< cells of an annulus
+constexpr double kSettled = 0x1p-40;  ///< of a side: a line that came back so near is at its limit
+
+/// From the tail, in doubles: to look, not to decide.
+template <class Real>
+double from_tail(const Real& t) {
+  const double s = static_cast<double>(t);
+  return s > 0 ? s : 1 + s;
+}
+
+/// Follows one separatrix at one precision.
+template <class Real>
+class Follower {
+ public:
+  Follower(const Surroundings& around, const BarrierSetting& setting, std::vector<Annulus>& annuli)
+      : around_(around),
+        maker_(around.domain, setting),
+        doubles_(around.domain, kDoubles),
+        annuli_(annuli) {}
+
+  /// Whether it ends by name.
+  bool follow(const Start& line, Trace& trace) {
+    trace = {};
+    trace.start = trace.leg = line;
+    return follow_leg(trace);
+  }
+  /// The same from `trace.leg` on.
+  bool follow_leg(Trace& trace) {
+    const Start start = trace.leg;
+    trace.setting = maker_.setting();
+    CellResult<Real> cell = begin(maker_, start, trace, trap_in(start.place / 3, start.forward));
+    // Of rays the first triangle is not crossed, but left.
+    if (start.kind == StartKind::along || start.kind == StartKind::point) note(trace, cell);
+    Index triangle = start.place / 3;
+    for (;;) {
+      if (cell.end == CellEnd::left_domain) return finish_at_boundary(trace, cell);
+      if (cell.end == CellEnd::trapped) {
+        trace.end = EndKind::critical_point;
+        trace.target = around_.traps.at(triangle).zero;
+        return true;
+      }
+      if (cell.end == CellEnd::open) return fail(trace, cell, triangle);
+      const Gate<Real> gate = cell.gate;
+      triangle = gate.side / 3;
+      trace.line.push_back(middle(gate));
+      trace.width = width(gate);
+      if (in_annulus(trace, gate)) return true;
+      if (trace.turns.size() > kMostCrossings) {
+        trace.reason = OpenReason::budget;
+        return false;
+      }
+      if (spirals(trace, gate)) return true;
+      cell = cross_cell(maker_, start.forward, gate, trap_in(triangle, start.forward));
+      note(trace, cell);
+    }
+  }
+
+ private:
+  void note(Trace& trace, const CellResult<Real>& cell) {
+    if (cell.special && cell.end != CellEnd::open)
+      trace.special.push_back({static_cast<Index>(trace.turns.size()), cell.setting});
+    if (cell.end == CellEnd::crossed || cell.end == CellEnd::left_domain)
+      trace.turns.push_back(cell.turn);
+  }
+  const Ellipse* trap_in(Index t, bool forward) const {
+    const auto at = around_.traps.find(t);
+    return at != around_.traps.end() && at->second.ellipse.attracting == forward
+               ? &at->second.ellipse
+               : nullptr;
+  }
+  template <class Number>
+  static Number near_middle(const Gate<Number>& g) {
+    return (g.left > 0) == (g.right > 0) ? Number((g.left + g.right) / 2) : g.left;
+  }
+  Vec2 middle(const Gate<Real>& g) const {
+    return place_on<Real>(around_.domain, g.side, near_middle(g));
+  }
+  double width(const Gate<Real>& g) const {
+    const Vec2 p = place_on(around_.domain, g.side, g.left),
+               q = place_on(around_.domain, g.side, g.right);
+    return std::hypot(p[0] - q[0], p[1] - q[1]);
+  }
+
+  bool finish_at_boundary(Trace& trace, const CellResult<Real>& cell) {
+    trace.line.push_back(middle(cell.gate));
+    trace.width = width(cell.gate);
+    trace.end = EndKind::boundary;
+    const EdgeRegions& r = around_.boundary.regions.at(cell.gate.side);
+    // All of the segment flows out (in, for a line backward): it lies in one region.
+    trace.target = r.at_from;
+    if (r.at_from != r.at_to) {
+      // The region whose flow has the right sign.
+      const Domain& d = around_.domain;
+      const double across =
+          kernel_across(d.point(d.from(cell.gate.side)), d.point(d.to(cell.gate.side)),
+                        d.vector(d.from(cell.gate.side)));
+      const bool first = trace.start.forward ? across < 0 : across > 0;
+      if (!first) trace.target = r.at_to;
+    }
+    return true;
+  }
+  static double kernel_across(const Vec2& p, const Vec2& q, const Vec2& v) {
+    return (q[0] - p[0]) * v[1] - (q[1] - p[1]) * v[0];
+  }
+
+  bool fail(Trace& trace, const CellResult<Real>& cell, Index triangle) {
+    trace.reason = OpenReason::vertex_hit;
+    if (cell.divided)
+      for (const ZeroComponent& z : around_.zeros)
+        if (z.item.kind == ZeroKind::saddle && z.triangles.front() == triangle)
+          trace.reason = OpenReason::saddle_connection;
+    return false;
+  }
+
+  bool in_annulus(Trace& trace, const Gate<Real>& gate) {
+    for (Index i = 0; i < annuli_.size(); ++i) {
+      const Annulus& a = annuli_[i];
+      if (a.side != gate.side || a.forward != trace.start.forward) continue;
+      const Gate<double> door{a.side, a.left, a.right};
+      if (!strictly_inside(gate, door)) continue;
+      trace.end = EndKind::closed_orbit;
+      trace.target = i;
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether the line comes back to a side ever closer to where an annulus is then found.
+  bool spirals(Trace& trace, const Gate<Real>& gate) {
+    std::vector<Visit>& seen = visits_[gate.side];
+    seen.push_back({from_tail(near_middle(gate)), trace.turns.size()});
+    const std::size_t n = seen.size();
+    if (n < 3 || trace.turns.size() < next_try_) return false;
+    const double a = seen[n - 2].place - seen[n - 3].place;
+    const double b = seen[n - 1].place - seen[n - 2].place;
+    const bool settled = std::fabs(b) < kSettled;
+    if (!settled && !(b / a > 0 && b / a < 1)) return false;
+    next_try_ = trace.turns.size() + (seen[n - 1].turns - seen[n - 2].turns) / 4 + 1;
+    // Geometric convergence tells the limit; at rounding's scale it is here.
+    const double ahead = settled ? kSettled : b * (b / a) / (1 - b / a);
+    for (const double reach : {1.0, 4.0, 0.25})
+      if (try_annulus(trace, gate, ahead, settled ? 1024 * reach : reach * 0x1p-4, reach))
+        return in_annulus(trace, gate);
+    return false;
+  }
+
+  /// An annulus from a share `behind` of the way to the limit behind the gate to as much `beyond`
+  /// it.
+  bool try_annulus(Trace& trace, const Gate<Real>& gate, double ahead, double behind,
+                   double beyond) {
+    const double here = from_tail(near_middle(gate));
+    const double far = here + ahead * (1 + beyond), near = here - ahead * behind;
+    const double low = std::min(near, far), high = std::max(near, far);
+    if (!(low > 0 && high < 1 && low < high)) return false;
+    const auto coordinate = [](double x) { return x <= 0.5 ? x : x - 1; };
+    const Gate<double> door{gate.side, coordinate(low), coordinate(high)};
+    Annulus found;
+    found.setting = doubles_.setting();
+    found.forward = trace.start.forward;
+    found.side = gate.side;
+    found.left = door.left;
+    found.right = door.right;
+    Gate<double> at = door;
+    while (found.turns.size() < kMostTurns) {
+      found.line.push_back(place_on(around_.domain, at.side, near_middle(at)));
+      const auto cell =
+          cross_cell(doubles_, found.forward, at, trap_in(at.side / 3, found.forward));
+      if (cell.end != CellEnd::crossed) return false;
+      if (cell.special)
+        found.special.push_back({static_cast<Index>(found.turns.size()), cell.setting});
+      found.turns.push_back(cell.turn);
+      at = cell.gate;
+      if (at.side != door.side) continue;
+      if (strictly_inside(at, door)) break;
+      if (overlaps(at, door)) return false;
+    }
+    if (found.turns.size() >= kMostTurns) return false;
+    annuli_.push_back(std::move(found));
+    return true;
+  }
+  static bool overlaps(const Gate<double>& a, const Gate<double>& b) {
+    return nearer_to_tail(a.left, b.right) && nearer_to_tail(b.left, a.right);
+  }
+
+  const Surroundings& around_;
+  BarrierMaker<Real> maker_;
+  BarrierMaker<double> doubles_;  ///< annuli need no more
+  std::vector<Annulus>& annuli_;
+  struct Visit {
+    double place;
+    std::size_t turns;
+  };
+  std::unordered_map<HalfEdge, std::vector<Visit>> visits_;
+  std::size_t next_try_ = 0;
+};
+
+}  // namespace
+
+/// At one precision after the other, until one suffices. `straight`: the line's first part, or none.
+template <class Real>
+bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
+               const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
+  Follower<Real> follower(around, setting, annuli);
+  if (!straight.straight) return follower.follow(start, result);
+  result = straight;
+  return follower.follow_leg(result);
+}
+
+Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli) {
+  Trace result, straight;
+  result.start = start;
+  result.reason = OpenReason::vertex_hit;
+  if (start.kind != StartKind::none && Follower<double>(around, kDoubles, annuli).follow(start, result))
+    return result;
+  Start exact_start = start;
+  if (start.kind == StartKind::ray)
+    exact_start.direction = exact_direction(around.domain, start);
+  if (exact_start.direction) {
+    walk_straight(around, exact_start, straight);
+    if (straight.end != EndKind::undecided) return straight;
+    if (straight.leg.kind == StartKind::none) straight.straight.reset();
+  }
+  if (start.kind == StartKind::none && !straight.straight) return result;
+  const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
+    return follow_at<Real>(around, setting, start, straight, annuli, result);
+  };
+  (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
+      at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});
+  return result;
+}
+
+std::unordered_map<Index, Trap> make_traps(const Domain& domain,
+                                           const std::vector<ZeroComponent>& zeros) {
+  std::unordered_map<Index, Trap> traps;
+  for (Index i = 0; i < zeros.size(); ++i) {
+    const CriticalPoint& item = zeros[i].item;
+    if (item.where != ZeroPlace::triangle ||
+        (item.kind != ZeroKind::sink && item.kind != ZeroKind::source))
+      continue;
+    const bool attracting = item.kind == ZeroKind::sink;
+    const TriangleFrame<double> f(domain, item.simplex, 0, attracting, 0x1p-53);
+    const double a = f.a[0][0], b = f.a[0][1], c = f.a[1][0], d = f.a[1][1];
+    const double det = a * d - b * c, trace = a + d;
+    // A^T P + P A = -I, up to a factor: P = (det I + adj(A)^T adj(A)) / (-2 trace det).
+    double p[3] = {det + d * d + c * c, -(a * c + b * d), det + a * a + b * b};
+    for (double& x : p) x /= -2 * trace * det;
+    const double z[2] = {(f.w[1] * b - f.w[0] * d) / det, (f.w[0] * c - f.w[1] * a) / det};
+    const double l[3] = {1 - z[0] - z[1], z[0], z[1]};
+    const double n[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
+    const double det_p = p[0] * p[2] - p[1] * p[1];
+    double level = HUGE_VAL;
+    for (int k = 0; k < 3; ++k) {
+      const double x = n[k][0], y = n[k][1];
+      const double reach = (p[2] * x * x - 2 * p[1] * x * y + p[0] * y * y) / det_p;
+      level = std::fmin(level, l[k] * l[k] / reach);
+    }
+    level *= 1 - 0x1p-20;
+    if (!(level > 0 && level < HUGE_VAL)) continue;
+    traps.emplace(item.simplex,
+                  Trap{i, {{p[0] / level, p[1] / level, p[2] / level}, {z[0], z[1]}, attracting}});
+  }
+  return traps;
+}
+
+}  // namespace crest::vector_fields

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Separatrices: where each starts, the triangles it crosses, its proven end.
+#include <unordered_map>
+
+#include "algorithms/vector_fields/barrier.hpp"
+#include "algorithms/vector_fields/boundary.hpp"
+#include "algorithms/vector_fields/skeleton_result.hpp"
+#include "algorithms/vector_fields/zeros.hpp"
+
+namespace crest::vector_fields {
+
+/// Sums of doubles, which hold numbers of more bits exactly.
+using Expansion = std::vector<double>;
+
+enum class StartKind : std::uint8_t { ray, fan_ray, point, along, none };
+
+/// What a separatrix starts from, whatever the precision.
+struct Start {
+  StartKind kind = StartKind::none;
+  bool forward = true;
+  bool from_switch_point = false;
+  Index origin = 0;
+  /// ray of a saddle in a triangle: 3 t; fan_ray: the side that it meets. point: the half-edge that leaves the vertex with the line at
+  /// its left. along: the side at which it starts.
+  HalfEdge place = kNone;
+  int sense = 1;  ///< ray: which of the two; along: 1 towards the head, -1 towards the tail
+  int at = 0;     ///< along: 0 inside the side, -1 at its tail, 1 at its head
+  double share = 0;  ///< fan_ray: where on the side, nearly; 0 at its tail, 1 at its head
+  /// Where the line is straight at first, its direction, and a half-edge that leaves its vertex.
+  std::optional<Vec2> direction = {};
+  HalfEdge vertex = kNone;
+};
+
+/// The first part of a line, straight; through so many triangles or along so many edges.
+struct StraightPart {
+  Vec2 direction;
+  HalfEdge vertex = kNone;
+  Index elements = 0;
+};
+
+/// One separatrix as it was proven.
+struct Trace {
+  Start start;
+  BarrierSetting setting;
+  std::optional<StraightPart> straight = {};
+  Start leg;  ///< how the corridor starts: as the line, or where it stops being straight
+  HalfEdge first_side = kNone;  ///< ray: the side by which the zero's triangle is left
+  Expansion first, second;      ///< as a certificate's leg has them
+  Expansion second_height;      ///< along: of the inner start
+  std::vector<std::uint8_t> turns;
+  std::vector<std::pair<Index, BarrierSetting>> special;  ///< cells with other settings
+  EndKind end = EndKind::undecided;
+  Index target = 0;
+  OpenReason reason = OpenReason::none;
+  double width = 0;
+  std::vector<Vec2> line;
+};
+
+/// An annulus that lines enter through a gate and return to.
+struct Annulus {
+  BarrierSetting setting;
+  bool forward = true;
+  HalfEdge side = kNone;
+  double left = 0, right = 0;
+  std::vector<std::uint8_t> turns;
+  std::vector<std::pair<Index, BarrierSetting>> special;
+  std::vector<Vec2> line;
+};
+
+struct Trap {
+  Index zero;
+  Ellipse ellipse;
+};
+
+/// Ellipses in the triangles of sinks and sources, by triangle.
+std::unordered_map<Index, Trap> make_traps(const Domain& domain,
+                                           const std::vector<ZeroComponent>& zeros);
+
+struct Surroundings {
+  const Domain& domain;
+  const Boundary& boundary;
+  const std::vector<ZeroComponent>& zeros;
+  const std::unordered_map<Index, Trap>& traps;
+};
+
+/// Follows a start at rising precision; annuli that are found join the others.
+Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli);
+
+}  // namespace crest::vector_fields

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest skeleton: the topological skeleton of a plane vector field (paper 001, chapter 5).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
+#include "algorithms/vector_fields/certificate.hpp"
+#include "certify/certificate.hpp"
+#include "cli/run.hpp"
+#include "cli/skeleton_report.hpp"
+#include "io/read/planar_field_reader.hpp"
+#include "io/vector_fields/skeleton_writer.hpp"
+
+namespace crest::cli {
+namespace {
+
+struct SkeletonOptions {
+  CommonOptions common;
+  io::VectorRequest vectors;
+};
+
+Outcome work(Run& run, const SkeletonOptions& o) {
+  io::PlanarFieldFile file = run.step("read", "reading " + o.common.input, [&] {
+    return io::read_planar_field(o.common.input, o.vectors);
+  });
+  for (const std::string& warning : file.warnings) run.warn(warning);
+  const vector_fields::PlanarField field{std::move(file.points), std::move(file.vectors),
+                                         std::move(file.triangles)};
+  certify::SkeletonCertificate record;
+  const auto skeleton = run.step("skeleton", "skeleton of '" + file.field + "'", [&] {
+    return run.with_input([&] { return vector_fields::extract_skeleton(field, record); });
+  });
+  run.report()["vectors"] = file.field;
+  report_skeleton(run.report(), field, skeleton);
+  io::SkeletonScene scene{&field, &skeleton};
+  if (run.wanted("--certificate"))
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(record);
+      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      run.write_certificate("skeleton", bytes, undecided_count(skeleton));
+    });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_skeleton(path, scene); });
+    run.write("--picture",
+              [&](const std::string& path) { io::write_skeleton_picture(path, scene); });
+  });
+  return {skeleton_summary(skeleton),
+          {"roessl2005surfaces"},
+          undecided_count(skeleton) > 0 ? kNotCertified : kDone};
+}
+
+std::function<int()> add(CLI::App& app) {
+  auto options = std::make_shared<SkeletonOptions>();
+  SkeletonOptions& o = *options;
+  add_common_options(app, o.common,
+                     "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts, winds .json, "
+                     "velocimetry .txt .vec)",
+                     "the skeleton (.vtp)");
+  app.add_option("--vectors", o.vectors.field,
+                 "the array (default: the only one of 2 or 3 numbers)")
+      ->type_name("NAME");
+  app.add_flag("--cell-to-point", o.vectors.cell_to_point,
+               "take vectors of cells: at a point the mean of those around it");
+  const std::map<std::string, io::Diagonal> diagonals = {{"up", io::Diagonal::up},
+                                                         {"down", io::Diagonal::down},
+                                                         {"short", io::Diagonal::shorter}};
+  app.add_option("--diagonal", o.vectors.diagonal,
+                 "of grids' cells: up, down or short (default: up)")
+      ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))
+      ->type_name("WORD");
+  app.add_option("--slice", o.vectors.slice, "the layer of a grid with several, from 0")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->type_name("K");
+  app.add_flag("--all", o.vectors.all, "keep points that the file flags as bad");
+  return [options] {
+    return run_command({"skeleton", options->common, {".vtp"}},
+                       [&](Run& run) { return work(run, *options); });
+  };
+}
+
+}  // namespace
+
+extern const Command skeleton_command;
+const Command skeleton_command = {
+    "skeleton",
+    "zeros, switch points, separatrices and closed orbits of a plane vector field",
+    add,
+    {"crest skeleton lattice.vtu -o skeleton.vtp --certificate skeleton.crest",
+     "crest skeleton twin-bodden.vtu --vectors flow --picture bodden.png"}};
+
+}  // namespace crest::cli

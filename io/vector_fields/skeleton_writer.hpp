@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Skeletons of plane vector fields to files.
+#include <string>
+#include <vector>
+
+#include "algorithms/vector_fields/skeleton_result.hpp"
+
+namespace crest::io {
+
+struct SkeletonScene {
+  const vector_fields::PlanarField* field = nullptr;
+  const vector_fields::Skeleton* skeleton = nullptr;
+  std::string data_digest = {};  ///< of the certificate; empty: none
+};
+
+/// .vtp: a vertex a critical point (array type 0) and a switch point (1), a polyline a separatrix
+/// (2) and a closed orbit (3); arrays kind, index, end, target, bits.
+/// Guarantees: no half-written file. Throws: kernel::InputError for another extension or a place
+/// that cannot be written.
+void write_skeleton(const std::string& path, const SkeletonScene& scene);
+
+/// The field by line integral convolution with the skeleton on top: saddles blue, sources red,
+/// sinks green, switch points yellow, outflow red, inflow green, separatrices black.
+/// Throws: kernel::InputError for another extension than .png and .svg or a place that cannot be
+/// written.
+void write_skeleton_picture(const std::string& path, const SkeletonScene& scene);
+
+}  // namespace crest::io
