@@ -11,6 +11,8 @@
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "certify/modes_curves/decode.hpp"
 #include "certify/modes_curves/encode.hpp"
+#include "certify/modes_curves/near.hpp"
+#include "certify/modes_curves/tet_arcs.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_modes/byte_mutants.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
@@ -82,6 +84,58 @@ TEST_CASE("modes-curves: random fields, with closed curves, and with zeros at ve
   CHECK(closed > 0);
   CHECK(touched > 0);
   CHECK(four > 0);  // several points on a conic
+}
+
+TEST_CASE("modes-curves: doubles, pairs and integers say the same of a tetrahedron") {
+  Random random(kSeed);
+  const auto c = produced(random_grid(2, random, 0));
+  const modes::Field field(c.tensors);
+  modes::ExactTensors exact(field);
+  std::uint64_t several = 0;
+  for (auto corners : c.tets) {
+    std::ranges::sort(corners);
+    std::vector<std::vector<curves::NearPoint>> near(4);
+    std::vector<curves::NearTetPoint> near_points;
+    std::vector<curves::TetPoint> points;
+    for (unsigned i = 0; i < 4; ++i) {
+      std::array<std::uint32_t, 3> face{};
+      for (unsigned k = 0, at = 0; k < 4; ++k)
+        if (k != i) face[at++] = corners[k];
+      const auto listed = std::ranges::lower_bound(c.faces, face);
+      if (listed == c.faces.end() || *listed != face) continue;
+      std::vector<curves::Box> boxes;
+      for (std::uint32_t p = 0; p < c.face_points.size(); ++p)
+        if (const auto& point = c.face_points[p]; c.faces[point.face] == face)
+          boxes.push_back({point.low, point.high, point.type, p});
+      const auto found = curves::find_near_points(
+          {&c.tensors[face[0]], &c.tensors[face[1]], &c.tensors[face[2]]}, boxes);
+      REQUIRE(found);
+      near[i] = *found;
+      for (const auto& point : near[i]) near_points.push_back({&point, i});
+      const auto exactly = curves::find_points(exact, face, boxes);
+      REQUIRE(exactly);
+      for (const auto& point : *exactly) points.push_back({point, i});
+    }
+    if (points.empty()) continue;
+    several += points.size() > 2;
+    const auto name = [](auto pairs, const auto& number) {
+      std::set<std::array<std::uint32_t, 2>> names;
+      for (const auto& [a, b] : pairs) {
+        const auto [low, high] = std::minmax({number(a), number(b)});
+        names.insert({low, high});
+      }
+      return names;
+    };
+    const auto fast = curves::find_near_arcs({&c.tensors[corners[0]], &c.tensors[corners[1]],
+                                              &c.tensors[corners[2]], &c.tensors[corners[3]]},
+                                             near_points);
+    const auto slow = curves::find_arcs(exact, corners, points);
+    REQUIRE((fast && slow));
+    CHECK(name(*fast, [&](std::size_t i) { return near_points[i].point->listed; }) ==
+          name(*slow, [&](std::size_t i) { return points[i].point.listed; }));
+  }
+  std::cout << several << " tetrahedra with four points or more\n";
+  CHECK(several > 5);
 }
 
 namespace {
