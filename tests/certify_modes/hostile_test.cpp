@@ -7,6 +7,7 @@
 
 #include "certify/container/reject.hpp"
 #include "certify/modes/encode.hpp"
+#include "certify/modes_curves/cones.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/modes_curves/face_points.hpp"
 #include "certify/modes_curves/near.hpp"
@@ -105,6 +106,53 @@ TEST_CASE("modes-curves: doubles, pairs and integers say the same of a face") {
   for (const auto& [all, with] : decided)
     std::cout << all << " faces decided by doubles and pairs, " << with << " with a point\n";
   CHECK(decided[0][1] > 20);
+}
+
+TEST_CASE("modes-curves: no cone holds a degenerate tensor") {
+  // A mixture of four tensors that is degenerate, at all distances, inside and on the boundary.
+  Random random(kSeed);
+  std::normal_distribution<double> normal;
+  Failures failures;
+  std::uint64_t free = 0;
+  for (std::uint64_t i = 0; i < scaled(20000); ++i) {
+    std::array<double, 3> v{};
+    for (double& x : v) x = normal(random);
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const double s =
+        (random() % 2 ? 1 : -1) * std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
+    const Entries degenerate = {s * (v[0] * v[0] - square / 3),
+                                s * (v[1] * v[1] - square / 3),
+                                s * (v[2] * v[2] - square / 3),
+                                s * v[0] * v[1],
+                                s * v[1] * v[2],
+                                s * v[0] * v[2]};
+    const double spread = std::fabs(s) * square * std::ldexp(1.0, -static_cast<int>(random() % 30));
+    std::vector<Entries> corners(4, degenerate);
+    const bool with = random() % 2;
+    Entries sum{};
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < 6; ++k) {
+        const double off = spread * normal(random);
+        corners[c][k] += off, sum[k] += off;
+      }
+    for (std::size_t k = 0; k < 6; ++k)
+      corners[3][k] += with ? -sum[k] : 3 * spread * normal(random) + 4 * sum[k];
+    const modes::Field field(corners);
+    const curves::Cones cones(field);
+    const bool found = cones.free(std::array<std::uint32_t, 4>{0, 1, 2, 3});
+    if (with) failures.expect(!found, "free", corners[0][0], spread);
+    free += found;
+    const bool corner = cones.free(std::array<std::uint32_t, 3>{0, 1, 2});
+    free += corner;
+    // And a corner itself.
+    corners[1] = degenerate;
+    const modes::Field other(corners);
+    failures.expect(!curves::Cones(other).free(std::array<std::uint32_t, 3>{0, 1, 2}), "corner",
+                    corners[0][0], spread);
+  }
+  CHECK(failures.report() == "");
+  std::cout << free << " free simplices\n";
+  CHECK(free > 200);
 }
 
 TEST_CASE("modes-curves: nothing, and nothing but special places, of all kinds of numbers") {
