@@ -54,6 +54,71 @@ auto counts(const CurveCounts& c) {
 
 }  // namespace
 
+namespace {
+
+/// For tensors with xx = yy: whether pairs of points are ends of the parts of the lines (1, 1, t),
+/// (1, -1, t) on which all weights have one sign, by sampling.
+bool lines_join(const Certificate& c, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  using Row = std::array<double, 5>;
+  const auto weights = [&](double line, double angle) {
+    // b in sum b_i D_i = v v^T - I / 3, of 3 zz, xy, yz, xz.
+    const double t = std::tan(angle), third = (2 + t * t) / 3;
+    std::array<Row, 4> rows{};
+    const std::array<double, 4> right = {t * t - third, line, line * t, t};
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t i = 0; i < 4; ++i) rows[r][i] = c.tensors[i][std::array{2, 3, 4, 5}[r]];
+      rows[r][4] = right[r];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::size_t best = k;
+      for (std::size_t r = k; r < 4; ++r)
+        if (std::fabs(rows[r][k]) > std::fabs(rows[best][k])) best = r;
+      std::swap(rows[k], rows[best]);
+      for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t j = 5; r != k && j-- > k;)
+          rows[r][j] -= rows[r][k] / rows[k][k] * rows[k][j];
+    }
+    std::array<double, 4> b{};
+    for (std::size_t k = 0; k < 4; ++k) b[k] = rows[k][4] / rows[k][k];
+    return b;
+  };
+  constexpr int kSteps = 20000;
+  for (const double line : {1.0, -1.0}) {
+    bool before = false;
+    std::vector<std::array<double, 4>> ends;
+    for (int k = 1; k < kSteps; ++k) {
+      const auto b = weights(line, (k / static_cast<double>(kSteps) - 0.5) * 3.14159265358979);
+      const bool inside = std::ranges::min(b) > 0 || std::ranges::max(b) < 0;
+      if (inside != before) ends.push_back(b);
+      before = inside;
+    }
+    // The point whose face and weights are nearest to an end.
+    const auto nearest = [&](const std::array<double, 4>& b) {
+      const double sum = b[0] + b[1] + b[2] + b[3];
+      std::uint32_t best = 0;
+      double least = HUGE_VAL;
+      for (std::uint32_t p = 0; p < c.face_points.size(); ++p) {
+        const auto& point = c.face_points[p];
+        std::array<double, 4> there{};
+        const auto& face = c.faces[point.face];
+        for (std::size_t k = 0; k < 2; ++k) there[face[k]] = (point.low[k] + point.high[k]) / 2;
+        there[face[2]] = 1 - there[face[0]] - there[face[1]];
+        double distance = 0;
+        for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(there[k] - b[k] / sum);
+        if (distance < least) least = distance, best = p;
+      }
+      return best;
+    };
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const auto [low, high] = std::minmax({nearest(ends[k]), nearest(ends[k + 1])});
+      if (std::ranges::find(pairs, std::array{low, high}) == pairs.end()) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 TEST_CASE("modes-curves: the curves of linear fields are those of the table") {
   constexpr std::array<std::array<std::uint32_t, 2>, 6> kPieces = {
       {{1, 2}, {2, 1}, {2, 1}, {1, 2}, {1, 1}, {2, 2}}};
@@ -136,6 +201,56 @@ TEST_CASE("modes-curves: doubles, pairs and integers say the same of a tetrahedr
   }
   std::cout << several << " tetrahedra with four points or more\n";
   CHECK(several > 5);
+}
+
+TEST_CASE("modes-curves: a pair of lines that meet outside a tetrahedron") {
+  // xx = yy: the lines x = y and x = -y, which meet in (0, 0, 1). One pairing is accepted: that of
+  // the parts of the lines on which all weights have one sign.
+  Random random(kSeed);
+  std::uniform_int_distribution<int> entry(-4, 4);
+  std::uint64_t decided = 0, four = 0;
+  for (std::uint64_t i = 0; i < scaled(120); ++i) {
+    ModesInput input;
+    input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    input.tets = {{0, 1, 2, 3}};
+    for (int v = 0; v < 4; ++v) {
+      const double xx = entry(random);
+      input.tensors.push_back({xx, xx, -2 * xx, static_cast<double>(entry(random)),
+                               static_cast<double>(entry(random)),
+                               static_cast<double>(entry(random))});
+    }
+    auto c = produced(input);
+    if (!c.special_faces.empty() || c.face_points.size() < 2 || c.face_points.size() > 4) continue;
+    c.special_tets.clear();
+    // Pairings of two or four points of one type each.
+    std::vector<std::vector<std::array<std::uint32_t, 2>>> pairings = {{{0, 1}}};
+    if (c.face_points.size() == 4)
+      pairings = {{{0, 1}, {2, 3}}, {{0, 2}, {1, 3}}, {{0, 3}, {1, 2}}};
+    std::uint64_t accepted = 0;
+    bool crossing = false;
+    std::string reason;
+    for (const auto& pairs : pairings) {
+      c.arcs.clear();
+      c.linear = c.planar = {};
+      for (const auto& pair : pairs) {
+        c.arcs.push_back({0, pair});
+        ++(c.face_points[pair[0]].type > 0 ? c.linear : c.planar).open;
+      }
+      const Verdict verdict = verify(encode(c));
+      reason += verdict.reason + "; ";
+      crossing |= verdict.reason.find("pair of lines") != std::string::npos;
+      if (!verdict.accepted) continue;
+      ++accepted;
+      CHECK(lines_join(c, pairs));
+    }
+    if (crossing) continue;
+    CAPTURE(i, c.face_points.size(), reason);
+    CHECK(accepted == 1);
+    ++decided;
+    four += pairings.size() > 1;
+  }
+  std::cout << decided << " pairs of lines, " << four << " with four points\n";
+  CHECK(decided > 5);
 }
 
 namespace {
