@@ -155,6 +155,12 @@ class FaceReader : public EdgeReader {
     return static_cast<u32>(trees_.faces.size() - 1);
   }
 
+  u32 count_roots(const FaceNode& face) {
+    u32 roots = 0;
+    for (const Side& side : face.edges) roots += EdgeReader::count_roots(side.node);
+    return roots;
+  }
+
   u32 read_face(FaceNode face) {
     face.code = next_code();
     face.needed = face.code > 2 && face.code != modes_code::kOpenFace;
@@ -164,10 +170,10 @@ class FaceReader : public EdgeReader {
       return at;
     }
     require(face.code <= modes_code::kOpenFace, "trees: code {} of a face", face.code);
+    // Of rejected faces, too: whoever looks at them walks along their edges.
+    const u32 roots = count_roots(face);
     if (face.code != modes_code::kGraphFace && face.code != modes_code::kPlainFace) return at;
     require(face_witness_ < level_.face_witnesses.size(), "trees: witnesses of faces end early");
-    u32 roots = 0;
-    for (const Side& side : face.edges) roots += count_roots(side.node);
     require(roots <= 255, "trees: {} roots around one face", roots);
     require(level_.arcs.size() - arc_ >= roots / 2, "trees: arcs end early");
     FaceNode& node = trees_.faces[at];
@@ -225,6 +231,7 @@ class FaceReader : public EdgeReader {
         ++listed;
         trees_.face_roots.push_back(read_face(face));
       } else {
+        count_roots(face);
         trees_.face_roots.push_back(add_face(face));
       }
     }

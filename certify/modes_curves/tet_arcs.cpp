@@ -115,6 +115,93 @@ class Order {
   Direction centre_;
 };
 
+/// A column of the adjugate: what a matrix of rank 2 sends to 0.
+Triple<Integer> kernel_of(const Matrix<Integer>& m) {
+  Triple<Integer> v{};
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto &p = m[(i + 1) % 3], &q = m[(i + 2) % 3];
+    v = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    if (v != Triple<Integer>{}) break;
+  }
+  return v;
+}
+Integer form(const Matrix<Integer>& m, const Triple<Integer>& v) {
+  Integer sum = 0;
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j) sum += v[i] * m[i][j] * v[j];
+  return sum;
+}
+
+/// Points on two lines that meet in a vector outside the tetrahedron.
+class LinePair {
+ public:
+  LinePair(const Triple<Integer>& centre, std::vector<TetPoint>& points)
+      : centre_(exactly(centre)), points_(points) {}
+
+  /// On each line, from the centre on, every second part is inside.
+  std::vector<std::array<std::size_t, 2>> arcs() {
+    std::vector<std::size_t> first = {0}, second;
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      (same_line(0, i) ? first : second).push_back(i);
+    std::vector<std::array<std::size_t, 2>> list;
+    for (auto* line : {&first, &second}) {
+      require(line->size() % 2 == 0, "pair of lines: an odd number of points on one");
+      if (line->empty()) continue;
+      const std::size_t of = line->front();  // one, while the sort moves them
+      std::ranges::sort(
+          *line, [&](std::size_t a, std::size_t b) { return a != b && order(of, a, b) > 0; });
+      for (std::size_t i = 0; i < line->size(); i += 2)
+        list.push_back({(*line)[i], (*line)[i + 1]});
+    }
+    return list;
+  }
+
+ private:
+  Direction direction(std::size_t i) { return points_[i].point.direction(); }
+  Direction normal(std::size_t i) { return cross(centre_, direction(i)); }
+
+  /// The lines are across each other: normals are parallel, or at right angles.
+  bool same_line(std::size_t a, std::size_t b) {
+    return certain([&] {
+             if (dot(normal(a), normal(b)).sign() != 0) return 1;
+             return dot(centre_, cross(direction(a), direction(b))).sign() != 0 ? -1 : 0;
+           }) > 0;
+  }
+  /// Of a and b by their angles from the centre, turned as to `of`, a point of the line.
+  int order(std::size_t of, std::size_t a, std::size_t b) {
+    return certain([&] {
+      const Direction n = normal(of), across = cross(n, centre_), v = direction(a),
+                      w = direction(b);
+      return dot(across, v).sign() * dot(across, w).sign() * dot(n, cross(v, w)).sign();
+    });
+  }
+  template <class Sign>
+  int certain(const Sign& sign) {
+    for (int k = 0; k < 200; ++k) {
+      if (const int found = sign(); found != 0) return found;
+      for (TetPoint& point : points_) point.point.refine();
+    }
+    throw Undecided("pair of lines: points that cannot be told apart");
+  }
+
+  Direction centre_;
+  std::vector<TetPoint>& points_;
+};
+
+/// Nothing if the lines meet in the closed tetrahedron, or the weights there do not tell.
+std::optional<std::vector<std::array<std::size_t, 2>>> arcs_on_lines(
+    const Matrix<Integer>& conic, const std::vector<Matrix<Integer>>& dual,
+    std::vector<TetPoint>& points) {
+  const auto centre = kernel_of(conic);
+  bool plus = false, minus = false;
+  for (const auto& b : dual) {
+    const Integer weight = form(b, centre);
+    plus |= weight > 0, minus |= weight < 0;
+  }
+  if (!plus || !minus) return std::nullopt;
+  return LinePair(centre, points).arcs();
+}
+
 }  // namespace
 
 std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTensors& exact,
@@ -122,12 +209,13 @@ std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTen
                                                                  std::vector<TetPoint>& points) {
   const auto tensors = matrices(exact, corners);
   const auto rest = complement(tensors);
-  if (rest.empty() || determinant(rest[0]) == 0) return std::nullopt;
+  if (rest.empty()) return std::nullopt;
   require(points.size() % 2 == 0, "tetrahedron ({}, {}, {}, {}): an odd number of points",
           corners[0], corners[1], corners[2], corners[3]);
   if (points.empty()) return std::vector<std::array<std::size_t, 2>>();
-  if (points.size() == 2) return std::vector<std::array<std::size_t, 2>>{{0, 1}};
   const auto dual = dual_basis(tensors);
+  if (determinant(rest[0]) == 0) return arcs_on_lines(rest[0], dual, points);
+  if (points.size() == 2) return std::vector<std::array<std::size_t, 2>>{{0, 1}};
   Order order(rest[0], points);
   const auto sorted = order.sorted();
   const bool ahead = order.rise(dual[points[0].opposite]) == points[0].point.type;

@@ -12,8 +12,8 @@ struct TetPoint {
   unsigned opposite;
 };
 
-/// Pairs of places in `points`; nothing where the tensors are dependent or the conic is a pair of
-/// lines.
+/// Pairs of places in `points`; nothing where the tensors are dependent, or the conic is a pair of
+/// lines that meet in the closed tetrahedron.
 std::optional<std::vector<std::array<std::size_t, 2>>> find_arcs(modes::ExactTensors& exact,
                                                                  const std::array<u32, 4>& corners,
                                                                  std::vector<TetPoint>& points);

@@ -11,6 +11,8 @@
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "certify/modes_curves/decode.hpp"
 #include "certify/modes_curves/encode.hpp"
+#include "certify/modes_curves/near.hpp"
+#include "certify/modes_curves/tet_arcs.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_modes/byte_mutants.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
@@ -52,6 +54,71 @@ auto counts(const CurveCounts& c) {
 
 }  // namespace
 
+namespace {
+
+/// For tensors with xx = yy: whether pairs of points are ends of the parts of the lines (1, 1, t),
+/// (1, -1, t) on which all weights have one sign, by sampling.
+bool lines_join(const Certificate& c, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  using Row = std::array<double, 5>;
+  const auto weights = [&](double line, double angle) {
+    // b in sum b_i D_i = v v^T - I / 3, of 3 zz, xy, yz, xz.
+    const double t = std::tan(angle), third = (2 + t * t) / 3;
+    std::array<Row, 4> rows{};
+    const std::array<double, 4> right = {t * t - third, line, line * t, t};
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t i = 0; i < 4; ++i) rows[r][i] = c.tensors[i][std::array{2, 3, 4, 5}[r]];
+      rows[r][4] = right[r];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::size_t best = k;
+      for (std::size_t r = k; r < 4; ++r)
+        if (std::fabs(rows[r][k]) > std::fabs(rows[best][k])) best = r;
+      std::swap(rows[k], rows[best]);
+      for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t j = 5; r != k && j-- > k;)
+          rows[r][j] -= rows[r][k] / rows[k][k] * rows[k][j];
+    }
+    std::array<double, 4> b{};
+    for (std::size_t k = 0; k < 4; ++k) b[k] = rows[k][4] / rows[k][k];
+    return b;
+  };
+  constexpr int kSteps = 20000;
+  for (const double line : {1.0, -1.0}) {
+    bool before = false;
+    std::vector<std::array<double, 4>> ends;
+    for (int k = 1; k < kSteps; ++k) {
+      const auto b = weights(line, (k / static_cast<double>(kSteps) - 0.5) * 3.14159265358979);
+      const bool inside = std::ranges::min(b) > 0 || std::ranges::max(b) < 0;
+      if (inside != before) ends.push_back(b);
+      before = inside;
+    }
+    // The point whose face and weights are nearest to an end.
+    const auto nearest = [&](const std::array<double, 4>& b) {
+      const double sum = b[0] + b[1] + b[2] + b[3];
+      std::uint32_t best = 0;
+      double least = HUGE_VAL;
+      for (std::uint32_t p = 0; p < c.face_points.size(); ++p) {
+        const auto& point = c.face_points[p];
+        std::array<double, 4> there{};
+        const auto& face = c.faces[point.face];
+        for (std::size_t k = 0; k < 2; ++k) there[face[k]] = (point.low[k] + point.high[k]) / 2;
+        there[face[2]] = 1 - there[face[0]] - there[face[1]];
+        double distance = 0;
+        for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(there[k] - b[k] / sum);
+        if (distance < least) least = distance, best = p;
+      }
+      return best;
+    };
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const auto [low, high] = std::minmax({nearest(ends[k]), nearest(ends[k + 1])});
+      if (std::ranges::find(pairs, std::array{low, high}) == pairs.end()) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 TEST_CASE("modes-curves: the curves of linear fields are those of the table") {
   constexpr std::array<std::array<std::uint32_t, 2>, 6> kPieces = {
       {{1, 2}, {2, 1}, {2, 1}, {1, 2}, {1, 1}, {2, 2}}};
@@ -82,6 +149,108 @@ TEST_CASE("modes-curves: random fields, with closed curves, and with zeros at ve
   CHECK(closed > 0);
   CHECK(touched > 0);
   CHECK(four > 0);  // several points on a conic
+}
+
+TEST_CASE("modes-curves: doubles, pairs and integers say the same of a tetrahedron") {
+  Random random(kSeed);
+  const auto c = produced(random_grid(2, random, 0));
+  const modes::Field field(c.tensors);
+  modes::ExactTensors exact(field);
+  std::uint64_t several = 0;
+  for (auto corners : c.tets) {
+    std::ranges::sort(corners);
+    std::vector<std::vector<curves::NearPoint>> near(4);
+    std::vector<curves::NearTetPoint> near_points;
+    std::vector<curves::TetPoint> points;
+    for (unsigned i = 0; i < 4; ++i) {
+      std::array<std::uint32_t, 3> face{};
+      for (unsigned k = 0, at = 0; k < 4; ++k)
+        if (k != i) face[at++] = corners[k];
+      const auto listed = std::ranges::lower_bound(c.faces, face);
+      if (listed == c.faces.end() || *listed != face) continue;
+      std::vector<curves::Box> boxes;
+      for (std::uint32_t p = 0; p < c.face_points.size(); ++p)
+        if (const auto& point = c.face_points[p]; c.faces[point.face] == face)
+          boxes.push_back({point.low, point.high, point.type, p});
+      const auto found = curves::find_near_points(
+          {&c.tensors[face[0]], &c.tensors[face[1]], &c.tensors[face[2]]}, boxes);
+      REQUIRE(found);
+      near[i] = *found;
+      for (const auto& point : near[i]) near_points.push_back({&point, i});
+      const auto exactly = curves::find_points(exact, face, boxes);
+      REQUIRE(exactly);
+      for (const auto& point : *exactly) points.push_back({point, i});
+    }
+    if (points.empty()) continue;
+    several += points.size() > 2;
+    const auto name = [](auto pairs, const auto& number) {
+      std::set<std::array<std::uint32_t, 2>> names;
+      for (const auto& [a, b] : pairs) {
+        const auto [low, high] = std::minmax({number(a), number(b)});
+        names.insert({low, high});
+      }
+      return names;
+    };
+    const auto fast = curves::find_near_arcs({&c.tensors[corners[0]], &c.tensors[corners[1]],
+                                              &c.tensors[corners[2]], &c.tensors[corners[3]]},
+                                             near_points);
+    const auto slow = curves::find_arcs(exact, corners, points);
+    REQUIRE((fast && slow));
+    CHECK(name(*fast, [&](std::size_t i) { return near_points[i].point->listed; }) ==
+          name(*slow, [&](std::size_t i) { return points[i].point.listed; }));
+  }
+  std::cout << several << " tetrahedra with four points or more\n";
+  CHECK(several > 5);
+}
+
+TEST_CASE("modes-curves: a pair of lines that meet outside a tetrahedron") {
+  // xx = yy: the lines x = y and x = -y, which meet in (0, 0, 1). One pairing is accepted: that of
+  // the parts of the lines on which all weights have one sign.
+  Random random(kSeed);
+  std::uniform_int_distribution<int> entry(-4, 4);
+  std::uint64_t decided = 0, four = 0;
+  for (std::uint64_t i = 0; i < scaled(120); ++i) {
+    ModesInput input;
+    input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    input.tets = {{0, 1, 2, 3}};
+    for (int v = 0; v < 4; ++v) {
+      const double xx = entry(random);
+      input.tensors.push_back({xx, xx, -2 * xx, static_cast<double>(entry(random)),
+                               static_cast<double>(entry(random)),
+                               static_cast<double>(entry(random))});
+    }
+    auto c = produced(input);
+    if (!c.special_faces.empty() || c.face_points.size() < 2 || c.face_points.size() > 4) continue;
+    c.special_tets.clear();
+    // Pairings of two or four points of one type each.
+    std::vector<std::vector<std::array<std::uint32_t, 2>>> pairings = {{{0, 1}}};
+    if (c.face_points.size() == 4)
+      pairings = {{{0, 1}, {2, 3}}, {{0, 2}, {1, 3}}, {{0, 3}, {1, 2}}};
+    std::uint64_t accepted = 0;
+    bool crossing = false;
+    std::string reason;
+    for (const auto& pairs : pairings) {
+      c.arcs.clear();
+      c.linear = c.planar = {};
+      for (const auto& pair : pairs) {
+        c.arcs.push_back({0, pair});
+        ++(c.face_points[pair[0]].type > 0 ? c.linear : c.planar).open;
+      }
+      const Verdict verdict = verify(encode(c));
+      reason += verdict.reason + "; ";
+      crossing |= verdict.reason.find("pair of lines") != std::string::npos;
+      if (!verdict.accepted) continue;
+      ++accepted;
+      CHECK(lines_join(c, pairs));
+    }
+    if (crossing) continue;
+    CAPTURE(i, c.face_points.size(), reason);
+    CHECK(accepted == 1);
+    ++decided;
+    four += pairings.size() > 1;
+  }
+  std::cout << decided << " pairs of lines, " << four << " with four points\n";
+  CHECK(decided > 5);
 }
 
 namespace {
