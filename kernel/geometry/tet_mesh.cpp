@@ -2,7 +2,10 @@
 #include "kernel/geometry/tet_mesh.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "kernel/arithmetic/approximate.hpp"
 #include "kernel/arithmetic/rational.hpp"
@@ -53,18 +56,36 @@ TetMesh::TetMesh(std::vector<Vec3> points, std::vector<Tet> tets)
       sides.push_back(s);
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.corners != b.corners ? a.corners < b.corners : a.tet < b.tet;
-  });
+  // By the first corner in one pass, then each corner's few.
+  std::vector<std::size_t> begin(points_.size() + 1, 0);
+  for (const Side& s : sides) {
+    if (s.corners[2] >= points_.size())
+      throw InputError("tetrahedron " + std::to_string(s.tet) +
+                       ": has a corner that does not exist");
+    ++begin[s.corners[0] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sorted_sides(sides.size());
+  {
+    std::vector<std::size_t> at(begin.begin(), begin.end() - 1);
+    for (const Side& s : sides) sorted_sides[at[s.corners[0]]++] = s;
+  }
+  sides.swap(sorted_sides);
+  const auto key = [](const Side& s) {
+    return std::tuple(std::uint64_t{s.corners[1]} << 32 | s.corners[2], s.tet);
+  };
+  for (std::size_t v = 0; v < points_.size(); ++v)
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+              [&](const Side& a, const Side& b) { return key(a) < key(b); });
   faces_of_.resize(tets_.size());
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i;
     while (end < sides.size() && sides[end].corners == sides[i].corners) ++end;
     const auto& v = sides[i].corners;
-    const std::string face =
-        "face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]);
     if (end - i > 2)
-      throw InputError(face + ": is in " + std::to_string(end - i) +
+      throw InputError("face " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                       std::to_string(v[2]) + ": is in " + std::to_string(end - i) +
                        " tetrahedra; a face may have two at most");
     if (end - i == 2 && sorted(sides[i].tet) == sorted(sides[i + 1].tet))
       throw InputError("tetrahedron " + std::to_string(sides[i + 1].tet) + " (" +
