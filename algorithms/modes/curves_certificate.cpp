@@ -32,22 +32,45 @@ void add_special(const DegenerateCurves& curves, certify::ModesCurvesCertificate
   c.special_tets.assign(tets.begin(), tets.end());
 }
 
+/// How far from its enclosure a point's box may reach: the checker need not be as exact as the
+/// search was, but boxes of one face must not meet.
+double room(const DegenerateCurves& curves, std::size_t point) {
+  constexpr double most = 1e-9;
+  const FacePoint& p = curves.points[point];
+  double r = most;
+  const auto keep_from = [&](const FacePoint& q) {
+    double gap = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      gap = std::max({gap, q.low[k] - p.high[k], p.low[k] - q.high[k]});
+    r = std::min(r, gap / 4);
+  };
+  // Those of one face stand together.
+  for (std::size_t i = point; i-- > 0 && curves.points[i].face == p.face;)
+    keep_from(curves.points[i]);
+  for (std::size_t i = point + 1; i < curves.points.size() && curves.points[i].face == p.face; ++i)
+    keep_from(curves.points[i]);
+  return r;
+}
+
 /// Faces and points but for those of special faces, of which nothing is claimed. Returns the new
 /// number of each point.
 std::vector<std::uint32_t> add_points(const DegenerateCurves& curves,
                                       certify::ModesCurvesCertificate& c) {
   std::vector<std::uint32_t> number;
   std::uint32_t last = kDropped;
-  for (const FacePoint& p : curves.points) {
+  for (std::size_t i = 0; i < curves.points.size(); ++i) {
+    const FacePoint& p = curves.points[i];
     const FaceCorners& face = curves.faces[p.face];
     number.push_back(kDropped);
     if (std::binary_search(c.special_faces.begin(), c.special_faces.end(), face)) continue;
     if (p.face != last) c.faces.push_back(face);
     last = p.face;
     number.back() = static_cast<std::uint32_t>(c.face_points.size());
+    const double pad = room(curves, i);
     c.face_points.push_back({static_cast<std::uint32_t>(c.faces.size() - 1),
                              static_cast<std::int8_t>(p.type == DegenerateType::linear ? 1 : -1),
-                             p.low, p.high});
+                             {p.low[0] - pad, p.low[1] - pad},
+                             {p.high[0] + pad, p.high[1] + pad}});
   }
   return number;
 }
