@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <filesystem>
+#include <span>
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/solid_readers.hpp"
+#include "io/read/tensor_fields.hpp"
+#include "io/read/tensor_volume.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
 namespace {
@@ -16,7 +21,8 @@ namespace {
 using kernel::Index;
 using Node = Cells::Node;
 
-/// A solid's faces by its corners.
+/// A solid's faces by its corners, anticlockwise seen from outside, so that all parts of a convex
+/// solid are turned alike.
 struct Solid {
   std::size_t corners;
   std::vector<std::vector<std::size_t>> faces;
@@ -24,12 +30,12 @@ struct Solid {
 
 const Solid* solid(CellType type) {
   static const Solid tet{4, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
-  static const Solid pyramid{5, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
-  static const Solid wedge{6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+  static const Solid pyramid{5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+  static const Solid wedge{6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
   static const Solid hexahedron{
-      8, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+      8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   static const Solid voxel{
-      8, {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
+      8, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
   switch (type) {
     case CellType::tetrahedron:
     case CellType::quadratic_tetrahedron:
@@ -105,6 +111,7 @@ class Tetrahedra {
   /// From the lowest corner to the triangles of the faces without it.
   void split(std::size_t c, const Solid& s, std::span<const Node> nodes) {
     ++split_;
+    const std::size_t first = tets.size();
     const Node apex =
         *std::min_element(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(s.corners));
     for (const auto& face : s.faces) {
@@ -120,6 +127,18 @@ class Tetrahedra {
           add(c, t);
       }
     }
+    // Programs differ in which side of a solid they number first.
+    const auto parts = std::span(tets).subspan(first);
+    if (std::all_of(parts.begin(), parts.end(), [&](const auto& t) { return is_turned(t); }))
+      for (auto& t : parts) std::swap(t[2], t[3]);
+  }
+  bool is_turned(const std::array<Node, 4>& t) const {
+    std::array<kernel::Vec3, 3> d;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        d[i][k] = soup_.points[static_cast<std::size_t>(t[i + 1])][k] -
+                  soup_.points[static_cast<std::size_t>(t[0])][k];
+    return kernel::determinant(d[0], d[1], d[2]) < 0;
   }
 
   const Soup& soup_;
@@ -157,51 +176,16 @@ const Field& tensor_field(const Soup& soup, const std::string& wanted) {
   return *found;
 }
 
-/// Where each of xx yy zz xy yz xz stands.
-std::array<std::size_t, 6> places(const std::string& order) {
-  static const std::map<std::string, std::size_t> words = {{"xx", 0}, {"yy", 1}, {"zz", 2},
-                                                           {"xy", 3}, {"yx", 3}, {"yz", 4},
-                                                           {"zy", 4}, {"xz", 5}, {"zx", 5}};
-  std::array<std::size_t, 6> r;
-  r.fill(6);
-  std::string text = order;
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    at = end + 1;
-    if (word.empty()) continue;
-    const auto found = words.find(word);
-    if (found == words.end() || r[found->second] != 6 || count == 6)
-      fail("order", fmt::format("'{}' is none", order.substr(0, 60)),
-           "name xx yy zz xy yz xz once each");
-    r[found->second] = count++;
-  }
-  if (count != 6)
-    fail("order", fmt::format("'{}' is none", order.substr(0, 60)),
-         "name xx yy zz xy yz xz once each");
-  return r;
-}
-
 double number(const Field& f, std::size_t i) {
   return std::visit([i](const auto& x) { return static_cast<double>(x[i]); }, f.numbers);
 }
 
 std::array<double, 6> tensor_at(const Field& f, std::size_t v,
                                 const std::array<std::size_t, 6>& place, double& asymmetry) {
-  std::array<double, 6> t{};
-  if (f.components == 6) {
-    for (std::size_t k = 0; k < 6; ++k) t[k] = number(f, 6 * v + place[k]);
-    return t;
-  }
-  constexpr std::size_t upper[6] = {0, 4, 8, 1, 5, 2}, lower[6] = {0, 4, 8, 3, 7, 6};
-  for (std::size_t k = 0; k < 6; ++k) {
-    const double a = number(f, 9 * v + upper[k]), b = number(f, 9 * v + lower[k]);
-    t[k] = a == b ? a : 0.5 * a + 0.5 * b;
-    asymmetry = std::fmax(asymmetry, std::fabs(a - b));
-  }
-  return t;
+  std::array<double, 9> x{};
+  const auto n = static_cast<std::size_t>(f.components);
+  for (std::size_t k = 0; k < n; ++k) x[k] = number(f, n * v + k);
+  return tensor_of({x.data(), n}, place, asymmetry);
 }
 
 TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
@@ -212,7 +196,7 @@ TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
   tetrahedra.warn(file.warnings);
   const Field& field = tensor_field(soup, request.field);
   file.field = field.name;
-  const auto place = places(request.order);
+  const auto place = tensor_places(request.order.empty() ? "xx yy zz xy yz xz" : request.order);
   std::vector<Index> number_of(soup.points.size(), ~Index{0});
   for (const auto& t : tetrahedra.tets)
     for (const Node v : t) number_of[static_cast<std::size_t>(v)] = 0;
@@ -245,17 +229,42 @@ TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
   return file;
 }
 
+/// Medit's fields stand in a file beside the mesh.
+Soup read_medit_pair(const std::string& path) {
+  Soup soup = read_medit(load(path));
+  const auto beside = std::filesystem::path(path).replace_extension(".sol");
+  if (std::filesystem::exists(beside)) {
+    try {
+      read_medit_solution(load(beside.string()), soup);
+    } catch (const kernel::InputError& error) {
+      throw kernel::InputError(beside.filename().string() + ": " + error.what());
+    }
+  }
+  return soup;
+}
+
+TensorFile read_file(const std::string& path, const TensorRequest& request) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".nrrd") return read_tensor_volume(load(path), request);
+  FieldRequest fields;
+  fields.wanted = true;
+  fields.name = request.field;
+  fields.step = request.step;
+  if (extension == ".frd") return from_soup(read_frd(load(path), fields), request);
+  if (extension == ".mesh") return from_soup(read_medit_pair(path), request);
+  for (const char* known : {".vtu", ".vtk", ".msh"})
+    if (extension == known) return from_soup(read_soup(path, fields), request);
+  for (const char* packed : {".gz", ".xz", ".bz2", ".zip"})
+    if (extension == packed) fail("file", "is packed", "unpack it");
+  fail("file", "has the extension '" + extension + "', which holds no tensors on solids",
+       "use .vtu, .vtk, .msh, .mesh, .frd or .nrrd");
+}
+
 }  // namespace
 
 TensorFile read_tensors(const std::string& path, const TensorRequest& request) {
   TensorFile file;
-  read_named(path, [&] {
-    FieldRequest fields;
-    fields.wanted = true;
-    fields.name = request.field;
-    const Soup soup = soup_reader(lower_extension(path))(load(path), fields);
-    file = from_soup(soup, request);
-  });
+  read_named(path, [&] { file = read_file(path, request); });
   return file;
 }
 

@@ -4,6 +4,7 @@
 // Tetrahedral meshes with a symmetric tensor at each vertex, from files (io/formats). Other solids
 // are split; every quadrilateral is cut from its lowest vertex, so on both its sides alike.
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@
 namespace crest::io {
 
 struct TensorRequest {
-  std::string field;                        ///< of points; empty: the only one of 6 or 9 components
-  std::string order = "xx yy zz xy yz xz";  ///< of 6 components; VTK's
+  std::string field = {};  ///< of points; empty: the only one of 6 or 9 components
+  /// Of 6 components; empty: the format's, "xx yy zz xy yz xz" in VTK's files and Gmsh's.
+  std::string order = {};
+  std::optional<std::int64_t> step = {};  ///< of time; else the last (.msh, .frd)
 };
 
 struct TensorFile {
@@ -25,10 +28,10 @@ struct TensorFile {
   std::vector<std::string> warnings;
 };
 
-/// Reads .vtu, .vtk, .msh. Of cells with midside nodes the corners are taken; cells that are no
-/// solids are left out. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line: no
-/// solids, no such field (with those there are), a tensor that is not finite, a cell or face that
-/// TetMesh refuses.
+/// Reads .vtu, .vtk, .msh, .frd, .mesh with the .sol beside it, and volumes as .nrrd. Of cells with
+/// midside nodes the corners are taken; cells that are no solids are left out. Throws:
+/// kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line: no solids, no such field (with
+/// those there are), a tensor that is not finite, a cell or face that TetMesh refuses.
 TensorFile read_tensors(const std::string& path, const TensorRequest& request);
 
 }  // namespace crest::io
