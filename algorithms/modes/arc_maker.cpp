@@ -50,7 +50,7 @@ int ArcMaker::compare(const End& a, const End& b) {
   const auto in_doubles = [&](const End& e) -> Range {
     const Edge& edge = faces_.edge(face.edges[e.edge]);
     const Root& r = faces_.lines().root(e.root);
-    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const double begin = edge.from, length = edge.to - begin;
     // begin and end are rounded once each, as are the differences and the quotient.
     const double slack = 4 * 0x1p-52 * (2 + 2 / length);
     double low = (r.low - begin) / length - slack, high = (r.high - begin) / length + slack;
@@ -93,14 +93,14 @@ void ArcMaker::add(const End& a, const End& b) {
 }
 
 bool ArcMaker::join(Side side) {
-  std::vector<End> ends;
+  boost::container::small_vector<End, 8> ends;
   for (const End& e : ends_)
     if (e.side == side) ends.push_back(e);
   if (ends.size() % 2 == 1) return false;
   // Two roots next to one corner: the curve, there nearly a line, cuts the corner off.
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (faces_.vertices().signs(faces_.face(face_).corners[corner]).f != Sign::zero) continue;
-    std::vector<std::size_t> near;
+    boost::container::small_vector<std::size_t, 4> near;
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (is_at(ends[i], corner)) near.push_back(i);
     if (near.size() != 2) continue;

@@ -3,6 +3,8 @@
 
 // Joins the roots around a face that has a witness: along it each line meets a side's curve once at
 // most, so over the axis across it, where the roots are ordered, arcs lie side by side.
+#include <boost/container/small_vector.hpp>
+
 #include "algorithms/modes/faces.hpp"
 
 namespace crest::modes {
@@ -29,8 +31,8 @@ class ArcMaker {
 
   Faces& faces_;
   Index face_;
-  std::vector<End> ends_;
-  std::vector<Arc> arcs_;
+  boost::container::small_vector<End, 12> ends_;
+  boost::container::small_vector<Arc, 6> arcs_;
 };
 
 }  // namespace crest::modes

@@ -2,176 +2,179 @@
 #include "algorithms/modes/cell_test.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
-#include "algorithms/modes/forms.hpp"
+#include "algorithms/modes/cell_lanes.hpp"
+#include "algorithms/modes/clones.hpp"
 #include "algorithms/modes/half_space.hpp"
-#include "kernel/polynomial/hull_sign.hpp"
 
 namespace crest::modes {
 namespace {
 
-using kernel::Hull;
-using kernel::Sign;
+/// What a test of eight simplices starts from.
+template <int D, class Kind>
+struct Prepared {
+  using Basis = kernel::SimplexBasis<D, Kind::degree>;
+  using Form = kernel::Form<RealLanes, Basis>;
+  Form f;
+  std::array<Form, D> growth;  ///< if f has no sign somewhere
+  HullMasks signs;
+  std::array<Lanes, D + 1> scale;  ///< one over the largest coefficient; 0: there is none
+  /// The coefficients of growth and f, scaled, as unit vectors; 0: only zeros of integers, which
+  /// strictly_positive judges.
+  std::array<std::array<Lanes, D + 1>, Basis::count> vectors;
+};
 
-/// H4: the form is positive on the closed simplex because no coefficient is negative and every
-/// face of it carries a positive one.
-template <class B>
-bool strictly_positive(const kernel::Form<Integer, B>& f) {
-  std::array<bool, 1U << B::corners> carries{};
-  for (std::size_t i = 0; i < B::count; ++i) {
-    if (f.s[i] < 0) return false;
-    if (f.s[i].is_zero()) continue;
-    unsigned mask = 0;
-    for (std::size_t k = 0; k < B::corners; ++k) mask |= (B::indices[i][k] > 0 ? 1U : 0U) << k;
-    carries[mask] = true;
+template <int D, class Kind>
+CREST_WIDE_CLONES void prepare(const EightTensors<D>& cells, const Level& level,
+                               Prepared<D, Kind>& r) {
+  using Basis = typename Prepared<D, Kind>::Basis;
+  const auto forms = bounded_forms<Lanes, D>(cells.t, cells.largest, cells.error);
+  r.f = Kind::f(forms, level);
+  r.signs = HullMasks(r.f);
+  if ((r.signs.positive | r.signs.negative) == (1U << Lanes::count) - 1) return;
+  for (std::size_t k = 0; k < D; ++k) r.growth[k] = Kind::growth(forms, level, k);
+  Wide zero, infinity;
+  load(0, zero);
+  load(HUGE_VAL, infinity);
+  for (std::size_t k = 0; k <= D; ++k) {
+    const auto& form = k < D ? r.growth[k] : r.f;
+    Wide largest = zero, x;
+    for (std::size_t i = 0; i < Basis::count; ++i) {
+      load(form.s[i], x);
+      x /= Basis::weights[i];
+      store(x, r.vectors[i][k]);
+      const Wide size = x < 0 ? -x : x;
+      largest = largest < size ? size : largest;
+    }
+    store(1 / (largest > 0 ? largest : infinity), r.scale[k]);
   }
-  for (unsigned face = 1; face < carries.size(); ++face) {
-    bool found = false;
-    for (unsigned part = face; part != 0 && !found; part = (part - 1) & face) found = carries[part];
-    if (!found) return false;
-  }
-  return true;
-}
-
-/// The forms of one simplex, the exact ones when they are needed.
-template <int D>
-class Forms {
- public:
-  Forms(const std::array<Tensor, D + 1>& corners, const ExactCorners<D>& exact, const Level& level)
-      : level_(level), supply_(exact), real_(real_forms<D>(corners)) {}
-
-  template <class N>
-  auto f() {
-    return level_form(get<N>(), level_);
-  }
-  template <class N>
-  auto growth(std::size_t k) {
-    return growth_form(get<N>(), level_, k);
-  }
-  template <class N>
-  auto neutral_growth(std::size_t k) {
-    return neutral_growth_form(get<N>(), k);
-  }
-  template <class N>
-  TensorForms<N, D>& get() {
-    if constexpr (std::is_same_v<N, Real>) {
-      return real_;
-    } else {
-      if (!exact_) exact_ = integer_forms<D>(supply_());
-      return *exact_;
+  for (auto& v : r.vectors) {
+    Wide norm = zero, x, scale;
+    for (std::size_t k = 0; k <= D; ++k) {
+      load(v[k], x);
+      load(r.scale[k], scale);
+      x *= scale;
+      store(x, v[k]);
+      norm += x * x;
+    }
+    Lanes length;
+    store(norm, length);
+    for (std::size_t l = 0; l < Lanes::count; ++l) length.x[l] = std::sqrt(length.x[l]);
+    load(length, norm);
+    const Wide factor = 1 / (norm > 1e-12 ? norm : infinity);
+    for (Lanes& y : v) {
+      load(y, x);
+      store(x * factor, y);
     }
   }
-  bool used_integers() const { return exact_.has_value(); }
+}
 
- private:
-  const Level& level_;
-  const ExactCorners<D>& supply_;
-  TensorForms<Real, D> real_;
-  std::optional<TensorForms<Integer, D>> exact_;
-};
+/// The signs of p for a witness in each lane.
+template <int D, class Kind>
+CREST_WIDE_CLONES HullMasks try_witnesses(const Prepared<D, Kind>& cells,
+                                          const std::array<Lanes, D>& w, const Lanes& lambda) {
+  auto p = RealLanes(lambda) * cells.f;
+  for (std::size_t k = 0; k < D; ++k) p = p + RealLanes(w[k]) * cells.growth[k];
+  return HullMasks(p);
+}
 
-struct General {
-  static constexpr int degree = 6;
-  template <class N, int D>
-  static auto f(Forms<D>& forms) {
-    return forms.template f<N>();
-  }
-  template <class N, int D>
-  static auto growth(Forms<D>& forms, std::size_t k) {
-    return forms.template growth<N>(k);
-  }
-};
-struct Neutral {
-  static constexpr int degree = 3;
-  template <class N, int D>
-  static auto f(Forms<D>& forms) {
-    return forms.template get<N>().c;
-  }
-  template <class N, int D>
-  static auto growth(Forms<D>& forms, std::size_t k) {
-    return forms.template neutral_growth<N>(k);
-  }
-};
+template <std::size_t N, std::size_t Most>
+CREST_WIDE_CLONES std::optional<std::array<double, N>> direction(const VectorList<N, Most>& list) {
+  return HalfSpace<N, Most>::search(list);
+}
 
 template <int D, class Kind>
 class Test {
   using Basis = kernel::SimplexBasis<D, Kind::degree>;
-  using RealForm = kernel::Form<Real, Basis>;
 
  public:
-  explicit Test(Forms<D>& forms) : forms_(forms), f_(Kind::template f<Real>(forms)) {}
-
-  Finding sign() {
-    const auto certain = kernel::certain_hull(f_);
-    if (certain == Hull::positive) return Finding::positive;
-    if (certain == Hull::negative) return Finding::negative;
-    if (certain == Hull::mixed) return Finding::none;
-    auto exact = Kind::template f<Integer>(forms_);
-    bool negative = false, positive = false;
-    for (const Integer& x : exact.s) {
-      negative = negative || x < 0;
-      positive = positive || x > 0;
-    }
-    if (negative && positive) return Finding::none;
-    if (!negative) return positive ? Finding::positive : Finding::uniform;
-    for (Integer& x : exact.s) x = -x;
-    return strictly_positive(exact) ? Finding::negative : Finding::none;
+  Test(std::span<const Corners<D>> cells, const ExactCorners<D>& exact, const Level& level,
+       std::span<CellResult<D>> results)
+      : exact_(exact), level_(level), results_(results) {
+    prepare<D, Kind>(EightTensors<D>(cells), level, cells_);
   }
 
-  std::optional<Witness<D>> witness() {
-    for (std::size_t k = 0; k < D; ++k) growth_[k] = Kind::template growth<Real>(forms_, k);
-    const auto direction = search();
-    if (!direction) return std::nullopt;
-    auto w = rounded(*direction);
-    if (!w) return std::nullopt;
-    if (holds(*w)) return w;
-    w->lambda = 0;
-    if (holds(*w)) return w;
-    return std::nullopt;
+  void run() {
+    unsigned open = 0;
+    for (std::size_t l = 0; l < results_.size(); ++l) {
+      CellResult<D>& r = results_[l];
+      if (const auto certain = cells_.signs.finding(l)) {
+        r.finding = *certain;
+      } else {
+        r.exact = true;
+        r.finding = exact_finding(Kind::f(integer_forms<D>(exact_(l)), level_));
+      }
+      if (r.finding != Finding::none || !search(l)) continue;
+      open |= 1U << l;
+    }
+    open = keep_what_holds(open);
+    for (std::size_t l = 0; l < results_.size(); ++l)
+      if (open >> l & 1U) results_[l].witness.lambda = 0;
+    keep_what_holds(open);
   }
 
  private:
-  using Vector = std::array<double, D + 1>;
-
-  std::optional<Vector> search() {
-    Vector scale;
-    for (std::size_t k = 0; k <= D; ++k) {
-      const RealForm& form = k < D ? growth_[k] : f_;
-      double largest = 0;
-      for (std::size_t i = 0; i < Basis::count; ++i)
-        largest = std::max(largest, std::fabs(form.s[i] / Basis::weights[i]));
-      scale[k] = largest > 0 ? 1 / largest : 0;
+  /// Tries the lanes' witnesses; the lanes whose do not hold.
+  unsigned keep_what_holds(unsigned open) {
+    if (open == 0) return 0;
+    std::array<Lanes, D> w;
+    Lanes lambda = 0;
+    w.fill(0);
+    for (std::size_t l = 0; l < results_.size(); ++l) {
+      for (std::size_t k = 0; k < D; ++k) w[k].x[l] = results_[l].witness.w[k + 1];
+      lambda.x[l] = results_[l].witness.lambda;
     }
-    std::array<Vector, Basis::count> vectors;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < Basis::count; ++i) {
-      Vector& v = vectors[count];
-      double norm = 0;
-      for (std::size_t k = 0; k <= D; ++k) {
-        const RealForm& form = k < D ? growth_[k] : f_;
-        v[k] = form.s[i] / Basis::weights[i] * scale[k];
-        norm += v[k] * v[k];
-      }
-      if (norm < 1e-24) continue;  // a zero of integers, which strictly_positive judges
-      norm = 1 / std::sqrt(norm);
-      for (double& x : v) x *= norm;
-      ++count;
+    const HullMasks signs = try_witnesses<D, Kind>(cells_, w, lambda);
+    unsigned left = 0;
+    for (std::size_t l = 0; l < results_.size(); ++l) {
+      const unsigned bit = 1U << l;
+      if ((open & bit) == 0) continue;
+      if ((signs.positive & bit) != 0 || ((signs.some_negative & bit) == 0 && holds_exactly(l)))
+        results_[l].finding = Finding::graph;
+      else
+        left |= bit;
     }
-    auto y = HalfSpace<D + 1>::search({vectors.data(), count});
-    if (y)
-      for (std::size_t k = 0; k <= D; ++k) (*y)[k] *= scale[k];
-    return y;
+    return left;
   }
 
-  static std::optional<Witness<D>> rounded(const Vector& y) {
+  bool holds_exactly(std::size_t l) {
+    const Witness<D>& y = results_[l].witness;
+    // The integers are the tensors times a power of two that is not known here, and the two terms
+    // have different degrees.
+    if (y.lambda != 0 && Kind::degree == 6) return false;
+    results_[l].exact = true;
+    const auto forms = integer_forms<D>(exact_(l));
+    auto p = Integer(y.lambda) * Kind::f(forms, level_);
+    for (std::size_t k = 0; k < D; ++k)
+      if (y.w[k + 1] != 0) p = p + Integer(y.w[k + 1]) * Kind::growth(forms, level_, k);
+    return strictly_positive(p);
+  }
+
+  /// Finds a witness to be tried.
+  bool search(std::size_t l) {
+    VectorList<D + 1, Basis::count> list;
+    for (const auto& v : cells_.vectors) {
+      bool zero = true;
+      for (std::size_t k = 0; k <= D; ++k) {
+        list.component[k][list.size] = v[k].x[l];
+        zero = zero && v[k].x[l] == 0;
+      }
+      list.size += zero ? 0 : 1;
+    }
+    auto y = direction(list);
+    if (!y) return false;
+    for (std::size_t k = 0; k <= D; ++k) (*y)[k] *= cells_.scale[k].x[l];
+    return round(*y, results_[l].witness);
+  }
+
+  static bool round(const std::array<double, D + 1>& y, Witness<D>& r) {
     double sum = 0, largest = 0;
     for (std::size_t k = 0; k <= D; ++k) largest = std::fmax(largest, std::fabs(y[k]));
     for (std::size_t k = 0; k < D; ++k) sum += y[k];
     largest = std::fmax(largest, std::fabs(sum));
-    if (!(largest > 0)) return std::nullopt;
+    if (!(largest > 0)) return false;
     const double unit = 32000 / largest;
-    Witness<D> r;
     int rest = 0;
     for (std::size_t k = 0; k < D; ++k) {
       r.w[k + 1] = static_cast<std::int16_t>(std::lround(unit * y[k]));
@@ -180,108 +183,110 @@ class Test {
     r.w[0] = static_cast<std::int16_t>(rest);
     // A multiple of 3: the certificate's lambda is a third of it (certificate.cpp).
     r.lambda = static_cast<std::int16_t>(3 * std::lround(unit / 3 * y[D]));
-    return r;
+    return true;
   }
 
-  bool holds(const Witness<D>& y) {
-    RealForm p = Real(static_cast<double>(y.lambda)) * f_;
-    for (std::size_t k = 0; k < D; ++k)
-      if (y.w[k + 1] != 0) p = p + Real(static_cast<double>(y.w[k + 1])) * growth_[k];
-    const auto certain = kernel::certain_hull(p);
-    if (certain) return certain == Hull::positive;
-    for (std::size_t i = 0; i < Basis::count; ++i)
-      if (p.s[i] < -Basis::weights[i] * p.error) return false;
-    // The integers are the tensors times a power of two that is not known here, and the two terms
-    // have different degrees.
-    if (y.lambda != 0 && Kind::degree == 6) return false;
-    auto exact = Integer(y.lambda) * Kind::template f<Integer>(forms_);
-    for (std::size_t k = 0; k < D; ++k)
-      if (y.w[k + 1] != 0)
-        exact = exact + Integer(y.w[k + 1]) * Kind::template growth<Integer>(forms_, k);
-    return strictly_positive(exact);
-  }
-
-  Forms<D>& forms_;
-  RealForm f_;
-  std::array<RealForm, D> growth_;
+  const ExactCorners<D>& exact_;
+  const Level& level_;
+  std::span<CellResult<D>> results_;
+  Prepared<D, Kind> cells_;
 };
 
-template <int D, class Kind>
-CellResult<D> run(Forms<D>& forms) {
-  CellResult<D> r;
-  Test<D, Kind> test(forms);
-  r.finding = test.sign();
-  if (r.finding == Finding::none) {
-    if (const auto w = test.witness()) {
-      r.finding = Finding::graph;
-      r.witness = *w;
-    }
+/// Ranges of the nets of c and n.
+struct Ranges {
+  Lanes c_low, c_high, n_low, n_high;
+};
+
+template <class Form>
+void range(const Form& f, Lanes& low, Lanes& high) {
+  using B = typename Form::Basis;
+  Wide x, least, most;
+  load(f.s[0], least);
+  most = least /= B::weights[0];
+  for (std::size_t i = 1; i < B::count; ++i) {
+    load(f.s[i], x);
+    x /= B::weights[i];
+    least = x < least ? x : least;
+    most = x > most ? x : most;
   }
-  r.exact = forms.used_integers();
-  return r;
+  store(least, low);
+  store(most, high);
+}
+
+/// By the ranges; the factors cover the divisions' roundings.
+std::optional<Finding> by_bound(const TensorForms<RealLanes, 3>& forms, const Ranges& r,
+                                const Level& level, std::size_t l) {
+  const double c_low = r.c_low.x[l], c_high = r.c_high.x[l], n_low = r.n_low.x[l],
+               n_high = std::fmax(r.n_high.x[l], 0);
+  const double ce =
+      1.01 * forms.c.error.x[l] + 0x1p-50 * std::fmax(std::fabs(c_low), std::fabs(c_high));
+  const double ne = 1.01 * forms.n.error.x[l] + 0x1p-50 * n_high;
+  if (level.neutral()) {
+    if (c_low > ce) return Finding::positive;
+    if (c_high < -ce) return Finding::negative;
+    return std::nullopt;
+  }
+  constexpr double slack = 1 + 0x1p-40;  // for the roundings below
+  const double q = 3.0 * static_cast<double>(level.q) * static_cast<double>(level.q),
+               p = 2.0 * static_cast<double>(level.p) * static_cast<double>(level.p);
+  const auto cube = [](double x) { return x * x * x; };
+  const double most = std::fmax(std::fabs(c_low), std::fabs(c_high)) + ce;
+  const double least = std::fmax(c_low, -c_high) - ce;
+  if (n_low > ne && q * most * most * slack < p * cube(n_low - ne)) return Finding::negative;
+  if (least > 0 && n_low > ne && q * least * least > p * cube(n_high + ne) * slack)
+    return Finding::positive;
+  return std::nullopt;
+}
+
+/// Findings by bounds, which `known` names, and by the signs of f.
+CREST_WIDE_CLONES void scan(const EightTensors<3>& cells, const Level& level,
+                            std::array<std::optional<Finding>, kTogether>& findings,
+                            unsigned& known) {
+  const auto forms = bounded_forms<Lanes, 3, false>(cells.t, cells.largest, cells.error);
+  Ranges ranges;
+  range(forms.c, ranges.c_low, ranges.c_high);
+  range(forms.n, ranges.n_low, ranges.n_high);
+  known = 0;
+  for (std::size_t l = 0; l < kTogether; ++l) {
+    findings[l] = by_bound(forms, ranges, level, l);
+    known |= findings[l] ? 1U << l : 0;
+  }
+  if (known == (1U << kTogether) - 1) return;
+  const HullMasks signs =
+      level.neutral() ? HullMasks(forms.c) : HullMasks(level_form(forms, level));
+  for (std::size_t l = 0; l < kTogether; ++l)
+    if ((known >> l & 1U) == 0) findings[l] = signs.finding(l);
 }
 
 }  // namespace
 
 template <int D>
-CellResult<D> test_cell(const std::array<Tensor, D + 1>& corners, const ExactCorners<D>& exact,
-                        const Level& level) {
-  Forms<D> forms(corners, exact, level);
-  return level.neutral() ? run<D, Neutral>(forms) : run<D, General>(forms);
+void test_cells(std::span<const Corners<D>> cells, const ExactCorners<D>& exact, const Level& level,
+                std::span<CellResult<D>> results) {
+  if (level.neutral())
+    Test<D, Neutral>(cells, exact, level, results).run();
+  else
+    Test<D, General>(cells, exact, level, results).run();
 }
 
-std::optional<Finding> certain_cell_sign(const std::array<Tensor, 4>& corners, const Level& level,
-                                         bool& bound) {
-  const auto forms = real_forms<3>(corners);
-  using C = kernel::SimplexBasis<3, 3>;
-  using N = kernel::SimplexBasis<3, 2>;
-  // Ranges of the nets of c and n; the factor covers the divisions' roundings.
-  double c_low = HUGE_VAL, c_high = -HUGE_VAL, n_low = HUGE_VAL, n_high = 0;
-  for (std::size_t i = 0; i < C::count; ++i) {
-    const double c = forms.c.s[i] / C::weights[i];
-    c_low = std::min(c_low, c);
-    c_high = std::max(c_high, c);
-  }
-  for (std::size_t i = 0; i < N::count; ++i) {
-    const double n = forms.n.s[i] / N::weights[i];
-    n_low = std::min(n_low, n);
-    n_high = std::max(n_high, n);
-  }
-  const double ce = 1.01 * forms.c.error + 0x1p-50 * std::fmax(std::fabs(c_low), std::fabs(c_high)),
-               ne = 1.01 * forms.n.error + 0x1p-50 * n_high;
-  bound = true;
-  if (level.neutral()) {
-    if (c_low > ce) return Finding::positive;
-    if (c_high < -ce) return Finding::negative;
-  } else {
-    constexpr double slack = 1 + 0x1p-40;  // for the roundings below
-    const double q = 3.0 * static_cast<double>(level.q) * static_cast<double>(level.q),
-                 p = 2.0 * static_cast<double>(level.p) * static_cast<double>(level.p);
-    const auto cube = [](double x) { return x * x * x; };
-    const double most = std::fmax(std::fabs(c_low), std::fabs(c_high)) + ce;
-    const double least = std::fmax(c_low, -c_high) - ce;
-    if (n_low > ne && q * most * most * slack < p * cube(n_low - ne)) return Finding::negative;
-    if (least > 0 && n_low > ne && q * least * least > p * cube(n_high + ne) * slack)
-      return Finding::positive;
-  }
-  bound = false;
-  const auto hull = level.neutral() ? kernel::certain_hull(forms.c)
-                                    : kernel::certain_hull(level_form(forms, level));
-  if (!hull) return std::nullopt;
-  return *hull == Hull::positive   ? Finding::positive
-         : *hull == Hull::negative ? Finding::negative
-                                   : Finding::none;
-}
+template void test_cells<2>(std::span<const Corners<2>>, const ExactCorners<2>&, const Level&,
+                            std::span<CellResult<2>>);
+template void test_cells<3>(std::span<const Corners<3>>, const ExactCorners<3>&, const Level&,
+                            std::span<CellResult<3>>);
 
-Finding cell_sign(const std::array<Tensor, 4>& corners, const ExactCorners<3>& exact,
-                  const Level& level) {
-  Forms<3> forms(corners, exact, level);
-  return level.neutral() ? Test<3, Neutral>(forms).sign() : Test<3, General>(forms).sign();
+void cell_signs(std::span<const Corners<3>> cells, const ExactCorners<3>& exact, const Level& level,
+                std::span<CellSign> results) {
+  std::array<std::optional<Finding>, kTogether> findings;
+  unsigned bounds = 0;
+  scan(EightTensors<3>(cells), level, findings, bounds);
+  for (std::size_t l = 0; l < cells.size(); ++l) {
+    if (!findings[l]) {
+      const auto forms = integer_forms<3>(exact(l));
+      findings[l] =
+          level.neutral() ? exact_finding(forms.c) : exact_finding(level_form(forms, level));
+    }
+    results[l] = {*findings[l], (bounds >> l & 1U) != 0};
+  }
 }
-
-template CellResult<2> test_cell<2>(const std::array<Tensor, 3>&, const ExactCorners<2>&,
-                                    const Level&);
-template CellResult<3> test_cell<3>(const std::array<Tensor, 4>&, const ExactCorners<3>&,
-                                    const Level&);
 
 }  // namespace crest::modes

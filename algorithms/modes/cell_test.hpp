@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is proven of one simplex (D = 2 a face, 3 a cell) of a level's trees: f has one sign on it,
-// or a direction along which the mode grows wherever f = 0 (README.md, H4 and the lemma).
+// What is proven of simplices (D = 2 faces, 3 cells) of a level's trees: f has one sign on one, or
+// there is a direction along which the mode grows wherever f = 0 (README.md, H4 and the lemma).
+// Eight go through the formulas together (kernel/polynomial/lanes.hpp), each as it would alone.
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "algorithms/modes/level.hpp"
 #include "algorithms/modes/tensors.hpp"
+#include "kernel/polynomial/lanes.hpp"
 
 namespace crest::modes {
 
@@ -36,24 +39,33 @@ struct CellResult {
   bool exact = false;  ///< integers decided
 };
 
-/// The corners' tensors, exactly, with one exponent for all.
-template <int D>
-using ExactCorners = std::function<std::array<Entries<kernel::Integer>, D + 1>()>;
+/// How many simplices are tested together.
+inline constexpr std::size_t kTogether = kernel::Lanes::count;
 
-/// Requires: no corner's tensor is zero; finite entries, below 2^100.
 template <int D>
-CellResult<D> test_cell(const std::array<Tensor, D + 1>& corners, const ExactCorners<D>& exact,
-                        const Level& level);
-/// The sign alone, as far as doubles tell: positive, negative, none (both signs), or not decided.
-/// `bound`: the sizes of det and |T|^2 were enough. Pure: for parallel loops.
-std::optional<Finding> certain_cell_sign(const std::array<Tensor, 4>& corners, const Level& level,
-                                         bool& bound);
-/// The sign alone: no witness is looked for.
-Finding cell_sign(const std::array<Tensor, 4>& corners, const ExactCorners<3>& exact,
-                  const Level& level);
-extern template CellResult<2> test_cell<2>(const std::array<Tensor, 3>&, const ExactCorners<2>&,
-                                           const Level&);
-extern template CellResult<3> test_cell<3>(const std::array<Tensor, 4>&, const ExactCorners<3>&,
-                                           const Level&);
+using Corners = std::array<const Tensor*, D + 1>;
+
+/// Simplex i's tensors, exactly, with one exponent for all.
+template <int D>
+using ExactCorners = std::function<std::array<Entries<kernel::Integer>, D + 1>(std::size_t i)>;
+
+/// Requires: at most kTogether simplices, at least one; no corner's tensor is zero; finite entries,
+/// below 2^100. Pure, if `exact` is.
+template <int D>
+void test_cells(std::span<const Corners<D>> cells, const ExactCorners<D>& exact, const Level& level,
+                std::span<CellResult<D>> results);
+extern template void test_cells<2>(std::span<const Corners<2>>, const ExactCorners<2>&,
+                                   const Level&, std::span<CellResult<2>>);
+extern template void test_cells<3>(std::span<const Corners<3>>, const ExactCorners<3>&,
+                                   const Level&, std::span<CellResult<3>>);
+
+/// The sign alone: positive, uniform, negative, none (both signs, or not known).
+struct CellSign {
+  Finding finding = Finding::none;
+  bool bound = false;  ///< the sizes of det and |T|^2 were enough
+};
+/// Requires, pure: as test_cells.
+void cell_signs(std::span<const Corners<3>> cells, const ExactCorners<3>& exact, const Level& level,
+                std::span<CellSign> results);
 
 }  // namespace crest::modes

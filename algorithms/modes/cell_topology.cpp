@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/cell_topology.hpp"
 
-#include <unordered_map>
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
 
 namespace crest::modes {
 
@@ -13,48 +14,48 @@ std::optional<std::size_t> piece_count(std::size_t loops, std::size_t above, std
   return std::nullopt;
 }
 
-CellTopology::CellTopology(Faces& faces, const std::array<Index, 4>& facets,
-                           const std::array<std::int16_t, 4>& w)
-    : faces_(faces), w_(w) {
-  for (std::size_t i = 0; i < 4; ++i) faces_.leaves(facets[i], leaves_[i]);
-}
-
-bool CellTopology::make_loops(Side side, std::vector<Loop>& loops) const {
-  struct Ends {
-    Index arc[2] = {kNone, kNone};
+template <class Start, class Add>
+bool CellTopology::trace(Side side, Start&& start, Add&& add) const {
+  struct End {
+    Index root;
+    std::uint32_t arc;  ///< its place in the list
+    std::uint8_t which;
   };
-  std::unordered_map<Index, Ends> at;
-  std::vector<Index> arcs;
-  for (const auto& leaves : leaves_)
-    for (const Index f : leaves) {
-      const Face& face = faces_.face(f);
-      for (Index k = 0; k < face.arc_count; ++k) {
-        const Index a = face.first_arc + k;
-        const Arc& arc = faces_.arcs()[a];
-        if (arc.side != side) continue;
-        arcs.push_back(a);
-        for (const Index r : arc.roots) {
-          Ends& ends = at[r];
-          if (ends.arc[1] != kNone) return false;
-          ends.arc[ends.arc[0] == kNone ? 0 : 1] = a;
-        }
-      }
-    }
-  for (const auto& [root, ends] : at)
-    if (ends.arc[1] == kNone) return false;
-  std::unordered_map<Index, bool> used;
-  for (const Index first : arcs) {
-    if (used[first]) continue;
-    Loop& loop = loops.emplace_back();
-    Index a = first, root = faces_.arcs()[a].roots[0];
-    while (!used[a]) {
-      used[a] = true;
-      const Arc& arc = faces_.arcs()[a];
-      const bool forward = arc.roots[0] == root;
-      loop.push_back({a, forward});
-      root = arc.roots[forward ? 1 : 0];
-      const Ends& ends = at[root];
-      a = ends.arc[0] == a ? ends.arc[1] : ends.arc[0];
+  struct Link {
+    Index arc;
+    std::array<std::uint32_t, 2> next;  ///< beyond its first root, its second
+    bool used;
+  };
+  boost::container::small_vector<Link, 16> arcs;
+  boost::container::small_vector<End, 32> ends;
+  for (const Index facet : facets_)
+    faces_.for_each_arc(facet, side, [&](Index a) {
+      const auto place = static_cast<std::uint32_t>(arcs.size());
+      arcs.push_back({a, {}, false});
+      for (std::uint8_t k = 0; k < 2; ++k) ends.push_back({faces_.arcs()[a].roots[k], place, k});
+    });
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    return a.root != b.root ? a.root < b.root : a.arc < b.arc;
+  });
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    if (i + 1 == ends.size() || ends[i].root != ends[i + 1].root ||
+        (i + 2 < ends.size() && ends[i].root == ends[i + 2].root))
+      return false;
+    arcs[ends[i].arc].next[ends[i].which] = ends[i + 1].arc;
+    arcs[ends[i + 1].arc].next[ends[i + 1].which] = ends[i].arc;
+  }
+  for (std::uint32_t first = 0; first < arcs.size(); ++first) {
+    if (arcs[first].used) continue;
+    start();
+    Index root = faces_.arcs()[arcs[first].arc].roots[0];
+    for (std::uint32_t i = first; !arcs[i].used;) {
+      Link& link = arcs[i];
+      link.used = true;
+      const auto& roots = faces_.arcs()[link.arc].roots;
+      const bool forward = roots[0] == root;
+      add(LoopArc{link.arc, forward});
+      root = roots[forward ? 1 : 0];
+      i = link.next[forward ? 1 : 0];
     }
   }
   return true;
@@ -128,22 +129,39 @@ std::size_t CellTopology::components(Side side, int sign, bool above) {
   intervals_.clear();
   for (std::size_t i = 0; i < 4; ++i)
     if ((w_[i] > 0) - (w_[i] < 0) == sign)
-      for (const Index f : leaves_[i]) add_face(side, f);
+      faces_.for_each_leaf(facets_[i], [&](Index f) { add_face(side, f); });
   std::size_t count = 0;
   for (Index i = 0; i < intervals_.size(); ++i)
     if (find(i) == i && intervals_[i].above == above) ++count;
   return count;
 }
 
-std::optional<std::vector<Piece>> CellTopology::pieces(Side side) {
-  std::vector<Loop> loops;
-  if (!make_loops(side, loops)) return std::nullopt;
+std::optional<std::size_t> CellTopology::loop_count(Side side) const {
+  std::size_t loops = 0;
+  const bool closed = trace(
+      side, [&] { ++loops; }, [](const LoopArc&) {});
+  return closed ? std::optional(loops) : std::nullopt;
+}
+
+std::optional<std::size_t> CellTopology::count_by_loops(Side side) const {
+  const auto loops = loop_count(side);
+  // One loop bounds a disk: every component has a loop.
+  return loops && *loops <= 1 ? loops : std::nullopt;
+}
+
+std::optional<std::size_t> CellTopology::count(Side side) {
+  const auto loops = loop_count(side);
+  if (!loops || *loops <= 1) return loops;
   // w leaves the cell through facets with w_i < 0.
-  const auto count =
-      piece_count(loops.size(), components(side, -1, true), components(side, 1, false));
-  if (!count) return std::nullopt;
+  return piece_count(*loops, components(side, -1, true), components(side, 1, false));
+}
+
+std::vector<Piece> CellTopology::pieces(Side side, std::size_t count) const {
+  std::vector<Loop> loops;
+  trace(
+      side, [&] { loops.emplace_back(); }, [&](const LoopArc& a) { loops.back().push_back(a); });
   std::vector<Piece> pieces;
-  if (*count == loops.size())
+  if (count == loops.size())
     for (Loop& loop : loops) pieces.push_back({std::move(loop)});
   else
     pieces.push_back(std::move(loops));

@@ -29,10 +29,15 @@ class CellTopology {
   /// Facet i lies opposite corner i of a cell with direction w (sum 0). Requires: all facets are
   /// closed.
   CellTopology(Faces& faces, const std::array<Index, 4>& facets,
-               const std::array<std::int16_t, 4>& w);
+               const std::array<std::int16_t, 4>& w)
+      : faces_(faces), facets_(facets), w_(w) {}
 
-  /// The pieces of a side; nothing where the rule does not tell.
-  std::optional<std::vector<Piece>> pieces(Side side);
+  /// The number of pieces of a side; nothing where the rule does not tell.
+  std::optional<std::size_t> count(Side side);
+  /// The same where loops alone tell. Only reads the trees.
+  std::optional<std::size_t> count_by_loops(Side side) const;
+  /// The pieces. Requires: count() was that many. Only reads the trees.
+  std::vector<Piece> pieces(Side side, std::size_t count) const;
 
  private:
   struct Interval {
@@ -41,7 +46,10 @@ class CellTopology {
     Index parent;
     bool above;
   };
-  bool make_loops(Side side, std::vector<Loop>& loops) const;
+  /// Walks around all loops: start() each, add() its arcs. False if they do not close.
+  template <class Start, class Add>
+  bool trace(Side side, Start&& start, Add&& add) const;
+  std::optional<std::size_t> loop_count(Side side) const;
   /// Components of the closed half where w has that sign, above or below.
   std::size_t components(Side side, int sign, bool above);
   void add_face(Side side, Index face);
@@ -50,7 +58,7 @@ class CellTopology {
   void unite(Index a, Index b);
 
   Faces& faces_;
-  std::array<std::vector<Index>, 4> leaves_;
+  std::array<Index, 4> facets_;
   std::array<std::int16_t, 4> w_;
   std::vector<Interval> intervals_;
 };

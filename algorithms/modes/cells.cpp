@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/cells.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <numeric>
+
+#include "algorithms/modes/test_all.hpp"
 
 namespace crest::modes {
 namespace {
@@ -24,71 +30,108 @@ Index Cells::edge(const Cell& cell, std::size_t i, std::size_t j) const {
   return faces_.edge_of(cell.faces[others(i, j)[0]], cell.corners[i], cell.corners[j]);
 }
 
-Index Cells::decide(Index tet, const std::array<Index, 4>& corners,
-                    const std::array<Index, 4>& faces, const CellResult<3>& whole) {
-  const auto root = static_cast<Index>(cells_.size());
-  cells_.push_back({corners, faces, tet});
-  budget_ = counters_.tests + faces_.counters().tests + limits_.tests;
-  faces_.allow(limits_.tests);
-  decide(root, whole);
-  return root;
+Index Cells::add(Index tet, const std::array<Index, 4>& corners,
+                 const std::array<Index, 4>& faces) {
+  cells_.push_back({corners, faces, tet, faces_.add_account()});
+  return static_cast<Index>(cells_.size() - 1);
 }
 
-CellResult<3> Cells::test(Index c) const {
-  const auto corners = cells_[c].corners;
-  std::array<Tensor, 4> tensors;
-  for (std::size_t i = 0; i < 4; ++i) tensors[i] = faces_.vertices().tensor(corners[i]);
-  return test_cell<3>(
-      tensors, [&] { return faces_.vertices().exact(corners); }, level_);
+void Cells::refine(Index c, std::vector<Index>& next) {
+  const bool spent = faces_.is_spent(cells_[c].account);
+  exhausted_ = exhausted_ || spent;
+  if (spent || cells_[c].depth >= limits_.depth) {
+    cells_[c].state = State::open;
+    return;
+  }
+  cells_[c].state = State::unknown;
+  split(c);
+  for (const Index part : cells_[c].part) next.push_back(part);
 }
 
-void Cells::take(Index c, const CellResult<3>& r) {
+void Cells::take(Index c, const CellResult<3>& r, std::vector<Index>& next) {
   ++counters_.tests;
+  faces_.spend(cells_[c].account);
   counters_.depth = std::max<int>(counters_.depth, cells_[c].depth);
   counters_.exact_tests += r.exact ? 1 : 0;
   uniform_ += r.finding == Finding::uniform ? 1 : 0;
   if (r.finding == Finding::graph) {
     cells_[c].witness = r.witness;
     cells_[c].state = State::graph;
-  } else if (r.finding != Finding::none) {
+    graphs_.push_back(c);
+  } else if (r.finding == Finding::none) {
+    refine(c, next);
+  } else {
     cells_[c].state = State::rejected;
   }
 }
 
-/// Closes the facets of a cell with a witness and counts its pieces.
-bool Cells::settle(Index c) {
-  bool closed = true;
-  for (const Index f : cells_[c].faces) closed = faces_.close(f) && closed;
-  if (!closed) return false;
-  CellTopology topology(faces_, cells_[c].faces, cells_[c].witness.w);
-  for (const Side side : {Side::minus, Side::neutral, Side::plus}) {
-    if (level_.neutral() != (side == Side::neutral)) continue;
-    const auto pieces = topology.pieces(side);
-    if (!pieces || pieces->size() > 255) return false;
-    cells_[c].pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] =
-        static_cast<std::uint8_t>(pieces->size());
+void Cells::test(std::vector<Index> asked) {
+  std::vector<std::array<Index, 4>> corners;
+  std::vector<Index> next;
+  while (!asked.empty()) {
+    corners.clear();
+    for (const Index c : asked) corners.push_back(cells_[c].corners);
+    const auto results = test_all<3>(faces_.vertices(), corners, level_);
+    next.clear();
+    for (std::size_t i = 0; i < asked.size(); ++i) take(asked[i], results[i], next);
+    asked.swap(next);
   }
-  return true;
 }
 
-void Cells::decide(Index c, const CellResult<3>& result) {
-  take(c, result);
-  if (cells_[c].state == State::rejected) return;
-  if (cells_[c].state == State::graph) {
-    if (settle(c)) return;
-    cells_[c].state = State::unknown;
+void Cells::close_facets() {
+  std::vector<Index> facets;
+  for (const Index c : graphs_)
+    if (cells_[c].state == State::graph)
+      facets.insert(facets.end(), cells_[c].faces.begin(), cells_[c].faces.end());
+  faces_.close(facets);
+}
+
+void Cells::decide() {
+  std::vector<Index> asked(cells_.size());
+  std::iota(asked.begin(), asked.end(), Index{0});
+  while (!asked.empty()) {
+    test(std::move(asked));
+    close_facets();
+    asked.clear();
+    settle_all(asked);
   }
-  const bool spent = counters_.tests + faces_.counters().tests >= budget_;
-  exhausted_ = exhausted_ || spent;
-  if (spent || cells_[c].depth >= limits_.depth) {
-    cells_[c].state = State::open;
-    return;
+  // Other cells may have cut the facets of those that were settled.
+  close_facets();
+  for (const Index c : graphs_)
+    for (const Index f : cells_[c].faces)
+      if (cells_[c].state == State::graph && !faces_.is_closed(f)) cells_[c].state = State::open;
+}
+
+/// Counts the pieces of the cells that got witnesses; the parts of those where that does not tell.
+void Cells::settle_all(std::vector<Index>& next) {
+  for (std::size_t i = settled_; i < graphs_.size(); ++i)
+    for (const Index f : cells_[graphs_[i]].faces) faces_.is_closed(f);
+  // Where loops tell, which is nearly everywhere, the trees are only read.
+  std::vector<char> simple(graphs_.size() - settled_);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(settled_, graphs_.size(), 256),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        simple[i - settled_] = settle(cells_[graphs_[i]], true) ? 1 : 0;
+                    });
+  for (std::size_t i = settled_; i < graphs_.size(); ++i)
+    if (simple[i - settled_] == 0 && !settle(cells_[graphs_[i]], false)) refine(graphs_[i], next);
+  settled_ = graphs_.size();
+}
+
+/// Counts the pieces of a cell with a witness, by its loops alone or not; false if that does not
+/// tell.
+bool Cells::settle(Cell& cell, bool by_loops) {
+  for (const Index f : cell.faces)
+    if (!faces_.face(f).closed) return false;
+  CellTopology topology(faces_, cell.faces, cell.witness.w);
+  for (const Side side : {Side::minus, Side::neutral, Side::plus}) {
+    if (level_.neutral() != (side == Side::neutral)) continue;
+    const auto pieces = by_loops ? topology.count_by_loops(side) : topology.count(side);
+    if (!pieces || *pieces > 255) return false;
+    cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] =
+        static_cast<std::uint8_t>(*pieces);
   }
-  split(c);
-  for (int k = 0; k < 2; ++k) {
-    const Index part = cells_[c].part[k];
-    decide(part, test(part));
-  }
+  return true;
 }
 
 void Cells::split(Index c) {
@@ -108,7 +151,7 @@ void Cells::split(Index c) {
   const Index inner = faces_.add_face(
       {cell.corners[k], cell.corners[l], m},
       {opposite, faces_.face(cell.faces[k]).inner, faces_.face(cell.faces[l]).inner},
-      cell.depth + 1);
+      cell.depth + 1, cell.account);
   Cell near = cell, far = cell;
   near.depth = far.depth = static_cast<std::uint8_t>(cell.depth + 1);
   near.corners[j] = m;
@@ -119,6 +162,7 @@ void Cells::split(Index c) {
     near.faces[f] = faces_.part_with(cell.faces[f], cell.corners[i]);
     far.faces[f] = faces_.part_with(cell.faces[f], cell.corners[j]);
   }
+  near.state = far.state = State::unknown;
   near.witness = far.witness = {};
   near.pieces = far.pieces = {};
   const auto first = static_cast<Index>(cells_.size());

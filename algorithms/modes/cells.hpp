@@ -13,6 +13,7 @@ struct Cell {
   std::array<Index, 4> corners;
   std::array<Index, 4> faces;  ///< face i lies opposite corner i
   Index tet;
+  Index account;  ///< where its tests are counted
   State state = State::unknown;
   std::uint8_t depth = 0;
   std::array<std::uint8_t, 2> split{};  ///< the corners whose edge is cut, if there are parts
@@ -27,25 +28,28 @@ class Cells {
   Cells(Faces& faces, const Level& level, const Limits& limits)
       : faces_(faces), level_(level), limits_(limits) {}
 
-  /// Decides the tetrahedron, cutting where needed; `whole`: test_cell of it. Requires: no zero
-  /// corner. Returns the tree's root.
-  Index decide(Index tet, const std::array<Index, 4>& corners, const std::array<Index, 4>& faces,
-               const CellResult<3>& whole);
+  /// A tetrahedron with these faces; its tree's root. Requires: no zero corner.
+  Index add(Index tet, const std::array<Index, 4>& corners, const std::array<Index, 4>& faces);
+  /// Decides all trees, cutting where needed, all at once: their cells in parallel, then their
+  /// facets.
+  void decide();
 
   const Cell& cell(Index c) const { return cells_[c]; }
   Index size() const { return static_cast<Index>(cells_.size()); }
   /// Gives up a leaf whose facets do not close.
   void open(Index cell) { cells_[cell].state = State::open; }
   const Counters& counters() const { return counters_; }
-  /// Whether `tests` ran out in some tetrahedron.
+  /// Whether tests ran out in some tetrahedron.
   bool exhausted() const { return exhausted_; }
   std::uint64_t uniform() const { return uniform_; }
 
  private:
-  void decide(Index cell, const CellResult<3>& result);
-  CellResult<3> test(Index cell) const;
-  void take(Index cell, const CellResult<3>& result);
-  bool settle(Index cell);
+  void take(Index cell, const CellResult<3>& result, std::vector<Index>& next);
+  void refine(Index cell, std::vector<Index>& next);
+  void test(std::vector<Index> asked);
+  void close_facets();
+  void settle_all(std::vector<Index>& next);
+  bool settle(Cell& cell, bool by_loops);
   void split(Index cell);
   Index edge(const Cell& cell, std::size_t i, std::size_t j) const;
 
@@ -53,8 +57,10 @@ class Cells {
   Level level_;
   Limits limits_;
   std::vector<Cell> cells_;
+  std::vector<Index> graphs_;  ///< leaves with a witness
+  std::size_t settled_ = 0;    ///< of them, whose pieces are known
   Counters counters_;
-  std::uint64_t budget_ = 0, uniform_ = 0;
+  std::uint64_t uniform_ = 0;
   bool exhausted_ = false;
 };
 

@@ -2,6 +2,7 @@
 #include "algorithms/modes/certificate.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <span>
 
@@ -26,7 +27,7 @@ class EdgeRecorder {
   }
 
   void record(Index e, bool clear) {
-    const Edge edge = faces_.edge(e);
+    const Edge& edge = faces_.edge(e);
     clear = clear || (e < clear_.size() && clear_[e] != 0);
     if (edge.middle != kNone) {
       to_.codes.push_back(faces_.vertices().cut(edge.middle).n);
@@ -50,9 +51,9 @@ class EdgeRecorder {
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
     const auto& list = faces_.lines().roots(faces_.edge(e).line);
-    std::vector<certify::RootRecord> records;
+    boost::container::small_vector<certify::RootRecord, 6> records;
     for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
-    separate(e, {list.data() + range.first, range.count}, records);
+    separate(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
   }
 
@@ -65,7 +66,7 @@ class EdgeRecorder {
     if (root.number && lines.compare_place(r, edge.begin) == kernel::Sign::zero)
       return {0, 0, level};
     if (root.number && lines.compare_place(r, edge.end) == kernel::Sign::zero) return {1, 1, level};
-    const double begin = edge.begin.lower(), length = edge.end.lower() - begin;
+    const double begin = edge.from, length = edge.to - begin;
     const double slack = 8 * 0x1p-52 * (2 + 2 / length);  // of begin, end, difference, quotient
     const double low = (root.low - begin) / length - slack,
                  high = (root.high - begin) / length + slack;
@@ -87,7 +88,7 @@ class EdgeRecorder {
   }
 
   /// Two roots at one place have one enclosure; others that overlap are converted exactly.
-  void separate(Index e, std::span<const Index> list, std::vector<certify::RootRecord>& records) {
+  void separate(Index e, std::span<const Index> list, std::span<certify::RootRecord> records) {
     for (std::size_t i = 0; i + 1 < records.size(); ++i) {
       auto &a = records[i], &b = records[i + 1];
       if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;
@@ -118,27 +119,28 @@ class Recorder {
   }
 
   void record() {
-    std::vector<std::pair<std::array<Index, 3>, Index>> faces;
-    for (const auto& [mesh_face, f] : extraction_.mesh_faces())
-      if (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected)
-        faces.emplace_back(faces_.face(f).corners, f);
-    std::sort(faces.begin(), faces.end());
+    // Faces of the mesh come in their corners' order.
+    std::vector<Index> faces;
+    for (const Index f : extraction_.mesh_faces())
+      if (f != kNone && (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected))
+        faces.push_back(f);
     std::vector<std::pair<std::array<Index, 2>, Index>> edges;
-    for (const auto& [corners, f] : faces)
-      for (const Index e : faces_.face(f).edges)
-        edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
+    std::vector<bool> listed(faces_.edge_count());
+    const auto list = [&](Index e) {
+      if (!listed[e]) edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
+      listed[e] = true;
+    };
+    for (const Index f : faces)
+      for (const Index e : faces_.face(f).edges) list(e);
     for (const Cone& c : extraction_.cones())
-      if (c.zeros.size() == 2)
-        edges.push_back(
-            {{c.others[0], c.others[1]}, extraction_.edge_between(c.others[0], c.others[1])});
+      if (c.zeros.size() == 2) list(extraction_.edge_between(c.others[0], c.others[1]));
     std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [corners, e] : edges) {
       to_.edges.push_back(corners);
       edges_.record(e, false);
     }
-    for (const auto& [corners, f] : faces) {
-      to_.faces.push_back(corners);
+    for (const Index f : faces) {
+      to_.faces.push_back(faces_.face(f).corners);
       face(f);
     }
     for (const Extraction::Tree& tree : extraction_.trees()) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/extraction.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/modes/surface_counts.hpp"
+#include "algorithms/modes/test_all.hpp"
 
 namespace crest::modes {
 namespace {
@@ -31,13 +31,15 @@ Extraction::Extraction(const ModeField& field, const Level& level, const ModeOpt
       scale_(scale_of(field.tensors)),
       level_(level),
       limits_{options.max_depth, options.budget},
+      deviation_(options.deviation),
       vertices_(field.tensors, scale_, level),
       lines_(vertices_, level),
       faces_(vertices_, lines_, level, limits_),
-      cells_(faces_, level, limits_) {
+      cells_(faces_, level, limits_),
+      mesh_faces_(field.mesh.faces().size(), kNone) {
   decide_all();
   close_cones();
-  close_again();
+  list_open();
 }
 
 Index Extraction::edge(Index a, Index b) {
@@ -52,131 +54,86 @@ Index Extraction::edge_between(Index a, Index b) const {
 }
 
 Index Extraction::face(Index mesh_face) {
-  const auto [at, fresh] = mesh_faces_.try_emplace(mesh_face, kNone);
-  if (fresh) {
-    const auto& v = field_.mesh.faces()[mesh_face].corners;
-    const std::array<Index, 3> edges = {edge(v[0], v[1]), edge(v[1], v[2]), edge(v[2], v[0])};
-    mesh_faces_[mesh_face] = faces_.add_face(v, edges, 0);
-    if (const auto found = tested_.faces.find(mesh_face); found != tested_.faces.end())
-      faces_.foresee(mesh_faces_[mesh_face], found->second);
-    if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet)
-      boundary_faces_.insert(mesh_faces_[mesh_face]);
-    return mesh_faces_[mesh_face];
-  }
-  return at->second;
+  Index& f = mesh_faces_[mesh_face];
+  if (f != kNone) return f;
+  const auto& v = field_.mesh.faces()[mesh_face].corners;
+  const std::array<Index, 3> edges = {edge(v[0], v[1]), edge(v[1], v[2]), edge(v[2], v[0])};
+  f = faces_.add_face(v, edges, 0, faces_.add_account());
+  if (field_.mesh.faces()[mesh_face].tets[1] == kernel::TetMesh::kNoTet) faces_.mark_boundary(f);
+  return f;
 }
 
 /// The signs of f on every tetrahedron.
-std::vector<Extraction::Scanned> Extraction::scan() const {
+std::vector<Extraction::Scanned> Extraction::scan() {
   std::vector<Scanned> r(field_.mesh.tets().size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 1024), [&](const auto& range) {
-    for (std::size_t t = range.begin(); t < range.end(); ++t) {
-      const auto v = field_.mesh.sorted(static_cast<Index>(t));
-      r[t].cone = std::any_of(v.begin(), v.end(), [&](Index x) { return vertices_.is_zero(x); });
-      if (r[t].cone) continue;
-      const auto tensors = tensors_at(v);
-      if (const auto found = certain_cell_sign(tensors, level_, r[t].bound))
-        r[t].finding = *found;
-      else
-        r[t].finding = cell_sign(
-            tensors, [&] { return vertices_.mesh_exact(v); }, level_);
-    }
+  std::vector<Index> plain;
+  std::vector<std::array<Index, 4>> corners;
+  plain.reserve(r.size());
+  corners.reserve(r.size());
+  for (Index t = 0; t < r.size(); ++t) {
+    const auto v = field_.mesh.sorted(t);
+    r[t].cone = std::any_of(v.begin(), v.end(), [&](Index x) { return vertices_.is_zero(x); });
+    if (r[t].cone) continue;
+    plain.push_back(t);
+    corners.push_back(v);
+  }
+  for_all_groups<3>(vertices_, corners, [&](std::size_t first, auto cells, const auto& exact) {
+    std::array<CellSign, kTogether> signs;
+    cell_signs(cells, exact, level_, {signs.data(), cells.size()});
+    for (std::size_t i = 0; i < cells.size(); ++i) r[plain[first + i]].sign = signs[i];
   });
-  return r;
-}
-
-Extraction::Tested Extraction::test_whole() const {
-  Tested r;
-  r.tets = scan();
-  for (Index t = 0; t < r.tets.size(); ++t)
-    if (!r.tets[t].cone && r.tets[t].finding == Finding::none) r.active.push_back(t);
-  r.cells.resize(r.active.size());
-  const auto in_parallel = [](std::size_t count, const auto& each) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 64), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) each(i);
-    });
-  };
-  in_parallel(r.active.size(), [&](std::size_t i) {
-    const auto v = field_.mesh.sorted(r.active[i]);
-    r.cells[i] = test_cell<3>(
-        tensors_at(v), [&] { return vertices_.mesh_exact(v); }, level_);
-  });
-  // Others are cut before they are asked, mostly.
-  std::vector<Index> faces;
-  for (std::size_t i = 0; i < r.active.size(); ++i)
-    if (r.cells[i].finding == Finding::graph)
-      for (const Index f : field_.mesh.faces_of(r.active[i])) faces.push_back(f);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::vector<CellResult<2>> results(faces.size());
-  in_parallel(faces.size(), [&](std::size_t i) {
-    const auto& v = field_.mesh.faces()[faces[i]].corners;
-    results[i] = test_cell<2>(
-        tensors_at(v), [&] { return vertices_.mesh_exact(v); }, level_);
-  });
-  for (std::size_t i = 0; i < faces.size(); ++i) r.faces.emplace(faces[i], results[i]);
   return r;
 }
 
 void Extraction::decide_all() {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
-  tested_ = test_whole();
-  for (Index t = 0, next = 0; t < count; ++t) {
-    const auto& [finding, cone, bound] = tested_.tets[t];
+  const auto scanned = scan();
+  for (Index t = 0; t < count; ++t) {
+    const auto& [sign, cone] = scanned[t];
     if (cone) {
       Cone c{t, {}, {}};
       for (const Index x : field_.mesh.sorted(t))
         (vertices_.is_zero(x) ? c.zeros : c.others).push_back(x);
       if (c.others.size() >= 2) cones_.push_back(std::move(c));
       ++counts_.cones;
-    } else if (finding != Finding::none) {
-      ++(bound ? counts_.rejected_bound : counts_.rejected_bernstein);
-      counts_.uniform += finding == Finding::uniform ? 1 : 0;
+    } else if (sign.finding != Finding::none) {
+      ++(sign.bound ? counts_.rejected_bound : counts_.rejected_bernstein);
+      counts_.uniform += sign.finding == Finding::uniform ? 1 : 0;
     } else {
-      decide(t, tested_.cells[next++]);
+      ++counts_.active;
+      std::array<Index, 4> faces;
+      for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(t)[i]);
+      trees_.push_back({t, cells_.add(t, field_.mesh.sorted(t), faces)});
     }
   }
-  tested_ = {};
+  cells_.decide();
+  for (const Tree& tree : trees_)
+    counts_.graph_at_once += cells_.cell(tree.cell).state == State::graph ? 1 : 0;
 }
 
-void Extraction::decide(Index tet, const CellResult<3>& whole) {
-  ++counts_.active;
-  std::array<Index, 4> faces;
-  for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(tet)[i]);
-  const Index cell = cells_.decide(tet, field_.mesh.sorted(tet), faces, whole);
-  counts_.graph_at_once += cells_.cell(cell).state == State::graph ? 1 : 0;
-  trees_.push_back({tet, cell});
-}
-
-/// The curves on faces that cones stand on; the roots of edges come by themselves.
+/// The curves on faces that cones stand on; roots of edges that fans do.
 void Extraction::close_cones() {
-  for (const Cone& c : cones_) {
-    if (c.zeros.size() == 2) edge(c.others[0], c.others[1]);
-    if (c.zeros.size() != 1) continue;
-    faces_.allow(limits_.tests);
-    if (!faces_.close(face(opposite_face(c)))) open_.push_back(c.tet);
-  }
+  std::vector<Index> faces;
+  for (const Cone& c : cones_)
+    if (c.zeros.size() == 1)
+      faces.push_back(face(opposite_face(c)));
+    else if (c.zeros.size() == 2)
+      faces_.roots(edge(c.others[0], c.others[1]));
+  faces_.close(faces);
+  for (const Cone& c : cones_)
+    if (c.zeros.size() == 1 && !faces_.is_closed(mesh_faces_[opposite_face(c)]))
+      open_.push_back(c.tet);
 }
 
-/// Faces that a neighbour has cut after a cell was decided have leaves that are not.
-void Extraction::close_again() {
-  for (Index c = 0; c < cells_.size(); ++c) {
-    if (cells_.cell(c).state != State::graph) continue;
-    faces_.allow(limits_.tests);
-    bool closed = true;
-    for (const Index f : cells_.cell(c).faces) closed = faces_.close(f) && closed;
-    if (!closed) cells_.open(c);
-  }
+/// Open cells, and what was counted.
+void Extraction::list_open() {
   for (Index c = 0; c < cells_.size(); ++c) {
     counts_.graph_cells += cells_.cell(c).state == State::graph ? 1 : 0;
     if (cells_.cell(c).state != State::open) continue;
     open_.push_back(cells_.cell(c).tet);
-    for (const Index f : cells_.cell(c).faces) {
-      std::vector<Index> leaves;
-      faces_.leaves(f, leaves);
-      open_faces_.insert(leaves.begin(), leaves.end());
-    }
+    for (const Index f : cells_.cell(c).faces)
+      faces_.for_each_leaf(f, [&](Index leaf) { open_faces_.insert(leaf); });
   }
   std::sort(open_.begin(), open_.end());
   open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
@@ -203,35 +160,34 @@ void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int ori
     return;
   }
   if (cell.state != State::graph) return;
-  if (cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)] == 0) return;
-  auto pieces = CellTopology(faces_, cell.faces, cell.witness.w).pieces(side);
-  if (pieces) builder.add_cell(cell, orientation, std::move(*pieces));
+  const std::size_t count = cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)];
+  if (count == 0) return;
+  builder.add_cell(cell, orientation,
+                   CellTopology(faces_, cell.faces, cell.witness.w).pieces(side, count));
 }
 
-/// All that asks the trees, which may refine a root for it.
-std::unique_ptr<SurfaceBuilder> Extraction::pieces(Side side) {
-  auto builder = std::make_unique<SurfaceBuilder>(faces_, level_, side, field_.mesh.points(),
-                                                  boundary_faces_, open_faces_);
+void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
   for (const Tree& tree : trees_)
-    add_leaves(*builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
+    add_leaves(builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
   for (const Cone& c : cones_) {
     if (c.zeros.size() == 2) {
-      builder->add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
+      builder.add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
       continue;
     }
-    builder->add_cone(c.tet, c.zeros[0], mesh_faces_.at(opposite_face(c)));
+    builder.add_cone(c.tet, c.zeros[0], mesh_faces_[opposite_face(c)]);
   }
-  return builder;
 }
 
 /// Only reads the trees.
-ModeSurface Extraction::surface(SurfaceBuilder& builder, Side side, std::size_t cone_rims) const {
-  ModeSurface s = builder.build();
+ModeSurface Extraction::surface(Side side) {
+  SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
+  add_pieces(builder, side);
+  ModeSurface s = builder.build(deviation_);
   const auto boundary = count(s);
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;
   // Each of these is an edge of one triangle: no others, if there are as many.
-  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims + s.zero_rims;
+  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
   s.face_loops = face_loops(side);
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
@@ -263,20 +219,14 @@ std::size_t Extraction::cone_rims(Side side) {
 /// Cycles of arcs in the tree of one face of the mesh.
 std::size_t Extraction::face_loops(Side side) const {
   std::size_t count = 0;
-  for (const auto& [mesh_face, f] : mesh_faces_) {
-    if (faces_.face(f).split < 0) continue;
-    std::vector<Index> leaves;
-    faces_.leaves(f, leaves);
+  for (const Index f : mesh_faces_) {
+    if (f == kNone || faces_.face(f).split < 0) continue;
     std::unordered_map<Index, std::vector<Index>> next;
-    for (const Index leaf : leaves) {
-      const Face& face = faces_.face(leaf);
-      for (Index k = 0; k < face.arc_count; ++k) {
-        const Arc& arc = faces_.arcs()[face.first_arc + k];
-        if (arc.side != side) continue;
-        next[arc.roots[0]].push_back(arc.roots[1]);
-        next[arc.roots[1]].push_back(arc.roots[0]);
-      }
-    }
+    faces_.for_each_arc(f, side, [&](Index a) {
+      const Arc& arc = faces_.arcs()[a];
+      next[arc.roots[0]].push_back(arc.roots[1]);
+      next[arc.roots[1]].push_back(arc.roots[0]);
+    });
     std::unordered_set<Index> seen;
     for (const auto& [start, ends] : next) {
       if (seen.contains(start)) continue;
@@ -295,6 +245,30 @@ std::size_t Extraction::face_loops(Side side) const {
   return count;
 }
 
+Perturbed Extraction::perturbed(Side side) {
+  Perturbed p;
+  p.uniform_tets = counts_.uniform;
+  for (Index v = 0; v < vertices_.mesh_size(); ++v) {
+    if (vertices_.is_zero(v)) continue;
+    const PointSigns s = vertices_.signs(v);
+    const int det = static_cast<int>(s.det);
+    p.vertices += s.f == kernel::Sign::zero && det == static_cast<int>(side) ? 1 : 0;
+  }
+  for (const auto& [corners, e] : mesh_edges_) {
+    const Lines::Line& line = lines_.line(faces_.edge(e).line);
+    // A place touched from below has two roots, one before and one behind it.
+    for (std::size_t i = 1; i < line.roots.size(); ++i) {
+      const Root &a = lines_.root(line.roots[i - 1]), &b = lines_.root(line.roots[i]);
+      p.edge_touches += a.side == side && b.side == side && a.shift < 0 && b.shift > 0 &&
+                                a.number && b.number &&
+                                kernel::compare(*a.number, *b.number) == kernel::Sign::zero
+                            ? 1
+                            : 0;
+    }
+  }
+  return p;
+}
+
 Index Extraction::opposite_face(const Cone& c) const {
   const auto v = field_.mesh.sorted(c.tet);
   const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), c.zeros[0]) - v.begin());
@@ -306,17 +280,10 @@ ModeResult Extraction::result() {
   r.level = level_;
   std::vector<Side> sides = {Side::plus, Side::minus};
   if (level_.neutral()) sides = {Side::neutral};
-  std::vector<std::unique_ptr<SurfaceBuilder>> builders;
-  std::vector<std::size_t> rims;
-  for (const Side side : sides) {
-    builders.push_back(pieces(side));
-    rims.push_back(cone_rims(side));
-  }
   r.surfaces.resize(sides.size());
-  tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t i) {
-    r.surfaces[i] = surface(*builders[i], sides[i], rims[i]);
-    builders[i].reset();
-  });
+  tbb::parallel_for(std::size_t{0}, sides.size(),
+                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i]); });
+  for (std::size_t i = 0; i < sides.size(); ++i) r.surfaces[i].perturbed = perturbed(sides[i]);
   r.counts = counts_;
   r.undecided = open_;
   r.exhausted = cells_.exhausted();

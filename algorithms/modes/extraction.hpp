@@ -2,7 +2,6 @@
 #pragma once
 
 // All trees of one level over a mesh: what the surface and the certificate are made from.
-#include <memory>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -31,8 +30,8 @@ class Extraction {
   const std::vector<Cone>& cones() const { return cones_; }
   const Cells& cells() const { return cells_; }
   Faces& faces() { return faces_; }
-  /// Faces of the mesh that are among the trees', with their numbers there.
-  const std::unordered_map<Index, Index>& mesh_faces() const { return mesh_faces_; }
+  /// By face of the mesh: its number among the trees'; kNone: it has none.
+  const std::vector<Index>& mesh_faces() const { return mesh_faces_; }
   Index edge_between(Index a, Index b) const;
   int scale() const { return scale_; }
   const Level& level() const { return level_; }
@@ -40,52 +39,37 @@ class Extraction {
 
  private:
   struct Scanned {
-    Finding finding = Finding::none;
-    bool cone = false, bound = false;  ///< it has a zero corner; sizes were enough
+    CellSign sign;
+    bool cone = false;  ///< it has a zero corner
   };
-  /// The tests of whole simplices, which depend on nothing else: in parallel.
-  struct Tested {
-    std::vector<Scanned> tets;
-    std::vector<Index> active;
-    std::vector<CellResult<3>> cells;                ///< active tetrahedra
-    std::unordered_map<Index, CellResult<2>> faces;  ///< of the mesh
-  };
-  std::vector<Scanned> scan() const;
-  Tested test_whole() const;
-  template <std::size_t N>
-  std::array<Tensor, N> tensors_at(const std::array<Index, N>& v) const {
-    std::array<Tensor, N> r;
-    for (std::size_t i = 0; i < N; ++i) r[i] = vertices_.tensor(v[i]);
-    return r;
-  }
+  std::vector<Scanned> scan();
   void decide_all();
-  void decide(Index tet, const CellResult<3>& whole);
   Index face(Index mesh_face);
   Index edge(Index a, Index b);
   void close_cones();
-  void close_again();
+  void list_open();
   int orientation(const Cell& cell) const;
   Index opposite_face(const Cone& cone) const;
-  std::unique_ptr<SurfaceBuilder> pieces(Side side);
-  ModeSurface surface(SurfaceBuilder& builder, Side side, std::size_t cone_rims) const;
+  void add_pieces(SurfaceBuilder& builder, Side side);
+  ModeSurface surface(Side side);
   void add_leaves(SurfaceBuilder& builder, Side side, Index cell, int orientation);
   std::size_t face_loops(Side side) const;
   std::size_t cone_rims(Side side);
+  Perturbed perturbed(Side side);
 
   const ModeField& field_;
   int scale_;
   Level level_;
   Limits limits_;
+  double deviation_;
   Vertices vertices_;
   Lines lines_;
   Faces faces_;
   Cells cells_;
   std::vector<Tree> trees_;
   std::vector<Cone> cones_;
-  std::unordered_map<Index, Index> mesh_faces_;
-  std::unordered_set<Index> boundary_faces_;  ///< among Faces, on the domain's boundary
+  std::vector<Index> mesh_faces_;
   std::unordered_map<std::uint64_t, Index> mesh_edges_;
-  Tested tested_;
   ModeCounts counts_;
   std::vector<Index> open_;
   std::unordered_set<Index> open_faces_;  ///< leaves at open cells

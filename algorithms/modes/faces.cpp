@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/modes/arc_maker.hpp"
+#include "algorithms/modes/test_all.hpp"
 
 namespace crest::modes {
 
@@ -39,13 +40,14 @@ Dyadic between(const Dyadic& begin, const Dyadic& end, long n) {
 Index Faces::add_edge(Index first, Index second) {
   const double measure = angle_measure(vertices_.tensor(first), vertices_.tensor(second));
   edges_.push_back(
-      {first, second, lines_.add(first, second), {Integer(0), 0}, {Integer(1), 0}, measure});
+      {first, second, lines_.add(first, second), {Integer(0), 0}, {Integer(1), 0}, 0, 1, measure});
   return static_cast<Index>(edges_.size() - 1);
 }
 
 Index Faces::add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges,
-                      int depth, Index whole) {
+                      int depth, Index account, Index whole) {
   Face f{corners, edges};
+  f.account = account;
   f.depth = static_cast<std::uint8_t>(depth);
   f.whole = whole == kNone ? static_cast<Index>(faces_.size()) : whole;
   faces_.push_back(f);
@@ -74,7 +76,7 @@ void Faces::cut(Index e) {
   const Index m = vertices_.add(edge.first, edge.second, n);
   const Dyadic t = between(edge.begin, edge.end, n);
   const auto add = [&](Index from, Index to, const Dyadic& begin, const Dyadic& end) {
-    edges_.push_back({from, to, edge.line, begin, end,
+    edges_.push_back({from, to, edge.line, begin, end, begin.lower(), end.lower(),
                       angle_measure(vertices_.tensor(from), vertices_.tensor(to))});
     return static_cast<Index>(edges_.size() - 1);
   };
@@ -104,8 +106,8 @@ void Faces::split(Index f) {
   far_edges[k] = at_b;
   far_edges[(k + 1) % 3] = face.edges[(k + 1) % 3];
   far_edges[(k + 2) % 3] = inner;
-  const Index parts[2] = {add_face(near, near_edges, face.depth + 1, face.whole),
-                          add_face(far, far_edges, face.depth + 1, face.whole)};
+  const Index parts[2] = {add_face(near, near_edges, face.depth + 1, face.account, face.whole),
+                          add_face(far, far_edges, face.depth + 1, face.account, face.whole)};
   for (const Index p : parts)
     if (face.state == State::rejected) faces_[p].state = State::rejected;
   Face& whole = faces_[f];
@@ -129,73 +131,106 @@ Index Faces::part_with(Index f, Index corner) const {
   return face.part[face.corners[k] == corner ? 0 : 1];
 }
 
-CellResult<2> Faces::tested(Index f) {
-  if (faces_[f].depth == 0)
-    if (const auto found = foreseen_.find(f); found != foreseen_.end()) return found->second;
-  const auto corners = faces_[f].corners;
-  return test_cell<2>(
-      {vertices_.tensor(corners[0]), vertices_.tensor(corners[1]), vertices_.tensor(corners[2])},
-      [&] { return vertices_.exact(corners); }, level_);
-}
-
-void Faces::test(Index f) {
-  ++counters_.tests;
-  counters_.depth = std::max<int>(counters_.depth, faces_[f].depth);
-  const auto r = tested(f);
-  counters_.exact_tests += r.exact ? 1 : 0;
-  switch (r.finding) {
-    case Finding::positive:
-    case Finding::uniform:
-    case Finding::negative:
-      faces_[f].state = State::rejected;
-      break;
-    case Finding::graph:
-      faces_[f].witness = r.witness;
-      if (ArcMaker(*this, f).make()) faces_[f].state = State::graph;
-      break;
-    case Finding::none:
-      break;
-  }
-}
-
-bool Faces::close(Index f) {
-  if (faces_[f].closed) return true;
+/// The leaves that are not decided.
+void Faces::add_leaves_to_test(Index f, std::vector<Index>& to) {
+  if (faces_[f].closed) return;
   if (faces_[f].split < 0) {
-    if (faces_[f].state == State::unknown) test(f);
-    if (faces_[f].state == State::unknown &&
-        (faces_[f].depth >= limits_.depth || counters_.tests >= budget_))
-      faces_[f].state = State::open;
-    if (faces_[f].state == State::unknown) split(f);
+    if (faces_[f].state == State::unknown) {
+      faces_[f].state = State::asked;
+      to.push_back(f);
+    }
+    return;
   }
-  bool closed = faces_[f].state != State::open;
-  if (faces_[f].split >= 0)
-    for (int k = 0; k < 2; ++k) closed = close(faces_[f].part[k]) && closed;
+  for (const Index part : faces_[f].part) add_leaves_to_test(part, to);
+}
+
+void Faces::refine(Index f, std::vector<Index>& next) {
+  if (faces_[f].depth >= limits_.depth || is_spent(faces_[f].account)) {
+    faces_[f].state = State::open;
+    return;
+  }
+  faces_[f].state = State::unknown;
+  split(f);
+  for (const Index part : faces_[f].part) {
+    faces_[part].state = State::asked;
+    next.push_back(part);
+  }
+}
+
+void Faces::take(Index f, const CellResult<2>& result, std::vector<Index>& graphs,
+                 std::vector<Index>& next) {
+  ++counters_.tests;
+  spend(faces_[f].account);
+  counters_.depth = std::max<int>(counters_.depth, faces_[f].depth);
+  counters_.exact_tests += result.exact ? 1 : 0;
+  if (result.finding == Finding::graph) {
+    faces_[f].witness = result.witness;
+    graphs.push_back(f);
+  } else if (result.finding == Finding::none) {
+    refine(f, next);
+  } else {
+    faces_[f].state = State::rejected;
+  }
+}
+
+/// The roots on the faces' edges.
+void Faces::isolate_around(const std::vector<Index>& faces) {
+  std::vector<Index> lines;
+  for (const Index f : faces)
+    for (const Index e : faces_[f].edges)
+      if (!lines_.line(edges_[e].line).known) lines.push_back(edges_[e].line);
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  lines_.isolate(lines);
+}
+
+void Faces::close(std::span<const Index> faces) {
+  std::vector<Index> asked, graphs, next;
+  for (const Index f : faces) add_leaves_to_test(f, asked);
+  std::vector<std::array<Index, 3>> corners;
+  while (!asked.empty()) {
+    corners.clear();
+    for (const Index f : asked) corners.push_back(faces_[f].corners);
+    const auto results = test_all<2>(vertices_, corners, level_);
+    graphs.clear();
+    next.clear();
+    for (std::size_t i = 0; i < asked.size(); ++i) take(asked[i], results[i], graphs, next);
+    isolate_around(graphs);
+    for (const Index f : graphs)
+      if (ArcMaker(*this, f).make())
+        faces_[f].state = State::graph;
+      else
+        refine(f, next);
+    asked.swap(next);
+  }
+}
+
+bool Faces::is_closed(Index f) {
+  if (faces_[f].closed) return true;
+  bool closed = true;
+  if (faces_[f].split < 0)
+    closed = faces_[f].state == State::rejected || faces_[f].state == State::graph;
+  else
+    for (const Index part : faces_[f].part) closed = is_closed(part) && closed;
   faces_[f].closed = closed;
   return closed;
 }
 
-void Faces::leaves(Index f, std::vector<Index>& to) const {
-  if (faces_[f].split < 0) {
-    to.push_back(f);
-    return;
-  }
-  leaves(faces_[f].part[0], to);
-  leaves(faces_[f].part[1], to);
-}
-
 RootRange Faces::roots(Index e) {
-  const Edge& edge = edges_[e];
-  const auto& list = lines_.roots(edge.line);
-  RootRange r{0, list.size()};
-  const auto below = [&](const Dyadic& t) {
-    std::size_t k = 0;
-    while (k < list.size() && lines_.is_below(list[k], t)) ++k;
-    return k;
-  };
-  if (!edge.begin.mantissa.is_zero()) r.first = below(edge.begin);
-  if (edge.end.exponent != 0 || edge.end.mantissa != 1) r.count = below(edge.end);
-  r.count -= r.first;
-  return r;
+  const auto& list = lines_.roots(edges_[e].line);
+  Edge& edge = edges_[e];
+  if (edge.first_root == kNone) {
+    const auto below = [&](const Dyadic& t) {
+      std::size_t k = 0;
+      while (k < list.size() && lines_.is_below(list[k], t)) ++k;
+      return static_cast<Index>(k);
+    };
+    const Index first = edge.from == 0 ? 0 : below(edge.begin);
+    const Index end = edge.to == 1 ? static_cast<Index>(list.size()) : below(edge.end);
+    edge.first_root = first;
+    edge.root_count = end - first;
+  }
+  return {edge.first_root, edge.root_count};
 }
 
 }  // namespace crest::modes

@@ -5,7 +5,7 @@
 // the largest angle between its ends' tensors is cut where that angle is halved, to 64ths; so both
 // tetrahedra at a face cut it in the same way. A leaf face is rejected, or the curves in it are
 // graphs along its witness, each an arc that joins two roots on its edges.
-#include <unordered_map>
+#include <span>
 #include <vector>
 
 #include "algorithms/modes/cell_test.hpp"
@@ -18,12 +18,14 @@ inline constexpr Index kNone = ~Index{0};
 struct Edge {
   Index first, second, line;
   kernel::Dyadic begin, end;  ///< of the line
+  double from, to;            ///< the same, rounded down
   double measure;             ///< signed squared cosine of the angle between the ends' tensors
   Index middle = kNone;       ///< the vertex that cuts it
   Index part[2] = {kNone, kNone};
+  Index first_root = kNone, root_count = 0;  ///< of the line's; kNone: not counted yet
 };
 
-enum class State : std::uint8_t { unknown, rejected, graph, open };
+enum class State : std::uint8_t { unknown, asked, rejected, graph, open };
 
 struct Face {
   std::array<Index, 3> corners;
@@ -31,10 +33,12 @@ struct Face {
   State state = State::unknown;
   Index parent = kNone;
   Index whole = kNone;     ///< the root of its tree
+  Index account = 0;       ///< where its tests are counted
   std::int8_t split = -1;  ///< the edge that is cut
   std::uint8_t depth = 0;
-  bool closed = false;  ///< all leaves below are rejected or graphs
-  Index inner = kNone;  ///< edge from the opposite corner to the new vertex
+  bool closed = false;    ///< all leaves below are rejected or graphs
+  bool boundary = false;  ///< of the domain; of a tree's root
+  Index inner = kNone;    ///< edge from the opposite corner to the new vertex
   Index part[2] = {kNone, kNone};
   Witness<2> witness{};
   Index first_arc = 0, arc_count = 0;
@@ -55,7 +59,7 @@ struct RootRange {
 
 struct Limits {
   int depth = 40;
-  std::uint64_t tests = 100'000;  ///< for one tetrahedron
+  std::uint64_t tests = 100'000;  ///< an account: of a tetrahedron with its inner faces, of a face
 };
 
 struct Counters {
@@ -71,14 +75,18 @@ class Faces {
   /// An edge of the mesh, or the inner one of a face.
   Index add_edge(Index first, Index second);
   Index add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges, int depth,
-                 Index whole = kNone);
-
-  /// What test_cell says of a face, for when it is asked.
-  void foresee(Index face, const CellResult<2>& result) { foreseen_.emplace(face, result); }
+                 Index account, Index whole = kNone);
+  Index add_account() {
+    spent_.push_back(0);
+    return static_cast<Index>(spent_.size() - 1);
+  }
+  void spend(Index account) { ++spent_[account]; }
+  bool is_spent(Index account) const { return spent_[account] >= limits_.tests; }
 
   const Edge& edge(Index e) const { return edges_[e]; }
   const Face& face(Index f) const { return faces_[f]; }
   Index face_count() const { return static_cast<Index>(faces_.size()); }
+  Index edge_count() const { return static_cast<Index>(edges_.size()); }
   const std::vector<Arc>& arcs() const { return arcs_; }
   Vertices& vertices() { return vertices_; }
   Lines& lines() { return lines_; }
@@ -92,19 +100,36 @@ class Faces {
   void split(Index face);
   /// The part that keeps the corner. Requires: split.
   Index part_with(Index face, Index corner) const;
-  /// Decides leaves, cutting where needed; false if one stays open.
-  bool close(Index face);
-  /// What close() tests at most, from now on; leaves that are left then stay open.
-  void allow(std::uint64_t tests) { budget_ = counters_.tests + tests; }
-  void leaves(Index face, std::vector<Index>& to) const;
+  void mark_boundary(Index face) { faces_[face].boundary = true; }
+  /// Decides the faces' leaves, in parallel, cutting where needed.
+  void close(std::span<const Index> faces);
+  /// Whether all leaves are decided, after close().
+  bool is_closed(Index face);
+  template <class Use>
+  void for_each_leaf(Index face, Use&& use) const {
+    if (faces_[face].split < 0) return use(face);
+    for (const Index part : faces_[face].part) for_each_leaf(part, use);
+  }
+  /// Calls use(a) for the arcs of a side in the face's leaves.
+  template <class Use>
+  void for_each_arc(Index face, Side side, Use&& use) const {
+    for_each_leaf(face, [&](Index leaf) {
+      const Face& f = faces_[leaf];
+      for (Index a = f.first_arc; a < f.first_arc + f.arc_count; ++a)
+        if (arcs_[a].side == side) use(a);
+    });
+  }
   RootRange roots(Index edge);
   const Counters& counters() const { return counters_; }
 
  private:
   friend class ArcMaker;
   void cut(Index edge);
-  CellResult<2> tested(Index face);
-  void test(Index face);
+  void add_leaves_to_test(Index face, std::vector<Index>& to);
+  void take(Index face, const CellResult<2>& result, std::vector<Index>& graphs,
+            std::vector<Index>& next);
+  void refine(Index face, std::vector<Index>& next);
+  void isolate_around(const std::vector<Index>& faces);
 
   Vertices& vertices_;
   Lines& lines_;
@@ -113,9 +138,8 @@ class Faces {
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
   std::vector<Arc> arcs_;
-  std::unordered_map<Index, CellResult<2>> foreseen_;
+  std::vector<std::uint64_t> spent_;  ///< tests, by account
   Counters counters_;
-  std::uint64_t budget_ = 0;
 };
 
 }  // namespace crest::modes

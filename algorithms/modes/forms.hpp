@@ -77,6 +77,40 @@ struct TensorNets {
 ///   12 roundings of parts of 54 M^3: 648 u M^3.
 /// Differences of two: twice that and one rounding more; weights: one rounding more. The constants
 /// below are these, increased for the bounds' own roundings. Requires: entries below 2^100.
+/// P: double or Lanes. `largest`: M, `error`: e. Without `growth` n and c alone.
+template <class P, int D, bool growth = true>
+TensorForms<kernel::Bounded<P>, D> bounded_forms(const std::array<Entries<P>, D + 1>& t,
+                                                 const P& largest, const P& error) {
+  constexpr double u = kernel::kUnitRoundoff;
+  const P& m = largest;
+  const P n_error = P(19) * m * error + P(60 * u) * m * m,
+          c_error = P(170) * m * m * error + P(800 * u) * m * m * m;
+  const TensorNets<P, D> nets(t);
+  const auto bounded = [](const auto& net, const P& e) {
+    using Basis = typename std::decay_t<decltype(net)>::Basis;
+    P size = kernel::magnitude(net.c[0]);
+    std::array<P, Basis::count> s;
+    for (std::size_t i = 0; i < Basis::count; ++i) {
+      s[i] = P(Basis::weights[i]) * net.c[i];
+      size = kernel::larger(size, kernel::magnitude(net.c[i]));
+    }
+    return kernel::Form<kernel::Bounded<P>, Basis>(s, size + e, e);
+  };
+  TensorForms<kernel::Bounded<P>, D> r;
+  r.n = bounded(nets.n, n_error);
+  r.c = bounded(nets.c, c_error);
+  if constexpr (!growth) return r;
+  for (std::size_t k = 1; k <= D; ++k) {
+    r.nk[k - 1] =
+        bounded(TensorNets<P, D>::template along<kernel::SimplexBasis<D, 1>, 2>(nets.n, k),
+                P(2.1) * n_error + P(20 * u) * m * m);
+    r.ck[k - 1] =
+        bounded(TensorNets<P, D>::template along<kernel::SimplexBasis<D, 2>, 3>(nets.c, k),
+                P(2.1) * c_error + P(120 * u) * m * m * m);
+  }
+  return r;
+}
+
 template <int D>
 TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
   std::array<Symmetric, D + 1> entries;
@@ -86,33 +120,7 @@ TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
     m = std::max(m, t[i].largest());
     e = std::max(e, t[i].error);
   }
-  m += e;
-  constexpr double u = kernel::kUnitRoundoff;
-  const double n_error = 19 * m * e + 60 * u * m * m,
-               c_error = 170 * m * m * e + 800 * u * m * m * m;
-  const TensorNets<double, D> nets(entries);
-  const auto bounded = [](const auto& net, double error) {
-    using Basis = typename std::decay_t<decltype(net)>::Basis;
-    double size = 0;
-    std::array<double, Basis::count> s;
-    for (std::size_t i = 0; i < Basis::count; ++i) {
-      s[i] = Basis::weights[i] * net.c[i];
-      size = std::max(size, std::fabs(net.c[i]));
-    }
-    return kernel::Form<Real, Basis>(s, size + error, error);
-  };
-  TensorForms<Real, D> r;
-  r.n = bounded(nets.n, n_error);
-  r.c = bounded(nets.c, c_error);
-  for (std::size_t k = 1; k <= D; ++k) {
-    r.nk[k - 1] =
-        bounded(TensorNets<double, D>::template along<kernel::SimplexBasis<D, 1>, 2>(nets.n, k),
-                2.1 * n_error + 20 * u * m * m);
-    r.ck[k - 1] =
-        bounded(TensorNets<double, D>::template along<kernel::SimplexBasis<D, 2>, 3>(nets.c, k),
-                2.1 * c_error + 120 * u * m * m * m);
-  }
-  return r;
+  return bounded_forms<double, D>(entries, m + e, e);
 }
 
 template <int D>
@@ -132,10 +140,10 @@ TensorForms<Integer, D> integer_forms(const std::array<Entries<Integer>, D + 1>&
 
 template <class N>
 N number(std::int64_t x) {
-  if constexpr (std::is_same_v<N, Real>)
-    return Real(static_cast<double>(x));
-  else
+  if constexpr (std::is_same_v<N, Integer>)
     return N(x);
+  else
+    return N(static_cast<double>(x));
 }
 
 /// 2 F: 3 q^2 c^2 - 2 p^2 n^3.
@@ -154,13 +162,12 @@ kernel::SimplexForm<N, D, 6> growth_form(const TensorForms<N, D>& t, const Level
 template <class N, int D>
 kernel::SimplexForm<N, D, 3> neutral_growth_form(const TensorForms<N, D>& t, std::size_t k) {
   kernel::SimplexForm<N, D, 1> one;
-  if constexpr (std::is_same_v<N, Real>) {
-    std::array<double, D + 1> ones;
-    ones.fill(1);
-    one = kernel::SimplexForm<N, D, 1>(ones, 1.0, 0.0);
-  } else {
-    one.s.fill(N(1));
-  }
+  decltype(one.s) ones;
+  ones.fill(1);
+  if constexpr (std::is_same_v<N, Integer>)
+    one.s = ones;
+  else
+    one = {ones, 1.0, 0.0};
   return number<N>(3) * (t.ck[k] * one);
 }
 

@@ -6,60 +6,73 @@
 // is proven elsewhere, that it finds nothing proves nothing.
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
-#include <span>
-#include <vector>
 
 namespace crest::modes {
 
-template <std::size_t N>
+/// Vectors of R^N by their components, so that one passes over them with vector instructions.
+template <std::size_t N, std::size_t Most>
+struct VectorList {
+  std::array<std::array<double, Most>, N> component;
+  std::size_t size = 0;
+};
+
+template <std::size_t N, std::size_t Most>
 class HalfSpace {
  public:
   using Vector = std::array<double, N>;
 
   /// Requires: unit vectors. The least product is at least half of the best there is.
-  static std::optional<Vector> search(std::span<const Vector> vectors) {
-    if (vectors.empty()) return std::nullopt;
+  static std::optional<Vector> search(const VectorList<N, Most>& vectors) {
+    if (vectors.size == 0) return std::nullopt;
     HalfSpace s(vectors);
     return s.run();
   }
 
  private:
-  explicit HalfSpace(std::span<const Vector> vectors) : v_(vectors) {}
+  explicit HalfSpace(const VectorList<N, Most>& vectors) : v_(vectors) {}
 
   static double dot(const Vector& a, const Vector& b) {
     double r = 0;
     for (std::size_t k = 0; k < N; ++k) r += a[k] * b[k];
     return r;
   }
+  Vector vector(std::size_t j) const {
+    Vector r;
+    for (std::size_t k = 0; k < N; ++k) r[k] = v_.component[k][j];
+    return r;
+  }
 
   std::optional<Vector> run() {
     constexpr double least = 1e-10;  // of |x|^2: below it no rounded direction would do
-    active_[0] = 0;
+    add(0);
     part_[0] = 1;
-    size_ = 1;
-    Vector x = v_[0];
+    Vector x = active_vectors_[0];
     for (int round = 0; round < 60; ++round) {
+      std::array<double, Most> products;
+      for (std::size_t j = 0; j < v_.size; ++j) products[j] = 0;
+      for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t j = 0; j < v_.size; ++j) products[j] += x[k] * v_.component[k][j];
       std::size_t worst = 0;
-      double least_product = HUGE_VAL;
-      for (std::size_t j = 0; j < v_.size(); ++j) {
-        const double d = dot(x, v_[j]);
-        if (d < least_product) {
-          least_product = d;
-          worst = j;
-        }
-      }
-      const double norm = dot(x, x);
+      for (std::size_t j = 1; j < v_.size; ++j)
+        if (products[j] < products[worst]) worst = j;
+      const double norm = dot(x, x), least_product = products[worst];
       if (norm < least) return std::nullopt;
       if (least_product >= 0.5 * norm) return x;
       for (std::size_t k = 0; k < size_; ++k)
         if (active_[k] == worst) return least_product > 0 ? std::optional(x) : std::nullopt;
       if (size_ == N + 1) return std::nullopt;
-      active_[size_] = worst;
-      part_[size_++] = 0;
+      add(worst);
       if (!reduce(x)) return std::nullopt;
     }
     return std::nullopt;
+  }
+
+  void add(std::size_t j) {
+    active_[size_] = j;
+    active_vectors_[size_] = vector(j);
+    part_[size_++] = 0;
   }
 
   /// Moves x to the nearest point of the active vectors' hull.
@@ -81,13 +94,14 @@ class HalfSpace {
       if (drop < size_) {
         --size_;
         active_[drop] = active_[size_];
+        active_vectors_[drop] = active_vectors_[size_];
         part_[drop] = part_[size_];
         if (size_ == 0) return false;
         continue;
       }
       x.fill(0);
       for (std::size_t k = 0; k < size_; ++k)
-        for (std::size_t i = 0; i < N; ++i) x[i] += part_[k] * v_[active_[k]][i];
+        for (std::size_t i = 0; i < N; ++i) x[i] += part_[k] * active_vectors_[k][i];
       return true;
     }
   }
@@ -96,7 +110,8 @@ class HalfSpace {
   bool affine_nearest(std::array<double, N + 1>& y) const {
     std::array<std::array<double, N + 2>, N + 1> a{};
     for (std::size_t i = 0; i < size_; ++i) {
-      for (std::size_t j = 0; j < size_; ++j) a[i][j] = 1 + dot(v_[active_[i]], v_[active_[j]]);
+      for (std::size_t j = 0; j < size_; ++j)
+        a[i][j] = 1 + dot(active_vectors_[i], active_vectors_[j]);
       a[i][size_] = 1;
     }
     for (std::size_t c = 0; c < size_; ++c) {
@@ -122,8 +137,9 @@ class HalfSpace {
     return true;
   }
 
-  std::span<const Vector> v_;
+  const VectorList<N, Most>& v_;
   std::array<std::size_t, N + 1> active_{};
+  std::array<Vector, N + 1> active_vectors_{};
   std::array<double, N + 1> part_{};
   std::size_t size_ = 0;
 };

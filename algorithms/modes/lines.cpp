@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/lines.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,25 +95,34 @@ Index Lines::add(Index a, Index b) {
   return static_cast<Index>(lines_.size() - 1);
 }
 
-const std::vector<Index>& Lines::roots(Index line) {
-  if (!lines_[line].known) {
-    isolate(line);
-    lines_[line].known = true;
-  }
-  return lines_[line].roots;
-}
-
-void Lines::isolate(Index line) {
-  const auto [a, b, known, roots] = lines_[line];
+Lines::RootList Lines::isolated(Index line) {
+  const Index a = lines_[line].a, b = lines_[line].b;
   const auto forms = real_forms<1>({vertices_.tensor(a), vertices_.tensor(b)});
   const Segment c(forms.c);
-  const bool found =
-      isolate_in_doubles(line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c});
-  if (!found) {
-    lines_[line].roots.clear();
-    isolate_exactly(line);
+  RootList roots;
+  if (!isolate_in_doubles(line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c},
+                          roots))
+    roots = isolate_exactly(line);
+  separate(roots);
+  return roots;
+}
+
+void Lines::isolate(std::span<const Index> lines) {
+  std::vector<RootList> found(lines.size());
+  if (lines.size() == 1)
+    found[0] = isolated(lines[0]);
+  else
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 64), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) found[i] = isolated(lines[i]);
+    });
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Line& line = lines_[lines[i]];
+    line.known = true;
+    for (Root& root : found[i]) {
+      line.roots.push_back(static_cast<Index>(roots_.size()));
+      roots_.push_back(std::move(root));
+    }
   }
-  separate(line);
 }
 
 /// Near the root, where the mode itself crosses its level in doubles.
@@ -130,18 +142,13 @@ double Lines::crossing(Index line, const Root& r) const {
   return 0.5 * (low + high);
 }
 
-bool Lines::isolate_in_doubles(Index line, const Polynomials& p) {
+bool Lines::isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const {
   const auto places = kernel::triage_unit_places({p.f.b.data(), p.f.count}, p.f.error);
   if (!places) return false;
-  const auto kept = roots_.size();
-  const auto fail = [&] {
-    roots_.resize(kept);
-    return false;
-  };
   for (const auto& [low, high] : *places) {
     Root r{line, Side::neutral, 0, low, high, 0, {}};
     const auto before = p.f.at(low);
-    if (!before) return fail();
+    if (!before) return false;
     r.shift = *before == Sign::positive ? 1 : -1;
     for (int i = 0; i < 60; ++i) {
       const double t = 0.5 * (r.low + r.high);
@@ -152,22 +159,13 @@ bool Lines::isolate_in_doubles(Index line, const Polynomials& p) {
     }
     if (!level_.neutral()) {
       const auto det = p.c.on(r.low, r.high);
-      if (!det) return fail();
+      if (!det) return false;
       r.side = side_of(level_, *det);
     }
     r.t = crossing(line, r);
-    lines_[line].roots.push_back(static_cast<Index>(roots_.size()));
-    roots_.push_back(std::move(r));
+    roots.push_back(std::move(r));
   }
   return true;
-}
-
-void Lines::add_root(Index line, Side side, int shift, AlgebraicNumber place) {
-  place.refine(64);
-  const auto [low, high] = place.bracket();
-  lines_[line].roots.push_back(static_cast<Index>(roots_.size()));
-  roots_.push_back({line, side, static_cast<std::int8_t>(shift), low, high, 0.5 * (low + high),
-                    std::move(place)});
 }
 
 IntegerPolynomial Lines::polynomial(Index line) {
@@ -175,51 +173,57 @@ IntegerPolynomial Lines::polynomial(Index line) {
   return level_.neutral() ? from_form(forms.c) : from_form(level_form(forms, level_));
 }
 
-void Lines::isolate_exactly(Index line) {
+Lines::RootList Lines::isolate_exactly(Index line) {
+  RootList roots;
+  const auto add = [&](Side side, int shift, AlgebraicNumber place) {
+    place.refine(64);
+    const auto [low, high] = place.bracket();
+    roots.push_back({line, side, static_cast<std::int8_t>(shift), low, high, 0.5 * (low + high),
+                     std::move(place)});
+  };
   const Index ends[2] = {lines_[line].a, lines_[line].b};
   const auto forms = integer_forms<1>(vertices_.exact(std::array{ends[0], ends[1]}));
   const IntegerPolynomial c = from_form(forms.c), f = polynomial(line);
-  if (f.is_zero()) return;
+  if (f.is_zero()) return roots;
   const PointSigns at[2] = {vertices_.signs(ends[0]), vertices_.signs(ends[1])};
   Sign now = at[0].f;
   if (now == Sign::zero) {
     for (const Integer& x : kernel::bernstein_coefficients(f))
       if (now == Sign::zero) now = kernel::sign_of(x);
-    if (now == Sign::negative)
-      add_root(line, side_of(level_, at[0].det), 1, AlgebraicNumber(Rational(0)));
+    if (now == Sign::negative) add(side_of(level_, at[0].det), 1, AlgebraicNumber(Rational(0)));
   }
   for (const kernel::RealRoot& r : kernel::unit_roots(f).roots) {
     const Side side =
         level_.neutral() ? Side::neutral : side_of(level_, kernel::sign_at(c, r.value).sign);
     if (r.multiplicity % 2 == 1) {
-      add_root(line, side, now == Sign::positive ? 1 : -1, r.value);
+      add(side, now == Sign::positive ? 1 : -1, r.value);
       now = -now;
     } else if (now == Sign::negative) {
-      add_root(line, side, -1, r.value);
-      add_root(line, side, 1, r.value);
+      add(side, -1, r.value);
+      add(side, 1, r.value);
     }
   }
   if (at[1].f == Sign::zero && now == Sign::negative)
-    add_root(line, side_of(level_, at[1].det), -1, AlgebraicNumber(Rational(1)));
+    add(side_of(level_, at[1].det), -1, AlgebraicNumber(Rational(1)));
+  return roots;
 }
 
 /// Output parameters increase strictly inside the line: roots at one place, or at an end, or so
 /// near that doubles do not separate them, share the room there is.
-void Lines::separate(Index line) {
-  const auto& list = lines_[line].roots;
+void Lines::separate(RootList& list) {
   constexpr double room = 1e-13;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    Root& r = roots_[list[i]];
+    Root& r = list[i];
     if (r.number && r.number->rational()) {
-      const bool alone = r.t > 0 && r.t < 1 && (i == 0 || roots_[list[i - 1]].t < r.t) &&
-                         (i + 1 == list.size() || roots_[list[i + 1]].t > r.t);
+      const bool alone = r.t > 0 && r.t < 1 && (i == 0 || list[i - 1].t < r.t) &&
+                         (i + 1 == list.size() || list[i + 1].t > r.t);
       if (!alone) r.t += r.shift * room;
     }
   }
   double last = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    Root& r = roots_[list[i]];
-    const double most = i + 1 < list.size() ? std::fmin(1, roots_[list[i + 1]].t) : 1;
+    Root& r = list[i];
+    const double most = i + 1 < list.size() ? std::fmin(1, list[i + 1].t) : 1;
     if (!(r.t > last)) r.t = 0.5 * (last + std::fmax(most, std::nextafter(last, 2)));
     r.t = std::fmin(r.t, std::nextafter(1, 0));
     last = r.t;

@@ -4,6 +4,7 @@
 // Lines: the edges of the mesh and those that cuts of faces make, undivided, with all roots of f on
 // them under rule H3 (README.md), isolated exactly. A part of a line shares its roots.
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "algorithms/modes/vertices.hpp"
@@ -36,7 +37,12 @@ class Lines {
   };
   const Line& line(Index l) const { return lines_[l]; }
   /// Isolates them at the first call.
-  const std::vector<Index>& roots(Index line);
+  const std::vector<Index>& roots(Index line) {
+    if (!lines_[line].known) isolate({&line, 1});
+    return lines_[line].roots;
+  }
+  /// Isolates those of many lines, each line once, in parallel.
+  void isolate(std::span<const Index> lines);
 
   Index root_count() const { return static_cast<Index>(roots_.size()); }
   const Root& root(Index r) const { return roots_[r]; }
@@ -50,12 +56,12 @@ class Lines {
 
  private:
   struct Polynomials;
-  void isolate(Index line);
-  bool isolate_in_doubles(Index line, const Polynomials& p);
+  using RootList = std::vector<Root>;
+  RootList isolated(Index line);
+  bool isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const;
   double crossing(Index line, const Root& root) const;
-  void isolate_exactly(Index line);
-  void add_root(Index line, Side side, int shift, kernel::AlgebraicNumber place);
-  void separate(Index line);
+  RootList isolate_exactly(Index line);
+  static void separate(RootList& roots);
   kernel::IntegerPolynomial polynomial(Index line);
   kernel::AlgebraicNumber& number(Index root);
 

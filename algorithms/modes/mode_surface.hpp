@@ -18,6 +18,21 @@ struct SurfaceComponent {
   bool complete = true;  ///< it touches no undecided cell: the counts are proven
 };
 
+/// Of the surface at a point, in closed form from the field of the tetrahedron of its first
+/// triangle: the surface has creases between tetrahedra, over which nothing is averaged.
+struct PointGeometry {
+  kernel::Vec3 normal{};    ///< towards higher modes
+  double k1 = 0, k2 = 0;    ///< k1 >= k2; positive where it bends towards the normal
+  kernel::Vec3 d1{}, d2{};  ///< their directions
+};
+
+/// Exact hits, where the surface is that of an infinitesimally lower mode (rule H3).
+struct Perturbed {
+  std::size_t vertices = 0;      ///< of the mesh, which the level passes through
+  std::size_t edge_touches = 0;  ///< places inside edges of the mesh that it touches from below
+  std::size_t uniform_tets = 0;  ///< everywhere at |level|
+};
+
 /// The surface of one signed level.
 struct ModeSurface {
   int sign = 0;     ///< of the level: 1, -1; 0: neutral
@@ -35,6 +50,8 @@ struct ModeSurface {
   std::size_t zero_rims = 0;        ///< boundary edges on edges of the field's zero set
   std::size_t unproven_pieces = 0;  ///< whose projections were not found simple and nested
   std::vector<kernel::Vec3> singular_points;
+  Perturbed perturbed;
+  std::vector<PointGeometry> geometry;  ///< at the points; empty: not asked for
 };
 
 }  // namespace crest::modes

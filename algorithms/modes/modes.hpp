@@ -17,7 +17,10 @@ struct ModeField {
 
 struct ModeOptions {
   int max_depth = 40;              ///< of the bisection of a tetrahedron, at most 255
-  std::uint64_t budget = 100'000;  ///< tests a tetrahedron
+  std::uint64_t budget = 100'000;  ///< tests of a tetrahedron with its inner faces, of a face
+  /// Triangles are refined until they are this near to the surface, as far as their middles and
+  /// their edges' tell, in the mesh's unit; 0: not for that.
+  double deviation = 0;
 };
 
 struct ModeCounts {

@@ -155,9 +155,15 @@ Triangles domain(const Triangulation& t) {
   return r;
 }
 
+std::size_t boundary_size(const PlanarPiece& piece) {
+  std::size_t n = 0;
+  for (const auto& loop : piece.loops) n += loop.size();
+  return n;
+}
+
 /// By a constrained Delaunay triangulation. Throws what CGAL does for constraints that cross.
 std::optional<Triangles> constrained(PlanarPiece& piece) {
-  const std::size_t given = piece.points.size();
+  const std::size_t given = boundary_size(piece);
   Triangulation t;
   if (!insert_loops(t, piece)) return std::nullopt;
   find_nesting(t);
@@ -173,7 +179,8 @@ std::optional<Triangles> constrained(PlanarPiece& piece) {
 
 std::optional<Triangles> triangulate(PlanarPiece& piece) {
   const std::size_t given = piece.points.size();
-  if (given == 3) {
+  const bool plain = given == boundary_size(piece);
+  if (plain && given == 3) {
     const auto& p = piece.points[0];
     const auto& q = piece.points[1];
     const auto& r = piece.points[2];
@@ -183,9 +190,9 @@ std::optional<Triangles> triangulate(PlanarPiece& piece) {
     if (turn == CGAL::LEFT_TURN) return Triangles{{0, 1, 2}};
     return Triangles{{0, 2, 1}};
   }
-  if (given == 4 && piece.loops.size() == 1)
+  if (plain && given == 4 && piece.loops.size() == 1)
     if (const auto r = quadrangle(piece)) return r;
-  if (piece.loops.size() == 1)
+  if (plain && piece.loops.size() == 1)
     if (const auto r = star(piece)) return r;
   try {
     return constrained(piece);

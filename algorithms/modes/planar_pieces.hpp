@@ -13,8 +13,9 @@ namespace crest::modes {
 
 struct PlanarPiece {
   std::vector<std::array<double, 2>> points;
-  std::vector<std::uint8_t> facets;             ///< bit i: the point lies on facet i of the cell
-  std::vector<std::vector<std::size_t>> loops;  ///< of points, each point in one loop once
+  std::vector<std::uint8_t> facets;  ///< bit i: the point lies on facet i of the cell
+  /// Of points, each point in one loop once; points behind them that are in none lie inside.
+  std::vector<std::vector<std::size_t>> loops;
 };
 
 /// New points are appended to the piece's, without facets. Triangles are anticlockwise. Nothing if

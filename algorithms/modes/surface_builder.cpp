@@ -10,15 +10,15 @@ using kernel::Vec3;
 
 SurfaceBuilder::SurfaceBuilder(Faces& faces, const Level& level, Side side,
                                const std::vector<Vec3>& mesh_points,
-                               const std::unordered_set<Index>& boundary_faces,
                                const std::unordered_set<Index>& open_faces)
     : faces_(faces),
       level_(level),
       side_(side),
       function_(level, side),
       places_(mesh_points),
-      boundary_faces_(boundary_faces),
-      open_faces_(open_faces) {
+      open_faces_(open_faces),
+      inside_of_(faces.arcs().size(), kNone),
+      root_points_(faces.lines().root_count(), kNone) {
   surface_.sign = static_cast<int>(side);
   surface_.mode = surface_.sign * level.value();
 }
@@ -54,20 +54,20 @@ Index SurfaceBuilder::add_point(const Vec3& p, const Symmetric& t) {
 }
 
 Index SurfaceBuilder::root_point(Index root) {
-  const auto [at, fresh] = root_points_.try_emplace(root, kNone);
-  if (fresh) {
+  Index& point = root_points_[root];
+  if (point == kNone) {
     const Root& r = faces_.lines().root(root);
     const auto& line = faces_.lines().line(r.line);
     const Vec3 a = place(line.a), b = place(line.b);
     Vec3 p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = (1 - r.t) * a[k] + r.t * b[k];
-    at->second = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
+    point = add_point(p, interpolated<2>(faces_.vertices(), {line.a, line.b}, {1 - r.t, r.t}));
   }
-  return at->second;
+  return point;
 }
 
 Index SurfaceBuilder::arc_point(Index arc, std::size_t k) {
-  ArcPoint& a = inside_.at(arc)[k];
+  ArcPoint& a = inside(arc)[k];
   if (a.point == kNone) {
     const auto corners = faces_.face(faces_.arcs()[arc].face).corners;
     Vec3 p{};
@@ -118,7 +118,7 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const Edge& edge = faces_.edge(face.edges[k]);
     if (edge.line != r.line) continue;
-    const double begin = edge.begin.lower(), end = edge.end.lower();
+    const double begin = edge.from, end = edge.to;
     constexpr double room = 1e-13;  // of the edge: a root next to its end is not in its end
     double s = std::clamp((r.t - begin) / (end - begin), room, 1 - room);
     if (edge.first != face.corners[k]) s = 1 - s;
@@ -130,40 +130,11 @@ std::array<double, 3> SurfaceBuilder::root_in_face(Index root, Index f) const {
   return {1 / 3.0, 1 / 3.0, 1 / 3.0};
 }
 
-/// A point on the arc over the middle of part k of its polyline.
-SurfaceBuilder::ArcPoint SurfaceBuilder::middle(Index a, std::size_t k) const {
-  const Arc& arc = faces_.arcs()[a];
-  const Face& face = faces_.face(arc.face);
-  const auto from = root_in_face(arc.roots[0], arc.face), to = root_in_face(arc.roots[1], arc.face);
-  const auto inside = inside_.find(a);
-  const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
-  const double last = k == 0 ? 0 : inside->second[k - 1].place,
-               next = k < n ? inside->second[k].place : 1;
-  const double place = 0.5 * (last + next);
-  std::array<double, 3> base, w;
-  for (std::size_t i = 0; i < 3; ++i) {
-    base[i] = (1 - place) * from[i] + place * to[i];
-    w[i] = face.witness.w[i];
-  }
-  return {place, lifted(face.corners, base, w)};
-}
-
-/// Halves these parts of a polyline, given in ascending order.
-void SurfaceBuilder::refine(Index a, const std::set<std::size_t>& parts) {
-  std::vector<ArcPoint> points;
-  const std::vector<ArcPoint> old = inside_[a];
-  for (std::size_t k = 0; k <= old.size(); ++k) {
-    if (parts.contains(k)) points.push_back(middle(a, k));
-    if (k < old.size()) points.push_back(old[k]);
-  }
-  inside_[a] = std::move(points);
-}
-
 /// Two faces at a line may both join the same two roots of it: their chords would be one edge.
 void SurfaceBuilder::bend(Index arc) {
   const auto& [from, to] = faces_.arcs()[arc].roots;
   const auto& lines = faces_.lines();
-  if (lines.root(from).line == lines.root(to).line && !inside_.contains(arc)) refine(arc, {0});
+  if (lines.root(from).line == lines.root(to).line && inside_of_[arc] == kNone) refine(arc, {0});
 }
 
 void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces) {
@@ -192,8 +163,13 @@ SurfaceBuilder::Barycentric SurfaceBuilder::in_cell(const Cell& cell,
 }
 
 /// The loops' points: in the cell's barycentrics, and projected along w.
-SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
-  Layout r;
+void SurfaceBuilder::lay_out(const Job& job, Layout& r) {
+  r.planar.points.clear();
+  r.planar.facets.clear();
+  r.planar.loops.clear();
+  r.at.clear();
+  r.points.clear();
+  r.parts.clear();
   std::unordered_map<Index, Barycentric> known;
   const auto add = [&](Index f, const std::array<double, 3>& at, Index point) {
     Barycentric b{};
@@ -215,12 +191,12 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
       const Arc& arc = faces_.arcs()[a.arc];
       const Index root = arc.roots[a.forward ? 0 : 1];
       add(arc.face, root_in_face(root, arc.face), root_point(root));
-      const auto inside = inside_.find(a.arc);
-      const std::size_t n = inside == inside_.end() ? 0 : inside->second.size();
+      const auto points = inside(a.arc);
+      const std::size_t n = points.size();
       for (std::size_t k = 0; k <= n; ++k) r.parts.emplace_back(a.arc, a.forward ? k : n - k);
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t k = a.forward ? i : n - 1 - i;
-        add(arc.face, inside->second[k].at, arc_point(a.arc, k));
+        add(arc.face, points[k].at, arc_point(a.arc, k));
       }
     }
   }
@@ -237,7 +213,6 @@ SurfaceBuilder::Layout SurfaceBuilder::lay_out(const Job& job) {
     r.planar.points.push_back(
         {b[r.order[0]] - k * w[r.order[0]], b[r.order[1]] - k * w[r.order[1]]});
   }
-  return r;
 }
 
 /// A point of the line along w that the planar point stands for.
@@ -248,20 +223,6 @@ SurfaceBuilder::Barycentric SurfaceBuilder::unfolded(const Layout& layout,
   b[layout.order[1]] = p[1];
   b[layout.order[2]] = 1 - p[0] - p[1];
   return b;
-}
-
-/// The new points over which the surface is not met: chords may leave its projection.
-std::vector<std::size_t> SurfaceBuilder::missed(const Job& job, const Layout& layout,
-                                                const PlanarPiece& planar) const {
-  std::vector<std::size_t> r;
-  Barycentric w;
-  for (std::size_t i = 0; i < 4; ++i) w[i] = job.cell.witness.w[i];
-  for (std::size_t i = layout.at.size(); i < planar.points.size(); ++i) {
-    bool crosses = false;
-    lifted(job.cell.corners, unfolded(layout, planar.points[i]), w, &crosses);
-    if (!crosses) r.push_back(i);
-  }
-  return r;
 }
 
 /// A point of the surface on a segment from b: to the nearest corner, or point between two of the
@@ -351,7 +312,8 @@ void SurfaceBuilder::mesh(const Job& job) {
 }
 
 void SurfaceBuilder::mesh_piece(const Job& job) {
-  Layout layout = lay_out(job);
+  Layout& layout = layout_;
+  lay_out(job, layout);
   if (job.done) return emit(job, layout, job.planar, job.triangles, true);
   // As its loops say, but not proven to project injectively.
   ++surface_.unproven_pieces;
@@ -365,10 +327,9 @@ void SurfaceBuilder::mesh_piece(const Job& job) {
 /// Counts the arc's segments if they are on the boundary; whether it is at an open cell.
 bool SurfaceBuilder::count_segments(Index arc) {
   const Index f = faces_.arcs()[arc].face;
-  const auto inside = inside_.find(arc);
   const bool open = open_faces_.contains(f);
-  if (boundary_faces_.contains(faces_.face(f).whole) && !open)
-    boundary_segments_ += 1 + (inside == inside_.end() ? 0 : inside->second.size());
+  if (faces_.face(faces_.face(f).whole).boundary && !open)
+    boundary_segments_ += 1 + inside(arc).size();
   return open;
 }
 
@@ -382,16 +343,10 @@ Index SurfaceBuilder::zero_point(Index vertex) {
 }
 
 void SurfaceBuilder::add_cone(Index tet, Index apex, Index f) {
-  std::vector<Index> leaves;
-  faces_.leaves(f, leaves);
-  for (const Index leaf : leaves) {
-    const Face& face = faces_.face(leaf);
-    for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
-      if (faces_.arcs()[a].side == side_) {
-        cones_.push_back({tet, apex, a});
-        bend(a);
-      }
-  }
+  faces_.for_each_arc(f, side_, [&](Index a) {
+    cones_.push_back({tet, apex, a});
+    bend(a);
+  });
 }
 
 void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {
@@ -409,8 +364,7 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   const bool open = count_segments(job.arc);
   const Arc& arc = faces_.arcs()[job.arc];
   std::vector<Index> line{root_point(arc.roots[0])};
-  if (const auto inside = inside_.find(job.arc); inside != inside_.end())
-    for (std::size_t k = 0; k < inside->second.size(); ++k) line.push_back(arc_point(job.arc, k));
+  for (std::size_t k = 0; k < inside(job.arc).size(); ++k) line.push_back(arc_point(job.arc, k));
   line.push_back(root_point(arc.roots[1]));
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     surface_.triangles.push_back({zero_point(job.apex), line[k], line[k + 1]});
@@ -419,115 +373,29 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
-/// The parts of polylines that cross in the projection.
-void SurfaceBuilder::add_crossing(const Layout& layout, Parts& parts) {
-  const auto& loops = layout.planar.loops;
-  struct Segment {
-    std::array<double, 2> from, to;
-    std::size_t first, second;
-    double low, high;  ///< in x
-  };
-  std::vector<Segment> segments;
-  for (const auto& loop : loops)
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
-      const auto &p = layout.planar.points[a], &q = layout.planar.points[b];
-      segments.push_back({p, q, a, b, std::fmin(p[0], q[0]), std::fmax(p[0], q[0])});
-    }
-  const auto turn = [](const auto& p, const auto& q, const auto& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  };
-  std::sort(segments.begin(), segments.end(),
-            [](const Segment& a, const Segment& b) { return a.low < b.low; });
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    for (std::size_t k = i + 1; k < segments.size() && segments[k].low <= segments[i].high; ++k) {
-      const Segment &s = segments[i], &t = segments[k];
-      if (s.first == t.second || s.second == t.first) continue;
-      if (turn(s.from, s.to, t.from) * turn(s.from, s.to, t.to) > 0 ||
-          turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) > 0)
-        continue;
-      add_part(layout, s.first, s.second, parts);
-      add_part(layout, t.first, t.second, parts);
-    }
-}
-
-/// The parts nearest to points over which the surface is not met.
-void SurfaceBuilder::add_nearest(const Layout& layout, const PlanarPiece& planar,
-                                 const std::vector<std::size_t>& missed, Parts& parts) {
-  for (const std::size_t m : missed) {
-    const auto& x = planar.points[m];
-    double least = HUGE_VAL;
-    std::array<std::size_t, 2> nearest{};
-    for (const auto& loop : layout.planar.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const std::size_t a = loop[i], b = loop[(i + 1) % loop.size()];
-        const auto &p = planar.points[a], &q = planar.points[b];
-        const double dx = q[0] - p[0], dy = q[1] - p[1], length = dx * dx + dy * dy;
-        const double along = (x[0] - p[0]) * dx + (x[1] - p[1]) * dy;
-        const double s = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-        const double d = std::hypot(p[0] + s * dx - x[0], p[1] + s * dy - x[1]);
-        if (d >= least) continue;
-        least = d;
-        nearest = {a, b};
-      }
-    add_part(layout, nearest[0], nearest[1], parts);
-  }
-}
-
-void SurfaceBuilder::add_all(const Layout& layout, Parts& parts) {
-  for (const auto& loop : layout.planar.loops)
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      add_part(layout, loop[i], loop[(i + 1) % loop.size()], parts);
-}
-
-/// Of a short part the ends are one place but for an infinitesimal: its halves cross no less.
-void SurfaceBuilder::add_part(const Layout& layout, std::size_t point, std::size_t next,
-                              Parts& parts) {
-  constexpr double shortest = 1e-11;
-  const auto &p = layout.planar.points[point], &q = layout.planar.points[next];
-  if (std::fabs(p[0] - q[0]) + std::fabs(p[1] - q[1]) < shortest) return;
-  parts[layout.parts[point].first].insert(layout.parts[point].second);
-}
-
-/// Polylines are shared: all are fine enough before any piece is meshed.
-void SurfaceBuilder::refine_all() {
-  constexpr int kHalvings = 6;  // of whole loops, for one piece
-  constexpr int rounds = 30;
-  constexpr std::size_t most_points = 2000;
-  for (int round = 0; round < rounds; ++round) {
-    Parts parts;
-    for (Job& job : jobs_) {
-      if (job.done) continue;
-      const Layout layout = lay_out(job);
-      job.planar = layout.planar;
-      auto triangles = triangulate(job.planar);
-      const auto over = triangles ? missed(job, layout, job.planar) : std::vector<std::size_t>{};
-      job.done = triangles && over.empty();
-      if (job.done)
-        job.triangles = std::move(*triangles);
-      else if (layout.at.size() >= most_points)
-        continue;
-      else if (!triangles)
-        add_crossing(layout, parts);
-      else if (job.halvings++ < kHalvings)
-        add_all(layout, parts);
-      else
-        add_nearest(layout, job.planar, over, parts);
-    }
-    if (parts.empty() || round + 1 == rounds) return;
-    for (const auto& [arc, which] : parts) refine(arc, which);
-    for (Job& job : jobs_)
+ModeSurface SurfaceBuilder::build(double deviation) {
+  if (deviation > 0) {
+    std::set<Index> arcs;
+    for (const Job& job : jobs_)
       for (const Loop& loop : job.piece)
-        for (const LoopArc& a : loop) job.done = job.done && !parts.contains(a.arc);
+        for (const LoopArc& a : loop) arcs.insert(a.arc);
+    for (const ConeJob& job : cones_) arcs.insert(job.arc);
+    for (const Index a : arcs) straighten(a, deviation);
   }
-}
-
-ModeSurface SurfaceBuilder::build() {
   refine_all();
+  if (deviation > 0)
+    for (Job& job : jobs_) refine_inside(job, deviation);
   touches_.assign(surface_.triangles.size(), 0);
   for (const Job& job : jobs_) mesh(job);
   for (const ConeJob& job : cones_) mesh(job);
   return std::move(surface_);
 }
+
+template std::array<double, 3> SurfaceBuilder::lifted<3>(const std::array<Index, 3>&,
+                                                         std::array<double, 3>,
+                                                         const std::array<double, 3>&, bool*) const;
+template std::array<double, 4> SurfaceBuilder::lifted<4>(const std::array<Index, 4>&,
+                                                         std::array<double, 4>,
+                                                         const std::array<double, 4>&, bool*) const;
 
 }  // namespace crest::modes

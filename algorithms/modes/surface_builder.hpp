@@ -4,6 +4,7 @@
 // Triangles of the pieces: their loops' polylines, shared with the cells next door, projected along
 // the witness, triangulated and lifted to where the mode is right.
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,7 +19,6 @@ class SurfaceBuilder {
  public:
   SurfaceBuilder(Faces& faces, const Level& level, Side side,
                  const std::vector<kernel::Vec3>& mesh_points,
-                 const std::unordered_set<Index>& boundary_faces,
                  const std::unordered_set<Index>& open_faces);
 
   /// Prepares the pieces of a leaf cell with closed facets. `orientation`: of the cell, corners in
@@ -28,8 +28,9 @@ class SurfaceBuilder {
   /// roots of the opposite edge): triangles with one or two mesh vertices.
   void add_cone(Index tet, Index apex, Index face);
   void add_fan(Index tet, Index zero_a, Index zero_b, Index edge);
-  /// Refines polylines until projections are simple, then triangulates.
-  ModeSurface build();
+  /// Refines polylines until projections are simple, and all until nothing is further than
+  /// `deviation` (0: that does not matter) from the surface; triangulates.
+  ModeSurface build(double deviation);
   /// Of polylines on the domain's boundary, after build().
   std::size_t boundary_segments() const { return boundary_segments_; }
   /// Whether the triangle's piece ends at an open cell, after build().
@@ -67,10 +68,14 @@ class SurfaceBuilder {
   Barycentric in_cell(const Cell& cell, std::unordered_map<Index, Barycentric>& known,
                       Index vertex) const;
   std::array<double, 3> root_in_face(Index root, Index face) const;
-  ArcPoint middle(Index arc, std::size_t part) const;
+  std::span<ArcPoint> inside(Index arc) {
+    if (inside_of_[arc] == kNone) return {};
+    return inside_[inside_of_[arc]];
+  }
+  ArcPoint middle(Index arc, std::size_t part);
   void refine(Index arc, const std::set<std::size_t>& parts);
   void bend(Index arc);
-  Layout lay_out(const Job& job);
+  void lay_out(const Job& job, Layout& layout);
   static Barycentric unfolded(const Layout& layout, const std::array<double, 2>& p);
   std::vector<std::size_t> missed(const Job& job, const Layout& layout,
                                   const PlanarPiece& planar) const;
@@ -80,6 +85,10 @@ class SurfaceBuilder {
                           const std::vector<std::size_t>& missed, Parts& parts);
   static void add_part(const Layout& layout, std::size_t point, std::size_t next, Parts& parts);
   void refine_all();
+  kernel::Vec3 in_space(const Cell& cell, const Barycentric& b);
+  void straighten(Index arc, double deviation);
+  bool add_far_points(const Job& job, const Layout& layout, double deviation, PlanarPiece& planar);
+  void refine_inside(Job& job, double deviation);
   void mesh(const Job& job);
   void mesh_piece(const Job& job);
   void mesh(const ConeJob& job);
@@ -101,13 +110,16 @@ class SurfaceBuilder {
   Side side_;
   ModeFunction function_;
   std::vector<kernel::Vec3> places_;
-  const std::unordered_set<Index>&boundary_faces_, &open_faces_;
+  const std::unordered_set<Index>& open_faces_;
   std::vector<char> touches_;  ///< triangles
   std::vector<Job> jobs_;
   std::vector<ConeJob> cones_;
   std::size_t boundary_segments_ = 0;
-  std::unordered_map<Index, std::vector<ArcPoint>> inside_;  ///< arcs
-  std::unordered_map<Index, Index> root_points_, zero_points_;
+  std::vector<Index> inside_of_;  ///< by arc: where its points are; kNone: it is a segment
+  std::vector<std::vector<ArcPoint>> inside_;
+  std::vector<Index> root_points_;  ///< by root
+  std::unordered_map<Index, Index> zero_points_;
+  Layout layout_;  ///< of the job at hand
   ModeSurface surface_;
 };
 

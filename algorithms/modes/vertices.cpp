@@ -25,7 +25,6 @@ Vertices::Vertices(std::span<const Symmetric> tensors, int scale, const Level& l
       mesh_size_(static_cast<Index>(tensors.size())) {
   tensors_.reserve(tensors.size());
   for (const Symmetric& t : tensors) tensors_.push_back(deviator(t, scale));
-  signs_.resize(tensors.size());
 }
 
 Index Vertices::add(Index a, Index b, std::uint8_t n) {
@@ -38,18 +37,17 @@ Index Vertices::add(Index a, Index b, std::uint8_t n) {
             4 * kernel::kUnitRoundoff * std::fmax(ta.largest(), tb.largest()) + 0x1p-1070;
   tensors_.push_back(t);
   cuts_.push_back({a, b, n});
-  signs_.emplace_back();
   return size() - 1;
 }
 
-const ExactTensor& Vertices::exact(Index v) {
+const ExactTensor& Vertices::exact_one(Index v) {
   if (const auto found = exact_.find(v); found != exact_.end()) return found->second;
   ExactTensor t;
   if (!is_cut(v)) {
     t = exact_deviator(given_[v], scale_);
   } else {
     const Cut c = cut(v);
-    const ExactTensor a = exact(c.a), b = exact(c.b);
+    const ExactTensor &a = exact_one(c.a), &b = exact_one(c.b);
     const long low = std::min(a.exponent, b.exponent);
     for (std::size_t k = 0; k < 6; ++k)
       t.t[k] = Integer(64 - c.n) * (a.t[k] << static_cast<unsigned long>(a.exponent - low)) +
@@ -60,7 +58,6 @@ const ExactTensor& Vertices::exact(Index v) {
 }
 
 PointSigns Vertices::signs(Index v) {
-  if (signs_[v].known) return signs_[v].signs;
   // The bounds of forms.hpp, for one tensor.
   const Tensor& t = tensors_[v];
   constexpr double u = kernel::kUnitRoundoff;
@@ -78,16 +75,23 @@ PointSigns Vertices::signs(Index v) {
       0x1p-1000;
   MaybeSign det = certain(c, ce + 0x1p-1000), level = certain(f, fe);
   if (level_.neutral()) level = det;
-  if (!det || !level) {
-    const auto [x] = exact(std::array{v});
+  return det && level ? PointSigns{*level, *det} : exact_signs(v);
+}
+
+PointSigns Vertices::exact_signs(Index v) {
+  const std::lock_guard lock(*mutex_);
+  const auto [at, fresh] = exact_signs_.try_emplace(v);
+  if (fresh) {
+    const auto& x = exact_one(v).t;
     const Integer en = product(x, x), ec = product(anticommutator(x, x), x);
-    det = kernel::sign_of(ec);
-    level = level_.neutral() ? det
-                             : kernel::sign_of(Integer(3) * level_.q * level_.q * ec * ec -
-                                               Integer(2) * level_.p * level_.p * en * en * en);
+    const Sign det = kernel::sign_of(ec);
+    const Sign f = level_.neutral()
+                       ? det
+                       : kernel::sign_of(Integer(3) * level_.q * level_.q * ec * ec -
+                                         Integer(2) * level_.p * level_.p * en * en * en);
+    at->second = {f, det};
   }
-  signs_[v] = {{*level, *det}, true};
-  return signs_[v].signs;
+  return at->second;
 }
 
 }  // namespace crest::modes

@@ -3,6 +3,8 @@
 
 // Vertices of a level's trees: those of the mesh, and those that cut an edge (a, b) at
 // (64 - n) / 64 a + n / 64 b, with their tensors and the signs of f and det there.
+#include <memory>
+#include <mutex>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -36,24 +38,19 @@ class Vertices {
 
   const Tensor& tensor(Index v) const { return tensors_[v]; }
   bool is_zero(Index v) const { return v < mesh_size_ && is_isotropic(given_[v]); }
-  /// Requires: not is_zero(v).
+  /// Requires: not is_zero(v). Several threads may ask.
   PointSigns signs(Index v);
 
-  /// Exactly, times one power of two for all.
+  /// Exactly, times one power of two for all. Several threads may ask.
   template <std::size_t N>
   std::array<Entries<kernel::Integer>, N> exact(const std::array<Index, N>& vertices) {
     std::array<ExactTensor, N> t;
-    for (std::size_t i = 0; i < N; ++i) t[i] = exact(vertices[i]);
+    {
+      const std::lock_guard lock(*mutex_);
+      for (std::size_t i = 0; i < N; ++i) t[i] = exact_one(vertices[i]);
+    }
     return aligned(std::move(t));
   }
-  /// The same of vertices of the mesh. Pure: for parallel loops.
-  template <std::size_t N>
-  std::array<Entries<kernel::Integer>, N> mesh_exact(const std::array<Index, N>& vertices) const {
-    std::array<ExactTensor, N> t;
-    for (std::size_t i = 0; i < N; ++i) t[i] = exact_deviator(given_[vertices[i]], scale_);
-    return aligned(std::move(t));
-  }
-  const ExactTensor& exact(Index v);
 
  private:
   template <std::size_t N>
@@ -67,18 +64,18 @@ class Vertices {
     }
     return r;
   }
+  const ExactTensor& exact_one(Index v);
+  PointSigns exact_signs(Index v);
   std::span<const Symmetric> given_;
   int scale_;
   Level level_;
   Index mesh_size_;
   std::vector<Tensor> tensors_;
   std::vector<Cut> cuts_;
-  struct Known {
-    PointSigns signs;
-    bool known = false;
-  };
-  std::vector<Known> signs_;
+  // What was asked for, under the mutex.
   std::unordered_map<Index, ExactTensor> exact_;
+  std::unordered_map<Index, PointSigns> exact_signs_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 
 }  // namespace crest::modes

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/zero_set.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -76,20 +79,34 @@ class Inserter {
   }
 
   ZeroSet run() {
-    for (std::size_t size = 2; size <= 4; ++size)
+    for (std::size_t size = 2; size <= 4; ++size) {
+      if (changed_) find_suspects();
       for (const Corners& s : candidates(size)) insert(s);
+    }
     if (!set_.simplices.empty())
       field_.mesh = kernel::TetMesh(std::move(points_), std::move(tets_));
     return std::move(set_);
   }
 
  private:
+  /// Tetrahedra that may hold a zero.
+  void find_suspects() {
+    std::vector<char> suspect(tets_.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets_.size(), 4096),
+                      [&](const auto& range) {
+                        for (std::size_t t = range.begin(); t < range.end(); ++t)
+                          suspect[t] = in_half_space(tets_[t]) ? 0 : 1;
+                      });
+    suspects_.clear();
+    for (std::size_t t = 0; t < tets_.size(); ++t)
+      if (suspect[t] != 0) suspects_.push_back(t);
+    changed_ = false;
+  }
   /// Simplices of that many corners, none zero, whose tensors are nearly dependent; ascending.
   std::set<Corners> candidates(std::size_t size) const {
     std::set<Corners> found;
-    for (const auto& given : tets_) {
-      if (in_half_space(given)) continue;
-      auto t = given;
+    for (const std::size_t suspect : suspects_) {
+      auto t = tets_[suspect];
       std::sort(t.begin(), t.end());
       for (unsigned mask = 1; mask < 16; ++mask) {
         Corners s;
@@ -178,6 +195,7 @@ class Inserter {
     kernel::Vec3 p{};
     for (std::size_t i = 0; i < s.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) p[k] += static_cast<double>((*b)[i]) * points_[s[i]][k];
+    changed_ = true;
     points_.push_back(p);
     field_.tensors.push_back({});
     deviators_.push_back({});
@@ -191,6 +209,8 @@ class Inserter {
   std::vector<Symmetric> deviators_;
   std::vector<char> zero_;
   double largest_ = 0;
+  std::vector<std::size_t> suspects_;
+  bool changed_ = true;  ///< the suspects are not known
   ZeroSet set_;
 };
 

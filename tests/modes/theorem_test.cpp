@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Theorem A: in a box so large that it ends at infinity both levels together have the Euler
+// characteristic 0 above mu*, -2 below, the neutral surface -1.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "algorithms/modes/theorem_a.hpp"
+#include "tests/modes/samples.hpp"
+#include "tests/support/random.hpp"
+
+using namespace crest;
+using namespace crest::tests;
+using modes::Level;
+
+namespace {
+
+long euler_characteristic(const modes::ModeField& field, const Level& level) {
+  const auto r = modes::extract(field, level);
+  CHECK(r.undecided.empty());
+  long sum = 0;
+  for (const auto& s : r.surfaces) {
+    sum += counts_of(s).euler_characteristic;
+    CHECK(s.watertight);
+    for (const auto& c : s.components) CHECK(c.orientable);
+  }
+  return sum;
+}
+
+/// About [-2^16, 2^16]^3, the cubes small near the origin: beyond the coefficients by far, so that
+/// what is outside looks like the linear part alone.
+modes::ModeField large_box(const Rows& rows) {
+  // No planes of symmetry: a neutral surface may touch a face there.
+  constexpr double places[] = {-65536.25, -2049.6875, -63.140625, -2.171875,
+                               1.859375,  61.78125,   2050.5625,  65533.75};
+  const auto grid = box(rows, 3.5, 8, Cut::diagonal);
+  std::vector<kernel::Vec3> points = grid.mesh.points();
+  std::vector<std::array<double, 6>> tensors;
+  for (auto& p : points) {
+    for (double& x : p) x = places[static_cast<std::size_t>(std::lround(x + 3.5))];
+    tensors.push_back(value_at(rows, p));
+  }
+  return {kernel::TetMesh(std::move(points), grid.mesh.tets()), std::move(tensors)};
+}
+
+Level level_of(std::int64_t thousandths) {
+  const std::int64_t divisor = std::gcd(thousandths, std::int64_t{1000});
+  return {thousandths / divisor, 1000 / divisor};
+}
+
+Rows random_rows(Random& random) {
+  Rows rows(4);
+  for (auto& row : rows)
+    for (int& x : row) x = static_cast<int>(random() % 13) - 6;
+  return rows;
+}
+
+/// mu*; nothing if the tensors are dependent.
+std::optional<double> critical_mode(const Rows& rows) {
+  std::array<std::array<double, 6>, 4> t;
+  const kernel::Vec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (std::size_t k = 0; k < 4; ++k) t[k] = value_at(rows, corners[k]);
+  const auto c = modes::critical_tensor({&t[0], &t[1], &t[2], &t[3]});
+  if (!c) return std::nullopt;
+  return std::sqrt(c->squared_mode.convert_to<double>());
+}
+
+}  // namespace
+
+TEST_CASE("theorem A holds for random fields in large boxes") {
+  Random random(kSeed + 70);
+  for (std::uint64_t i = 0; i < scaled(50); ++i) {
+    const Rows rows = random_rows(random);
+    const auto critical = critical_mode(rows);
+    if (!critical || *critical < 0.02 || *critical > 0.98) continue;
+    const auto field = large_box(rows);
+    INFO("field " << i << ", mu* " << *critical);
+    CHECK(euler_characteristic(field, {0, 1}) == -1);
+    CHECK(euler_characteristic(field, level_of(std::lround(800 * *critical))) == -2);
+    CHECK(euler_characteristic(field, level_of(std::lround(400 + 600 * *critical))) == 0);
+  }
+}
