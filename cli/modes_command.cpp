@@ -5,18 +5,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <numeric>
 
 #include "algorithms/modes/certificate.hpp"
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
+#include "algorithms/modes/surface_geometry.hpp"
 #include "certify/certificate.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/verify.hpp"
 #include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
+#include "io/formats/files.hpp"
 #include "io/modes/domain_outline.hpp"
 #include "io/modes/mode_writer.hpp"
 #include "io/read/tet_reader.hpp"
@@ -30,7 +33,7 @@ struct ModesOptions {
   std::vector<std::string> modes;
   bool neutral = false, degenerate = false, keep_sign = false;
   modes::ModeOptions extraction;
-  double min_magnitude = 0;
+  double min_magnitude = 0, deviation = 0;
 };
 
 /// A level and, with --signed, the sign that is kept.
@@ -93,8 +96,10 @@ std::vector<Wanted> parse_modes(const ModesOptions& o) {
 }
 
 io::TensorFile read_input(Run& run, const ModesOptions& o) {
+  io::TensorRequest request = o.tensor;
+  request.step = o.common.step;
   auto file = run.step("read", "reading " + o.common.input,
-                       [&] { return io::read_tensors(o.common.input, o.tensor); });
+                       [&] { return io::read_tensors(o.common.input, request); });
   for (const std::string& warning : file.warnings) run.warn(warning);
   if (file.max_asymmetry > 0)
     run.warn(fmt::format("'{}' is not symmetric (by up to {:.3g}): its symmetric part is taken",
@@ -135,6 +140,37 @@ bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& f
   return certified && curves.undecided.empty();
 }
 
+/// The files of the surfaces and curves.
+void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
+                 io::ModeScene& scene) {
+  if (run.wanted("-o") && io::lower_extension(o.common.output) == ".vtp")
+    run.step("geometry", "curvatures", [&] {
+      for (auto& s : scene.surfaces) modes::add_geometry(field, s);
+    });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
+    const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                   [](const auto& s) { return s.triangles.empty(); }) &&
+                       scene.curves.empty();
+    if (run.wanted("--picture") && empty)
+      throw kernel::InputError(o.common.input +
+                               ": surfaces: there are none; choose another mode for --picture");
+    run.write("--picture", [&](const std::string& path) {
+      io::write_mode_picture(path, scene, run.viewpoint());
+    });
+  });
+}
+
+double diagonal(const std::vector<kernel::Vec3>& points) {
+  kernel::Vec3 low = points[0], high = points[0];
+  for (const kernel::Vec3& p : points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::fmin(low[k], p[k]);
+      high[k] = std::fmax(high[k], p[k]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
   io::TensorFile file = read_input(run, o);
@@ -148,12 +184,14 @@ Outcome work(Run& run, const ModesOptions& o) {
   const modes::ZeroSet zeros =
       run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
   scene.min_magnitude = o.min_magnitude;
+  modes::ModeOptions extraction = o.extraction;
+  extraction.deviation = o.deviation * diagonal(field.mesh.points());
   ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
     auto result = run.step("extract", fmt::format("mode {}", w.level.value()),
-                           [&] { return modes::extract(field, w.level, o.extraction, record); });
+                           [&] { return modes::extract(field, w.level, extraction, record); });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;
     });
@@ -179,18 +217,7 @@ Outcome work(Run& run, const ModesOptions& o) {
       run.write_certificate("modes", bytes, report.undecided());
     });
   }
-  run.step("write", "writing", [&] {
-    run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
-    const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                   [](const auto& s) { return s.triangles.empty(); }) &&
-                       scene.curves.empty();
-    if (run.wanted("--picture") && empty)
-      throw kernel::InputError(o.common.input +
-                               ": surfaces: there are none; choose another mode for --picture");
-    run.write("--picture", [&](const std::string& path) {
-      io::write_mode_picture(path, scene, run.viewpoint());
-    });
-  });
+  write_files(run, o, field, scene);
   return {summary,
           {"qu2020mode"},
           report.exhausted()                          ? kExhausted
@@ -201,12 +228,15 @@ Outcome work(Run& run, const ModesOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   ModesOptions& o = *options;
-  add_common_options(app, o.common, "solids with a tensor at each point (.vtu .vtk .msh)",
+  add_common_options(app, o.common,
+                     "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
                      "surfaces (.vtp .ply .obj)");
   app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
       ->type_name("NAME");
-  app.add_option("--order", o.tensor.order, "of 6 numbers (default: xx,yy,zz,xy,yz,xz, as VTK's)")
+  app.add_option("--order", o.tensor.order,
+                 "of 6 numbers (default: the format's, xx,yy,zz,xy,yz,xz in VTK's)")
       ->type_name("WORDS");
+  add_step_option(app, o.common);
   app.add_option("--mode", o.modes, "levels: decimals or fractions p/q; each gives +MU and -MU")
       ->delimiter(',')
       ->type_name("MU");
@@ -220,6 +250,10 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--budget", o.extraction.budget, "tests a tetrahedron (default: 100000)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->type_name("N");
+  app.add_option("--deviation", o.deviation,
+                 "refine triangles until they are this near to the surface, of the box's diagonal")
+      ->check(finite_number(0))
+      ->type_name("D");
   app.add_option("--min-magnitude", o.min_magnitude,
                  "leave triangles with a smaller |T| out of the file")
       ->check(finite_number(0))

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "algorithms/modes/field_counts.hpp"
+
 namespace crest::cli {
 namespace {
 
@@ -31,7 +33,11 @@ Json to_json(const modes::ModeSurface& s) {
           {"face_loops", s.face_loops},
           {"zero_rims", s.zero_rims},
           {"positions_unproven", s.unproven_pieces},
-          {"singular_points", singular}};
+          {"singular_points", singular},
+          {"perturbed",
+           {{"vertices", s.perturbed.vertices},
+            {"edge_touches", s.perturbed.edge_touches},
+            {"uniform_tets", s.perturbed.uniform_tets}}}};
 }
 
 std::string summary_line(const modes::ModeSurface& s) {
@@ -48,26 +54,21 @@ std::string summary_line(const modes::ModeSurface& s) {
 ModesReport::ModesReport(Report& report, const modes::ModeField& field, const io::TensorFile& file,
                          const modes::ZeroSet& zeros)
     : report_(report), file_(file), zeros_(zeros) {
-  std::size_t flat = 0, inverted = 0, zero = 0;
+  std::size_t flat = 0, inverted = 0;
   for (kernel::Index t = 0; t < field.mesh.tets().size(); ++t) {
     const int s = field.mesh.orientation(t);
     flat += s == 0 ? 1 : 0;
     inverted += s < 0 ? 1 : 0;
   }
-  for (const auto& t : field.tensors)
-    zero += t[0] == t[1] && t[1] == t[2] && t[3] == 0 && t[4] == 0 && t[5] == 0 ? 1 : 0;
-  std::size_t constant = 0;
-  for (const auto& t : field.mesh.tets()) {
-    const auto& x = field.tensors;
-    constant += x[t[0]] == x[t[1]] && x[t[0]] == x[t[2]] && x[t[0]] == x[t[3]] ? 1 : 0;
-  }
+  const modes::FieldCounts counts = modes::count_field(field);
   report_["tensor"] = file.field;
   report_["vertices"] = field.mesh.points().size();
-  report_["field"] = {{"zero_vertices", zero - zeros.simplices.size()},
+  report_["field"] = {{"zero_vertices", counts.zero_vertices - zeros.simplices.size()},
                       {"inner_zeros", zeros.simplices.size()},
                       {"flat_tets", flat},
                       {"negative_tets", inverted},
-                      {"constant_tets", constant},
+                      {"constant_tets", counts.constant_tets},
+                      {"rank_deficient_tets", counts.rank_deficient_tets},
                       {"max_asymmetry", file.max_asymmetry}};
   if (!zeros.simplices.empty())
     warnings_.push_back(

@@ -70,12 +70,14 @@ struct Joined {
   };
   std::vector<Row> rows;
   std::vector<const std::array<double, 6>*> tensors;
+  std::vector<const modes::PointGeometry*> geometry;  ///< empty: not asked for
 
   explicit Joined(const ModeScene& scene) {
     for (const modes::ModeSurface& s : scene.surfaces) {
       const auto first = static_cast<Index>(points.size());
       points.insert(points.end(), s.points.begin(), s.points.end());
       for (const auto& t : s.tensors) tensors.push_back(&t);
+      for (const auto& g : s.geometry) geometry.push_back(&g);
       for (Index t = 0; t < s.triangles.size(); ++t) {
         const auto& [a, b, c] = s.triangles[t];
         double least = HUGE_VAL;
@@ -131,6 +133,20 @@ std::string vtp(const ModeScene& scene) {
     size->SetValue(i, magnitude(*all.tensors[v]) / 3);
   }
   for (const auto& a : {normals, minor, medium, major, size}) data.add_point_array(a);
+  if (!all.geometry.empty()) {
+    const auto normal = column("field_normal", 3), d1 = column("direction1", 3),
+               d2 = column("direction2", 3), k1 = column("k1", 1), k2 = column("k2", 1);
+    for (std::size_t v = 0; v < all.geometry.size(); ++v) {
+      const auto i = static_cast<vtkIdType>(v);
+      const modes::PointGeometry& g = *all.geometry[v];
+      normal->SetTuple(i, g.normal.data());
+      d1->SetTuple(i, g.d1.data());
+      d2->SetTuple(i, g.d2.data());
+      k1->SetValue(i, g.k1);
+      k2->SetValue(i, g.k2);
+    }
+    for (const auto& a : {normal, d1, d2, k1, k2}) data.add_point_array(a);
+  }
   if (!scene.data_digest.empty()) data.fields().add("data_digest", scene.data_digest);
   return data.bytes();
 }
