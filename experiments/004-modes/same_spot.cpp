@@ -107,7 +107,7 @@ void run(const std::string& name, const modes::Level& level, int sign, int size,
         "|---|---|---|---|---|\n");
     io::ModeScene scene;
     scene.outline = io::domain_outline(spot.mesh);
-    const io::Viewpoint viewpoint;
+    const io::Viewpoint viewpoint{.view = kernel::Vec3{1, 2, -1}, .up = kernel::Vec3{0, 0, 1}};
     for (const int n : {1, 3}) {
       const Lattice lattice(n);
       Marching marching(spot.tensors, spot.mesh.points(), mode);
