@@ -140,6 +140,27 @@ bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& f
   return certified && curves.undecided.empty();
 }
 
+/// The files of the surfaces and curves.
+void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
+                 io::ModeScene& scene) {
+  if (run.wanted("-o") && io::lower_extension(o.common.output) == ".vtp")
+    run.step("geometry", "curvatures", [&] {
+      for (auto& s : scene.surfaces) modes::add_geometry(field, s);
+    });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
+    const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                   [](const auto& s) { return s.triangles.empty(); }) &&
+                       scene.curves.empty();
+    if (run.wanted("--picture") && empty)
+      throw kernel::InputError(o.common.input +
+                               ": surfaces: there are none; choose another mode for --picture");
+    run.write("--picture", [&](const std::string& path) {
+      io::write_mode_picture(path, scene, run.viewpoint());
+    });
+  });
+}
+
 double diagonal(const std::vector<kernel::Vec3>& points) {
   kernel::Vec3 low = points[0], high = points[0];
   for (const kernel::Vec3& p : points)
@@ -196,22 +217,7 @@ Outcome work(Run& run, const ModesOptions& o) {
       run.write_certificate("modes", bytes, report.undecided());
     });
   }
-  if (run.wanted("-o") && io::lower_extension(o.common.output) == ".vtp")
-    run.step("geometry", "curvatures", [&] {
-      for (auto& s : scene.surfaces) modes::add_geometry(field, s);
-    });
-  run.step("write", "writing", [&] {
-    run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
-    const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                   [](const auto& s) { return s.triangles.empty(); }) &&
-                       scene.curves.empty();
-    if (run.wanted("--picture") && empty)
-      throw kernel::InputError(o.common.input +
-                               ": surfaces: there are none; choose another mode for --picture");
-    run.write("--picture", [&](const std::string& path) {
-      io::write_mode_picture(path, scene, run.viewpoint());
-    });
-  });
+  write_files(run, o, field, scene);
   return {summary,
           {"qu2020mode"},
           report.exhausted()                          ? kExhausted
@@ -222,11 +228,13 @@ Outcome work(Run& run, const ModesOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   ModesOptions& o = *options;
-  add_common_options(app, o.common, "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
+  add_common_options(app, o.common,
+                     "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
                      "surfaces (.vtp .ply .obj)");
   app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
       ->type_name("NAME");
-  app.add_option("--order", o.tensor.order, "of 6 numbers (default: the format's, xx,yy,zz,xy,yz,xz in VTK's)")
+  app.add_option("--order", o.tensor.order,
+                 "of 6 numbers (default: the format's, xx,yy,zz,xy,yz,xz in VTK's)")
       ->type_name("WORDS");
   add_step_option(app, o.common);
   app.add_option("--mode", o.modes, "levels: decimals or fractions p/q; each gives +MU and -MU")

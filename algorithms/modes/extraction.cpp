@@ -179,7 +179,7 @@ void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
 }
 
 /// Only reads the trees.
-ModeSurface Extraction::surface(Side side) {
+ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
   SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
   ModeSurface s = builder.build(deviation_);
@@ -187,7 +187,7 @@ ModeSurface Extraction::surface(Side side) {
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;
   // Each of these is an edge of one triangle: no others, if there are as many.
-  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims(side) + s.zero_rims;
+  s.watertight = boundary.size() == builder.boundary_segments() + cone_rims + s.zero_rims;
   s.face_loops = face_loops(side);
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     if (builder.touches_open(t)) s.components[s.component_of[t]].complete = false;
@@ -280,9 +280,11 @@ ModeResult Extraction::result() {
   r.level = level_;
   std::vector<Side> sides = {Side::plus, Side::minus};
   if (level_.neutral()) sides = {Side::neutral};
+  std::vector<std::size_t> rims;  // before: a root may be isolated for them
+  for (const Side side : sides) rims.push_back(cone_rims(side));
   r.surfaces.resize(sides.size());
   tbb::parallel_for(std::size_t{0}, sides.size(),
-                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i]); });
+                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i], rims[i]); });
   for (std::size_t i = 0; i < sides.size(); ++i) r.surfaces[i].perturbed = perturbed(sides[i]);
   r.counts = counts_;
   r.undecided = open_;

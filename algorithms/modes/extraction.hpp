@@ -51,7 +51,7 @@ class Extraction {
   int orientation(const Cell& cell) const;
   Index opposite_face(const Cone& cone) const;
   void add_pieces(SurfaceBuilder& builder, Side side);
-  ModeSurface surface(Side side);
+  ModeSurface surface(Side side, std::size_t cone_rims);
   void add_leaves(SurfaceBuilder& builder, Side side, Index cell, int orientation);
   std::size_t face_loops(Side side) const;
   std::size_t cone_rims(Side side);

@@ -43,8 +43,8 @@ bool are_dependent(const Four& given) {
   for (std::size_t i = 0; i < 4; ++i) {
     const std::array<Rational, 6> t = {given[i][0], given[i][1], given[i][2],
                                        given[i][3], given[i][4], given[i][5]};
-    rows[i] = {2 * t[0] - t[1] - t[2], 2 * t[1] - t[0] - t[2], 2 * t[2] - t[0] - t[1],
-               t[3], t[4], t[5]};
+    rows[i] = {
+        2 * t[0] - t[1] - t[2], 2 * t[1] - t[0] - t[2], 2 * t[2] - t[0] - t[1], t[3], t[4], t[5]};
   }
   std::size_t rank = 0;
   for (std::size_t column = 0; column < 6 && rank < 4; ++column) {
@@ -68,20 +68,20 @@ FieldCounts count_field(const ModeField& field) {
   counts.zero_vertices = static_cast<std::size_t>(
       std::count_if(field.tensors.begin(), field.tensors.end(), is_isotropic));
   std::atomic<std::size_t> constant = 0, dependent = 0;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, field.mesh.tets().size(), 2048), [&](const auto& range) {
-        std::size_t equal = 0, singular = 0;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          const auto& v = field.mesh.tets()[i];
-          const Four t = {field.tensors[v[0]], field.tensors[v[1]], field.tensors[v[2]],
-                          field.tensors[v[3]]};
-          const bool same = t[0] == t[1] && t[0] == t[2] && t[0] == t[3];
-          equal += same ? 1 : 0;
-          singular += same || (!surely_independent(t) && are_dependent(t)) ? 1 : 0;
-        }
-        constant += equal;
-        dependent += singular;
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, field.mesh.tets().size(), 2048),
+                    [&](const auto& range) {
+                      std::size_t equal = 0, singular = 0;
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        const auto& v = field.mesh.tets()[i];
+                        const Four t = {field.tensors[v[0]], field.tensors[v[1]],
+                                        field.tensors[v[2]], field.tensors[v[3]]};
+                        const bool same = t[0] == t[1] && t[0] == t[2] && t[0] == t[3];
+                        equal += same ? 1 : 0;
+                        singular += same || (!surely_independent(t) && are_dependent(t)) ? 1 : 0;
+                      }
+                      constant += equal;
+                      dependent += singular;
+                    });
   counts.constant_tets = constant;
   counts.rank_deficient_tets = dependent;
   return counts;

@@ -21,8 +21,8 @@ struct SurfaceComponent {
 /// Of the surface at a point, in closed form from the field of the tetrahedron of its first
 /// triangle: the surface has creases between tetrahedra, over which nothing is averaged.
 struct PointGeometry {
-  kernel::Vec3 normal{};  ///< towards higher modes
-  double k1 = 0, k2 = 0;  ///< k1 >= k2; positive where it bends towards the normal
+  kernel::Vec3 normal{};    ///< towards higher modes
+  double k1 = 0, k2 = 0;    ///< k1 >= k2; positive where it bends towards the normal
   kernel::Vec3 d1{}, d2{};  ///< their directions
 };
 

@@ -13,7 +13,7 @@ namespace crest::modes {
 
 struct PlanarPiece {
   std::vector<std::array<double, 2>> points;
-  std::vector<std::uint8_t> facets;             ///< bit i: the point lies on facet i of the cell
+  std::vector<std::uint8_t> facets;  ///< bit i: the point lies on facet i of the cell
   /// Of points, each point in one loop once; points behind them that are in none lie inside.
   std::vector<std::vector<std::size_t>> loops;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 3 of paper 004: one spot of a block, the surface by marching tets and by Crest. The spot is
-// the window of cubes with the most tets where marching tets, each tet in one, see no surface.
+// Figure 3 of paper 004: one spot of a block, the surface by marching tets and by Crest. The spot
+// is the window of cubes with the most tets where marching tets, each tet in one, see no surface.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -102,16 +102,16 @@ void run(const std::string& name, const modes::Level& level, int sign, int size,
     const auto whole = modes::extract(field, level);
     const Window window = worst_window(field, side(whole, mode), mode, size);
     const modes::ModeField spot = part_of(field, window);
-    fmt::print("| by | parts of a tet | triangles | components | Euler characteristic |\n"
-               "|---|---|---|---|---|\n");
+    fmt::print(
+        "| by | parts of a tet | triangles | components | Euler characteristic |\n"
+        "|---|---|---|---|---|\n");
     io::ModeScene scene;
     scene.outline = io::domain_outline(spot.mesh);
-    const io::Viewpoint viewpoint;
+    const io::Viewpoint viewpoint{.view = kernel::Vec3{1, 2, -1}, .up = kernel::Vec3{0, 0, 1}};
     for (const int n : {1, 3}) {
       const Lattice lattice(n);
       Marching marching(spot.tensors, spot.mesh.points(), mode);
-      for (const auto& t : spot.mesh.tets())
-        marching.add({t[0], t[1], t[2], t[3]}, lattice, n);
+      for (const auto& t : spot.mesh.tets()) marching.add({t[0], t[1], t[2], t[3]}, lattice, n);
       const auto c = marching.count();
       fmt::print("| marching tets | {} | {} | {} | {} |\n", n * n * n, c.triangles, c.components,
                  c.euler);

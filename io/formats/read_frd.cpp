@@ -50,31 +50,11 @@ const Element* element(std::int64_t type) {
   return type >= 1 && type <= 12 ? &elements[static_cast<std::size_t>(type - 1)] : nullptr;
 }
 
-class FrdReader {
+/// The lines of a file and their columns.
+class FrdLines {
  public:
-  FrdReader(std::string_view bytes, const FieldRequest& request)
-      : rest_(check_text(bytes)), request_(request) {}
+  explicit FrdLines(std::string_view text) : rest_(text) {}
 
-  Soup read() {
-    while (next_line()) {
-      const std::string_view key = blank_free(column(0, 6));
-      if (key == "2C")
-        read_nodes();
-      else if (key == "3C")
-        read_elements();
-      else if (key.starts_with("100C"))
-        read_result();
-      else if (key == "9999")
-        break;
-    }
-    if (soup_.points.empty()) fail("nodes", "there are none", kRepair);
-    if (request_.step && !found_step_)
-      fail("time step", fmt::format("there is no step {}", *request_.step),
-           steps_.empty() ? "the file has none" : "its steps are " + steps_);
-    return std::move(soup_);
-  }
-
- private:
   bool next_line() {
     if (rest_.empty()) return false;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -85,15 +65,9 @@ class FrdReader {
     return true;
   }
   void require_line() {
-    if (!next_line()) fail(fmt::format("line {}", number_), "is the last of a block", "the file is truncated; " + std::string(kRepair));
-  }
-  std::string_view column(std::size_t first, std::size_t count) const {
-    return first < line_.size() ? line_.substr(first, count) : std::string_view{};
-  }
-  static std::string_view blank_free(std::string_view s) {
-    while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
-    while (!s.empty() && s.back() == ' ') s.remove_suffix(1);
-    return s;
+    if (!next_line())
+      fail(fmt::format("line {}", number_), "is the last of a block",
+           "the file is truncated; " + std::string(kRepair));
   }
   template <class T>
   T number(std::size_t first, std::size_t count) const {
@@ -117,80 +91,117 @@ class FrdReader {
       fail(fmt::format("line {}", number_), "begins a binary block", "write the results as text");
     return format == 1 ? 10 : 5;
   }
+  std::string_view line_column(std::size_t first, std::size_t count) const {
+    return blank_free(column(first, count));
+  }
+  /// "line 7".
+  std::string where() const { return fmt::format("line {}", number_); }
+  std::size_t line_number() const { return number_; }
 
+ private:
+  static std::string_view blank_free(std::string_view s) {
+    while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
+    while (!s.empty() && s.back() == ' ') s.remove_suffix(1);
+    return s;
+  }
+  std::string_view column(std::size_t first, std::size_t count) const {
+    return first < line_.size() ? line_.substr(first, count) : std::string_view{};
+  }
+  std::string_view rest_, line_;
+  std::size_t number_ = 0;
+};
+
+class FrdReader {
+ public:
+  FrdReader(std::string_view bytes, const FieldRequest& request)
+      : lines_(check_text(bytes)), request_(request) {}
+
+  Soup read() {
+    while (lines_.next_line()) {
+      const std::string_view key = lines_.line_column(0, 6);
+      if (key == "2C")
+        read_nodes();
+      else if (key == "3C")
+        read_elements();
+      else if (key.starts_with("100C"))
+        read_result();
+      else if (key == "9999")
+        break;
+    }
+    if (soup_.points.empty()) fail("nodes", "there are none", kRepair);
+    if (request_.step && !found_step_)
+      fail("time step", fmt::format("there is no step {}", *request_.step),
+           steps_.empty() ? "the file has none" : "its steps are " + steps_);
+    return std::move(soup_);
+  }
+
+ private:
   void read_nodes() {
-    const std::size_t width = id_width(73);
-    while (require_line(), !is_end()) {
-      soup_.point_tags.push_back(number<std::int64_t>(3, width));
+    const std::size_t width = lines_.id_width(73);
+    while (lines_.require_line(), !lines_.is_end()) {
+      soup_.point_tags.push_back(lines_.number<std::int64_t>(3, width));
       auto& p = soup_.points.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) p[k] = number<double>(3 + width + 12 * k, 12);
-      note_not_finite();
+      for (std::size_t k = 0; k < 3; ++k) p[k] = lines_.number<double>(3 + width + 12 * k, 12);
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+        soup_.lines_not_finite.emplace_back(soup_.points.size() - 1, lines_.line_number());
     }
     table_.emplace(soup_.point_tags, "node");
   }
-  void note_not_finite() {
-    for (const double x : soup_.points.back())
-      if (!std::isfinite(x)) {
-        soup_.lines_not_finite.emplace_back(soup_.points.size() - 1, number_);
-        return;
-      }
-  }
-
   std::size_t node(std::int64_t tag) const {
     const auto found = table_ ? table_->find(tag) : std::nullopt;
-    if (!found)
-      fail(fmt::format("line {}", number_), fmt::format("node {} does not exist", tag), kRepair);
+    if (!found) fail(lines_.where(), fmt::format("node {} does not exist", tag), kRepair);
     return *found;
   }
 
   void read_elements() {
-    const std::size_t width = id_width(73), most = width == 10 ? 10 : 15;
-    require_line();
-    while (!is_end()) {
-      if (!is_record("-1"))
-        fail(fmt::format("line {}", number_), "begins no element", kRepair);
-      const auto tag = number<std::int64_t>(3, width), type = number<std::int64_t>(3 + width, 5);
+    const std::size_t width = lines_.id_width(73), most = width == 10 ? 10 : 15;
+    lines_.require_line();
+    while (!lines_.is_end()) {
+      if (!lines_.is_record("-1")) fail(lines_.where(), "begins no element", kRepair);
+      const auto tag = lines_.number<std::int64_t>(3, width),
+                 type = lines_.number<std::int64_t>(3 + width, 5);
       const Element* e = element(type);
       if (!e)
-        fail(fmt::format("element {} (line {})", tag, number_),
+        fail(fmt::format("element {} (line {})", tag, lines_.line_number()),
              fmt::format("has the unknown type {}", type), kRepair);
       std::vector<Cells::Node> nodes;
       while (nodes.size() < e->order.size()) {
-        require_line();
-        if (!is_record("-2"))
-          fail(fmt::format("element {} (line {})", tag, number_), "has too few nodes", kRepair);
+        lines_.require_line();
+        if (!lines_.is_record("-2"))
+          fail(fmt::format("element {} (line {})", tag, lines_.line_number()), "has too few nodes",
+               kRepair);
         for (std::size_t k = 0; k < most && nodes.size() < e->order.size(); ++k)
-          nodes.push_back(static_cast<Cells::Node>(
-              node(number<std::int64_t>(3 + width * k, width))));
+          nodes.push_back(
+              static_cast<Cells::Node>(node(lines_.number<std::int64_t>(3 + width * k, width))));
       }
       std::vector<Cells::Node> ordered;
       for (const std::size_t i : e->order) ordered.push_back(nodes[i]);
       soup_.cells.add(e->type, ordered);
       soup_.cell_tags.push_back(tag);
-      require_line();
+      lines_.require_line();
     }
   }
 
   /// One quantity of one step.
   void read_result() {
-    const auto step = number<std::int64_t>(58, 5);
-    const std::size_t width = id_width(73);
-    require_line();
-    if (!is_record("-4")) fail(fmt::format("line {}", number_), "begins no quantity", kRepair);
+    const auto step = lines_.number<std::int64_t>(58, 5);
+    const std::size_t width = lines_.id_width(73);
+    lines_.require_line();
+    if (!lines_.is_record("-4")) fail(lines_.where(), "begins no quantity", kRepair);
     Field field;
-    field.name = std::string(blank_free(column(5, 8)));
-    const auto announced = number<std::size_t>(13, 5);
+    field.name = std::string(lines_.line_column(5, 8));
+    const auto announced = lines_.number<std::size_t>(13, 5);
     std::vector<std::size_t> place;  // of each component in the file
     bool tensor = announced == 6;
     for (std::size_t k = 0; k < announced; ++k) {
-      require_line();
-      if (!is_record("-5"))
-        fail(fmt::format("line {}", number_), "begins no component", kRepair);
+      lines_.require_line();
+      if (!lines_.is_record("-5")) fail(lines_.where(), "begins no component", kRepair);
       // Those that the reading program computes (iexist = 1) have no numbers.
-      if (!blank_free(column(33, 5)).empty() && number<int>(33, 5) == 1) continue;
-      const auto row = number<std::size_t>(23, 5), at = number<std::size_t>(28, 5);
+      if (!lines_.line_column(33, 5).empty() && lines_.number<int>(33, 5) == 1) continue;
+      const auto row = lines_.number<std::size_t>(23, 5), at = lines_.number<std::size_t>(28, 5);
       constexpr std::size_t places[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-      tensor = tensor && number<int>(18, 5) == 4 && row >= 1 && row <= 3 && at >= 1 && at <= 3;
+      tensor =
+          tensor && lines_.number<int>(18, 5) == 4 && row >= 1 && row <= 3 && at >= 1 && at <= 3;
       place.push_back(tensor ? places[row - 1][at - 1] : k);
     }
     if (!tensor)
@@ -206,16 +217,16 @@ class FrdReader {
     field.missing.assign(soup_.points.size(), true);
     const bool wanted = request_.asks_for(field.name);
     std::size_t v = 0, k = 0;
-    while (require_line(), !is_end()) {
-      if (is_record("-1")) {
-        v = node(number<std::int64_t>(3, width));
+    while (lines_.require_line(), !lines_.is_end()) {
+      if (lines_.is_record("-1")) {
+        v = node(lines_.number<std::int64_t>(3, width));
         k = 0;
         field.missing[v] = false;
-      } else if (!is_record("-2") || k == 0) {
-        fail(fmt::format("line {}", number_), "begins no value", kRepair);
+      } else if (!lines_.is_record("-2") || k == 0) {
+        fail(lines_.where(), "begins no value", kRepair);
       }
       for (std::size_t i = 0; i < 6 && k < n && wanted; ++i, ++k)
-        numbers[n * v + place[k]] = number<double>(3 + width + 12 * i, 12);
+        numbers[n * v + place[k]] = lines_.number<double>(3 + width + 12 * i, 12);
       k += wanted ? 0 : 1;
     }
     if (std::find(field.missing.begin(), field.missing.end(), true) == field.missing.end())
@@ -238,8 +249,7 @@ class FrdReader {
     soup_.point_fields.push_back(std::move(field));
   }
 
-  std::string_view rest_, line_;
-  std::size_t number_ = 0;
+  FrdLines lines_;
   const FieldRequest& request_;
   Soup soup_;
   std::optional<TagTable> table_;

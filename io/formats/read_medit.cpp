@@ -77,23 +77,22 @@ Soup read_medit(std::string_view bytes) {
     CellType type;
     std::size_t corners;
   };
-  static const std::map<std::string, List> lists = {{"Edges", {CellType::line, 2}},
-                                                    {"Triangles", {CellType::triangle, 3}},
-                                                    {"Quadrilaterals", {CellType::quad, 4}},
-                                                    {"Tetrahedra", {CellType::tetrahedron, 4}},
-                                                    {"Pyramids", {CellType::pyramid, 5}},
-                                                    {"Prisms", {CellType::wedge, 6}},
-                                                    {"Hexahedra", {CellType::hexahedron, 8}}};
+  static const std::map<std::string, List> lists = {
+      {"Edges", {CellType::line, 2}},          {"Triangles", {CellType::triangle, 3}},
+      {"Quadrilaterals", {CellType::quad, 4}}, {"Tetrahedra", {CellType::tetrahedron, 4}},
+      {"Pyramids", {CellType::pyramid, 5}},    {"Prisms", {CellType::wedge, 6}},
+      {"Hexahedra", {CellType::hexahedron, 8}}};
   // Words of the entries of what is passed over.
   static const std::map<std::string, std::size_t> others = {
-      {"Corners", 1},         {"RequiredVertices", 1},      {"Ridges", 1},
-      {"RequiredEdges", 1},   {"RequiredTriangles", 1},     {"RequiredTetrahedra", 1},
-      {"Normals", 3},         {"NormalAtVertices", 2},      {"Tangents", 3},
+      {"Corners", 1},           {"RequiredVertices", 1},        {"Ridges", 1},
+      {"RequiredEdges", 1},     {"RequiredTriangles", 1},       {"RequiredTetrahedra", 1},
+      {"Normals", 3},           {"NormalAtVertices", 2},        {"Tangents", 3},
       {"TangentAtVertices", 2}, {"NormalAtTriangleVertices", 3}};
   Source source(bytes);
   Soup soup;
   if (!source.next() || source.keyword() != "MeshVersionFormatted")
-    fail("header", "has no MeshVersionFormatted", "is it a text mesh of Medit? " + std::string(kRepair));
+    fail("header", "has no MeshVersionFormatted",
+         "is it a text mesh of Medit? " + std::string(kRepair));
   source.integer();
   while (source.next()) {
     if (source.keyword() == "Dimension") {

@@ -22,8 +22,8 @@ struct ModeScene {
 
 /// .vtp: triangles with cell arrays mode and tet, point arrays normal, minor, medium, major
 /// (eigenvectors by eigenvalue), magnitude, where the surfaces have it their geometry as
-/// field_normal, k1, k2, direction1, direction2; degenerate curves as lines of mode 1 (linear) and -1
-/// (planar), tet -1, the point arrays 0 there. .ply, .obj: the triangles alone. Guarantees: the
+/// field_normal, k1, k2, direction1, direction2; degenerate curves as lines of mode 1 (linear) and
+/// -1 (planar), tet -1, the point arrays 0 there. .ply, .obj: the triangles alone. Guarantees: the
 /// same bytes for the same surfaces; no half-written file. Throws: kernel::InputError for another
 /// extension or a place that cannot be written.
 void write_modes(const std::string& path, const ModeScene& scene);

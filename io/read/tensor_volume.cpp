@@ -88,8 +88,7 @@ class Grid {
  private:
   void read_tensors(TensorFile& file) {
     const std::size_t numbers = volume_.size[0], mask = numbers == 7 ? 1 : 0;
-    const auto place =
-        tensor_places(request_.order.empty() ? "xx xy xz yy yz zz" : request_.order);
+    const auto place = tensor_places(request_.order.empty() ? "xx xy xz yy yz zz" : request_.order);
     const std::size_t count = n_[0] * n_[1] * n_[2];
     std::size_t outside = 0;
     std::vector<double> sample(numbers);
@@ -110,8 +109,8 @@ class Grid {
         if (!std::isfinite(x))
           fail(fmt::format("sample {}, {}, {}", v % n_[0], v / n_[0] % n_[1], v / n_[0] / n_[1]),
                "is not finite", "repair the field");
-      file.tensors.push_back(tensor_of({sample.data() + mask, numbers - mask}, place,
-                                       file.max_asymmetry));
+      file.tensors.push_back(
+          tensor_of({sample.data() + mask, numbers - mask}, place, file.max_asymmetry));
     }
     if (outside > 0)
       file.warnings.push_back(

@@ -11,7 +11,8 @@ namespace crest::io {
 /// NRRD, the first of four axes being the tensor's: 6 numbers (xx xy xz yy yz zz, or as the request
 /// orders them), 7 with a mask before them, 9. Each cube of samples becomes six tetrahedra round
 /// the diagonal from its lowest corner, so that neighbours fit. Outside the mask the tensor is 0.
-/// Tensors stay in the file's measurement frame: modes do not depend on it. Throws: as read_tensors.
+/// Tensors stay in the file's measurement frame: modes do not depend on it. Throws: as
+/// read_tensors.
 TensorFile read_tensor_volume(std::string_view bytes, const TensorRequest& request);
 
 }  // namespace crest::io

@@ -196,8 +196,7 @@ TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
   tetrahedra.warn(file.warnings);
   const Field& field = tensor_field(soup, request.field);
   file.field = field.name;
-  const auto place =
-      tensor_places(request.order.empty() ? "xx yy zz xy yz xz" : request.order);
+  const auto place = tensor_places(request.order.empty() ? "xx yy zz xy yz xz" : request.order);
   std::vector<Index> number_of(soup.points.size(), ~Index{0});
   for (const auto& t : tetrahedra.tets)
     for (const Node v : t) number_of[static_cast<std::size_t>(v)] = 0;

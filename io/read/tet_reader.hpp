@@ -28,10 +28,10 @@ struct TensorFile {
   std::vector<std::string> warnings;
 };
 
-/// Reads .vtu, .vtk, .msh, .frd, .mesh with the .sol beside it, and volumes as .nrrd. Of cells with midside nodes the corners are taken; cells that are no
-/// solids are left out. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line: no
-/// solids, no such field (with those there are), a tensor that is not finite, a cell or face that
-/// TetMesh refuses.
+/// Reads .vtu, .vtk, .msh, .frd, .mesh with the .sol beside it, and volumes as .nrrd. Of cells with
+/// midside nodes the corners are taken; cells that are no solids are left out. Throws:
+/// kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line: no solids, no such field (with
+/// those there are), a tensor that is not finite, a cell or face that TetMesh refuses.
 TensorFile read_tensors(const std::string& path, const TensorRequest& request);
 
 }  // namespace crest::io

@@ -48,8 +48,7 @@ TEST_CASE("six components are in VTK's order, as VTK itself expands them") {
   double tensor[9] = {1, 2, 3, 4, 5, 6};
   vtkMath::TensorFromSymmetricTensor(tensor);
   // xx yy zz xy yz xz of the rows of the matrix.
-  CHECK(file.tensors[0] ==
-        Six{tensor[0], tensor[4], tensor[8], tensor[1], tensor[5], tensor[2]});
+  CHECK(file.tensors[0] == Six{tensor[0], tensor[4], tensor[8], tensor[1], tensor[5], tensor[2]});
   const auto other = read(folder, "a.vtk", kVtk + kSixNumbers, {.order = "xx,xy,xz,yy,yz,zz"});
   CHECK(other.tensors[0] == Six{1, 4, 6, 2, 5, 3});
 }
@@ -59,25 +58,18 @@ TEST_CASE("six components of a thin plate: no stress across its free side") {
   if (!path) return;
   const auto free_share = [&](const std::string& order) {
     const auto file = io::read_tensors(*path, {.order = order});
-    const auto& points = file.mesh.points();
-    double top = -HUGE_VAL;
-    for (const auto& p : points) top = std::fmax(top, p[2]);
-    std::size_t all = 0, free = 0;
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      if (points[v][2] < top) continue;
-      const Six& t = file.tensors[v];
-      const double across = std::hypot(t[2], t[4], t[5]);
+    std::size_t free = 0;
+    for (const Six& t : file.tensors) {
       double size = 0;
       for (const double x : t) size = std::hypot(size, x);
-      ++all;
-      free += across < 0.1 * size ? 1 : 0;
+      free += std::hypot(t[2], t[4], t[5]) < 0.1 * size ? 1 : 0;
     }
-    REQUIRE(all > 100);
-    return static_cast<double>(free) / static_cast<double>(all);
+    return static_cast<double>(free) / static_cast<double>(file.tensors.size());
   };
-  CHECK(free_share("") > 0.9);
-  CHECK(free_share("xx xy xz yy yz zz") < 0.1);
+  // The plate is thin along z.
+  CHECK(free_share("") > 0.98);
   CHECK(free_share("zz yy xx xy yz xz") < 0.1);
+  CHECK(free_share("xx zz yy xz yz xy") < 0.5);
 }
 
 TEST_CASE("medit: a mesh and the solution beside it") {
@@ -98,10 +90,10 @@ TEST_CASE("medit: a mesh and the solution beside it") {
   CHECK(file.mesh.orientation(0) == 1);
   put(folder / "a.sol", "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n3\n1 3\n");
   CHECK(error(folder / "a.mesh").find("a.sol") != std::string::npos);
-  for (const std::string bad : {"Vertices 4", "MeshVersionFormatted 2\nVertices\n99999999\n",
-                                "MeshVersionFormatted 2\nVertices\n1\n0 x 0 0\n",
-                                "MeshVersionFormatted 2\nDimension 2\n",
-                                "MeshVersionFormatted 2\nTetrahedra\n1\n1 2 3 4 0\n"}) {
+  for (const std::string bad :
+       {"Vertices 4", "MeshVersionFormatted 2\nVertices\n99999999\n",
+        "MeshVersionFormatted 2\nVertices\n1\n0 x 0 0\n", "MeshVersionFormatted 2\nDimension 2\n",
+        "MeshVersionFormatted 2\nTetrahedra\n1\n1 2 3 4 0\n"}) {
     put(folder / "b.mesh", bad);
     CHECK(error(folder / "b.mesh").find("b.mesh") != std::string::npos);
   }
@@ -130,7 +122,8 @@ TEST_CASE("frd: solids and the tensors of the last step, or of the one asked for
       "    3C                             1                                     1\n"
       " -1        77    3    0    1\n -2         1         2         5         9\n -3\n";
   const std::string text =
-      head + values("    1", " 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00") +
+      head +
+      values("    1", " 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00 9.00000E+00") +
       values("    2", " 1.00000E+00-2.00000E+00 3.00000E+00-4.00000E+00 5.00000E+00-6.00000E+00") +
       " 9999\n";
   const auto file = read(folder, "a.frd", text);

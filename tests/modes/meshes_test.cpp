@@ -9,8 +9,8 @@
 #include <map>
 
 #include "algorithms/modes/surface_geometry.hpp"
-#include "io/formats/readers.hpp"
 #include "io/formats/files.hpp"
+#include "io/formats/readers.hpp"
 #include "io/modes/mode_writer.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -26,9 +26,10 @@ using modes::Level;
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Delaunay = CGAL::Delaunay_triangulation_3<
-    Kernel, CGAL::Triangulation_data_structure_3<
-                CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>>>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_3<Kernel,
+                                   CGAL::Triangulation_data_structure_3<
+                                       CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>>>;
 
 /// The Delaunay triangulation of random points of [-half, half]^3, its corners, and points of its
 /// faces and edges among them.
@@ -37,8 +38,8 @@ modes::ModeField unstructured(const Rows& rows, double half, int inner, std::uin
   std::uniform_real_distribution<double> uniform(-half, half);
   std::vector<Vec3> points;
   for (int corner = 0; corner < 8; ++corner)
-    points.push_back({corner & 1 ? half : -half, corner & 2 ? half : -half,
-                      corner & 4 ? half : -half});
+    points.push_back(
+        {corner & 1 ? half : -half, corner & 2 ? half : -half, corner & 4 ? half : -half});
   for (int i = 0; i < inner; ++i) {
     Vec3 p = {uniform(random), uniform(random), uniform(random)};
     // Every third lies on a face, every ninth on an edge.
@@ -54,8 +55,8 @@ modes::ModeField unstructured(const Rows& rows, double half, int inner, std::uin
   }
   std::vector<kernel::TetMesh::Tet> tets;
   for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
-    tets.push_back({c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(),
-                    c->vertex(3)->info()});
+    tets.push_back(
+        {c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()});
   return {kernel::TetMesh(std::move(points), std::move(tets)), std::move(tensors)};
 }
 
@@ -63,8 +64,8 @@ double mode_at(const Rows& rows, const Vec3& p) {
   const auto t = value_at(rows, p);
   const double det = t[0] * (t[1] * t[2] - t[4] * t[4]) - t[3] * (t[3] * t[2] - t[4] * t[5]) +
                      t[5] * (t[3] * t[4] - t[1] * t[5]);
-  const double n = t[0] * t[0] + t[1] * t[1] + t[2] * t[2] +
-                   2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]);
+  const double n =
+      t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + 2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]);
   return 3 * std::sqrt(6.0) * det / std::pow(n, 1.5);
 }
 
@@ -78,7 +79,7 @@ Counts counts_of(const std::vector<std::array<Index, 3>>& triangles, std::size_t
       const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
       ++edges[{a, b}];
       parts.unite(a, b);
-      used[a] = 1;
+      used[a] = used[b] = 1;
     }
   for (const auto& [edge, n] : edges) {
     CHECK(n <= 2);
@@ -103,8 +104,8 @@ Counts counts_in_file(const std::string& path, std::optional<double> mode) {
   for (std::size_t c = 0; c < soup.cells.size(); ++c) {
     if (mode && std::get<std::vector<double>>(soup.cell_fields.at(0).numbers)[c] != *mode) continue;
     const auto v = soup.cells.nodes(c);
-    triangles.push_back({static_cast<Index>(v[0]), static_cast<Index>(v[1]),
-                         static_cast<Index>(v[2])});
+    triangles.push_back(
+        {static_cast<Index>(v[0]), static_cast<Index>(v[1]), static_cast<Index>(v[2])});
   }
   return counts_of(triangles, soup.points.size());
 }
