@@ -59,7 +59,10 @@ class MeshState {
         code_(fields.nodes, 0xff) {
     std::size_t at = 0;
     for (const CellRun& run : c.cells)
-      for (u32 cell = run.first; cell < run.first + run.length; ++cell) code_[cell] = c.codes[at++];
+      for (u32 cell = run.first; cell < run.first + run.length; ++cell) {
+        code_[cell] = c.codes[at++];
+        if (code_[cell] != code::kOpen) direction_[cell] = c.directions[direction_.size()];
+      }
     squares_ = squares();
   }
 
@@ -112,83 +115,13 @@ class MeshState {
   Key corner(u32 edge, u32 cell) const { return {1, vertex_.at({edge, cell}), 0}; }
   bool kept(const Key& node) const { return kept_.at(node); }
 
-  /// Makes the pieces.
-  void cut() {
-    const bool cuts = c_.data.has_min_value || c_.data.min_strength > 0;
-    for (u32 i = 0; i < c_.vertices.size(); ++i) {
-      Vec place = fields_.place(vertex_cells_[i]);
-      for (unsigned k = 0; k < d_; ++k) place[k] += c_.vertices[i][k] / 65536.0;
-      kept_[{1, i, 0}] = !cuts || is_kept(place);
-    }
-    std::map<std::tuple<u32, u32, u32>, u32> seams;  // edge, cells -> group
-    for (u32 i = 0; i < groups_.size(); ++i)
-      for (const u32 edge : groups_[i].polygons)
-        seams[{edge, groups_[i].cells[0], groups_[i].cells[1]}] = i;
-    for (const u32 edge : polygons_) {
-      const Key fan{2, edge, 0};
-      Vec place = fields_.place(edge / d_);
-      auto point = static_cast<std::uint16_t>(zero(edge) * 65536);
-      if (cuts && stated_ != nullptr) point = stated_->fan_points.at(c_.fan_points.size());
-      place[edge % d_] += point / 65536.0;
-      if (cuts) c_.fan_points.push_back(point);
-      kept_[fan] = !cuts || is_kept(place);
-      const auto cells = cells_round(edge);
-      for (u32 i = 0; i < cells.size(); ++i) {
-        const u32 next = cells[(i + 1) % cells.size()];
-        const Key a = corner(edge, cells[i]), spoke{3, edge, i};
-        if (d_ == 2) {
-          clip({{fan, a}, {spoke}}, edge, i);
-          continue;
-        }
-        const u32 seam = seams.at({edge, std::min(cells[i], next), std::max(cells[i], next)});
-        clip({{fan, a, corner(edge, next)}, {spoke, {4, seam, 0}, {3, edge, (i + 1) % 4}}}, edge,
-             i);
-      }
-    }
-  }
-  bool kept(const Key& node) const { return kept_.at(node); }
-
-  /// Makes the pieces.
-  void cut() {
-    const bool cuts = c_.data.has_min_value || c_.data.min_strength > 0;
-    for (u32 i = 0; i < c_.vertices.size(); ++i) {
-      Vec place = fields_.place(vertex_cells_[i]);
-      for (unsigned k = 0; k < d_; ++k) place[k] += c_.vertices[i][k] / 65536.0;
-      kept_[{1, i, 0}] = !cuts || is_kept(place);
-    }
-    std::map<std::tuple<u32, u32, u32>, u32> seams;  // edge, cells -> group
-    for (u32 i = 0; i < groups_.size(); ++i)
-      for (const u32 edge : groups_[i].polygons)
-        seams[{edge, groups_[i].cells[0], groups_[i].cells[1]}] = i;
-    for (const u32 edge : polygons_) {
-      const Key fan{2, edge, 0};
-      Vec place = fields_.place(edge / d_);
-      auto point = static_cast<std::uint16_t>(zero(edge) * 65536);
-      if (cuts && stated_ != nullptr) point = stated_->fan_points.at(c_.fan_points.size());
-      place[edge % d_] += point / 65536.0;
-      if (cuts) c_.fan_points.push_back(point);
-      kept_[fan] = !cuts || is_kept(place);
-      const auto cells = cells_round(edge);
-      for (u32 i = 0; i < cells.size(); ++i) {
-        const u32 next = cells[(i + 1) % cells.size()];
-        const Key a = corner(edge, cells[i]), spoke{3, edge, i};
-        if (d_ == 2) {
-          clip({{fan, a}, {spoke}}, edge, i);
-          continue;
-        }
-        const u32 seam = seams.at({edge, std::min(cells[i], next), std::max(cells[i], next)});
-        clip({{fan, a, corner(edge, next)}, {spoke, {4, seam, 0}, {3, edge, (i + 1) % 4}}}, edge,
-             i);
-      }
-    }
-  }
-
   ExtremalCertificate& c_;
   const ReferenceFields& fields_;
   const std::vector<std::uint8_t>& states_;
   const ExtremalCertificate* stated_;
   unsigned d_;
   std::vector<std::uint8_t> code_;
+  std::map<u32, ExtremalDirection> direction_;
   std::vector<Square> squares_;
   std::vector<u32> polygons_, vertex_cells_;
   std::vector<Group> groups_;
@@ -299,6 +232,40 @@ class PieceMaker : public GroupMaker {
     return (!c_.data.has_min_value || here.l >= c_.data.min_value) &&
            (c_.data.min_strength == 0 || dot(n, image(here.hessian, n)) >= c_.data.min_strength);
   }
+  /// Makes the pieces.
+  void cut() {
+    const bool cuts = c_.data.has_min_value || c_.data.min_strength > 0;
+    for (u32 i = 0; i < c_.vertices.size(); ++i) {
+      Vec place = fields_.place(vertex_cells_[i]);
+      for (unsigned k = 0; k < d_; ++k) place[k] += c_.vertices[i][k] / 65536.0;
+      kept_[{1, i, 0}] = !cuts || is_kept(place);
+    }
+    std::map<std::tuple<u32, u32, u32>, u32> seams;  // edge, cells -> group
+    for (u32 i = 0; i < groups_.size(); ++i)
+      for (const u32 edge : groups_[i].polygons)
+        seams[{edge, groups_[i].cells[0], groups_[i].cells[1]}] = i;
+    for (const u32 edge : polygons_) {
+      const Key fan{2, edge, 0};
+      Vec place = fields_.place(edge / d_);
+      auto point = static_cast<std::uint16_t>(zero(edge) * 65536);
+      if (cuts && stated_ != nullptr) point = stated_->fan_points.at(c_.fan_points.size());
+      place[edge % d_] += point / 65536.0;
+      if (cuts) c_.fan_points.push_back(point);
+      kept_[fan] = !cuts || is_kept(place);
+      const auto cells = cells_round(edge);
+      for (u32 i = 0; i < cells.size(); ++i) {
+        const u32 next = cells[(i + 1) % cells.size()];
+        const Key a = corner(edge, cells[i]), spoke{3, edge, i};
+        if (d_ == 2) {
+          clip({{fan, a}, {spoke}}, edge, i);
+          continue;
+        }
+        const u32 seam = seams.at({edge, std::min(cells[i], next), std::max(cells[i], next)});
+        clip({{fan, a, corner(edge, next)}, {spoke, {4, seam, 0}, {3, edge, (i + 1) % 4}}}, edge,
+             i);
+      }
+    }
+  }
   void clip(const Piece& whole, u32 edge, u32 number) {
     Piece piece;
     const std::size_t n = whole.nodes.size();
@@ -356,7 +323,7 @@ class ClusterFinder : public PieceMaker {
       waiting.pop_back();
       if (code_[cell] != code::kRegular && code_[cell] != code::kRegularExtremal) return;
       extremal = extremal && code_[cell] == code::kRegularExtremal;
-      if (!has_one_sheet(cell)) return;
+      if (!has_one_sheet(cell) || !is_boxed(fields_, cell, direction_.at(cell))) return;
       for (u32 i = 0; i < (d_ == 3 ? 27U : 9U); ++i) {
         const std::array<u32, 3> step = {i % 3, i / 3 % 3, i / 9};
         u32 other = cell;
