@@ -5,9 +5,9 @@
 
 namespace crest::extremal {
 
-Extraction::Extraction(const Volume& volume, const Options& options)
+Extraction::Extraction(Fields fields, const Options& options)
     : options_(options),
-      fields_(volume, options),
+      fields_(std::move(fields)),
       nodes_(fields_, options.min_value),
       cells_(fields_, nodes_),
       edges_(fields_, nodes_, cells_),
