@@ -41,6 +41,7 @@ Counts Extraction::counts(const MeasuredMesh& mesh) const {
   }
   c.undecided_edges = edges_.undecided().size();
   c.valence = mesh.trimmed.valence;
+  c.odd_valence_unexplained = mesh.trimmed.unexplained;
   c.bisections = edges_.depths();
   c.cone_tests = edges_.tests();
   count_crossings(fields_, edges_, faces_, c);
