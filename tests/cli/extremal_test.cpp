@@ -221,3 +221,19 @@ TEST_CASE("crest extremal: one line and the right exit code for what cannot be d
   }
   CHECK(!fs::exists(folder / "n.vtp"));
 }
+
+TEST_CASE("crest sample: volumes and points take their own options alone") {
+  const TemporaryFolder folder;
+  for (const Case& c :
+       {Case{"sphere-shell --vertices 100 -o s.nrrd", 2, "takes --nodes alone"},
+        Case{"ellipsoid --nodes 10 -o s.off", 2, "--nodes is for volumes"},
+        Case{"moebius-points --rotate -o s.xyz", 2, "takes --vertices, --noise and --seed"},
+        Case{"sphere-shell -o s.off", 3, "write .nrrd or .vti"},
+        Case{"moebius-points -o s.off", 3, "write .xyz or .pwn"}}) {
+    const auto run = run_crest(std::string("crest sample ") + c.arguments, folder.path());
+    INFO(c.arguments << "\n" << run.err);
+    CHECK(run.exit_code == c.exit_code);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(c.words) != std::string::npos);
+  }
+}
