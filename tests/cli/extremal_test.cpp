@@ -194,7 +194,7 @@ TEST_CASE("crest extremal: nothing to extract is no error") {
 TEST_CASE("crest extremal: one line and the right exit code for what cannot be done") {
   const TemporaryFolder folder;
   write_text(folder / "v.nrrd", small_volume());
-  write_text(folder / "nan.nrrd", small_volume().replace(small_volume().rfind("3."), 1, "nan"));
+  write_text(folder / "nan.nrrd", small_volume().replace(small_volume().rfind("3."), 8, "nan"));
   write_text(folder / "short.nrrd", small_volume().substr(0, 300));
   write_text(folder / "p.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
   write_text(folder / "bare.xyz", "0 0 0\n1 0 0\n");
