@@ -6,7 +6,7 @@
 namespace crest::extremal {
 namespace {
 
-/// Order 0 or 1 along an axis of stride S over 16 numbers.
+/// Order 0, 1 or 2 along an axis of stride S over 16 numbers.
 template <int Order, std::size_t S>
 void along(const double* c, double* out) {
   for (std::size_t high = 0; high < 16; high += 4 * S)
@@ -17,12 +17,18 @@ void along(const double* c, double* out) {
         out[low + S] = (2 * c1 + c2) * (1.0 / 3);
         out[low + 2 * S] = (c1 + 2 * c2) * (1.0 / 3);
         out[low + 3 * S] = (c1 + 4 * c2 + c3) * (1.0 / 6);
-      } else {
+      } else if constexpr (Order == 1) {
         const double b0 = (c2 - c0) * 0.5, b1 = c2 - c1, b2 = (c3 - c1) * 0.5;
         out[low] = b0;
         out[low + S] = (b0 + 2 * b1) * (1.0 / 3);
         out[low + 2 * S] = (2 * b1 + b2) * (1.0 / 3);
         out[low + 3 * S] = b2;
+      } else {
+        const double d0 = c0 - 2 * c1 + c2, d1 = c1 - 2 * c2 + c3;
+        out[low] = d0;
+        out[low + S] = (2 * d0 + d1) * (1.0 / 3);
+        out[low + 2 * S] = (d0 + 2 * d1) * (1.0 / 3);
+        out[low + 3 * S] = d1;
       }
     }
 }
@@ -46,6 +52,12 @@ void across(const std::array<const double*, 4>& c, double scale, double* out) {
       out[16 + m] = (2 * c1 + c2) * third;
       out[32 + m] = (c1 + 2 * c2) * third;
       out[48 + m] = (c1 + 4 * c2 + c3) * sixth;
+    } else if constexpr (Order == 2) {
+      const double d0 = c0 - 2 * c1 + c2, d1 = c1 - 2 * c2 + c3, third = scale / 3;
+      out[m] = d0 * scale;
+      out[16 + m] = (2 * d0 + d1) * third;
+      out[32 + m] = (d0 + 2 * d1) * third;
+      out[48 + m] = d1 * scale;
     } else {
       const double b0 = (c2 - c0) * 0.5, b1 = c2 - c1, b2 = (c3 - c1) * 0.5, third = scale / 3;
       out[m] = b0 * scale;
@@ -64,7 +76,7 @@ double largest(const Plane& c) {
 
 }  // namespace
 
-RowNets::RowNets(const Fields& fields, int j, int k) : fields_(fields), j_(j), k_(k) {
+RowNets::RowNets(const Fields& fields, int j, int k) : fields_(fields) {
   const Grid& g = fields.grid();
   for (int y = 0; y < 4; ++y)
     for (int z = 0; z < 4; ++z)
@@ -88,6 +100,11 @@ const RowNets::Column& RowNets::column(int i) {
   plane_net<0, 0>(l, r.scalar[0]);
   plane_net<1, 0>(l, r.scalar[1]);
   plane_net<0, 1>(l, r.scalar[2]);
+  if (!fields_.structure()) {
+    plane_net<2, 0>(l, r.scalar[3]);
+    plane_net<1, 1>(l, r.scalar[4]);
+    plane_net<0, 2>(l, r.scalar[5]);
+  }
   r.tensor_size = 0;
   for (std::size_t t = 0; t < fields_.tensors().size(); ++t) {
     const Plane c = gather(fields_.tensors()[t]);
@@ -98,22 +115,20 @@ const RowNets::Column& RowNets::column(int i) {
 }
 
 /// T = Hess s of the spline itself.
-void RowNets::make_hessian(int i, CellNets& nets) const {
-  static constexpr std::array<std::array<int, 3>, 6> kOrders = {
-      {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}}};
-  const Coefficients l = fields_.coefficients(fields_.scalars(), {i, j_, k_});
+void RowNets::make_hessian(const std::array<const Column*, 4>& c, CellNets& nets) const {
+  const auto of = [&](std::size_t n) {
+    return std::array<const double*, 4>{c[0]->scalar[n].data(), c[1]->scalar[n].data(),
+                                        c[2]->scalar[n].data(), c[3]->scalar[n].data()};
+  };
   const Vec3& d = fields_.grid().spacing;
-  double least = std::min({d[0], d[1], d[2]}), size = 0;
-  for (const double x : l) size = std::max(size, std::fabs(x));
-  nets.tensor_size = 4 * size / (least * least);
-  for (std::size_t t = 0; t < 6; ++t) {
-    nets.tensor[t] = l;
-    kernel::to_spline_net<double, 3>(nets.tensor[t], kOrders[t]);
-    double scale = fields_.sign();
-    for (std::size_t k = 0; k < 3; ++k)
-      for (int n = 0; n < kOrders[t][k]; ++n) scale /= d[k];
-    for (double& x : nets.tensor[t]) x *= scale;
-  }
+  const double s = fields_.sign(), least = std::min({d[0], d[1], d[2]});
+  nets.tensor_size = 2 * nets.gradient_size / least;
+  across<2>(of(0), s / (d[0] * d[0]), nets.tensor[0].data());
+  across<0>(of(3), s / (d[1] * d[1]), nets.tensor[1].data());
+  across<0>(of(5), s / (d[2] * d[2]), nets.tensor[2].data());
+  across<1>(of(1), s / (d[0] * d[1]), nets.tensor[3].data());
+  across<0>(of(4), s / (d[1] * d[2]), nets.tensor[4].data());
+  across<1>(of(2), s / (d[0] * d[2]), nets.tensor[5].data());
   if (fields_.grid().dimension() == 2) nets.tensor[2].fill(-8 * nets.tensor_size);
 }
 
@@ -133,7 +148,7 @@ void RowNets::make(int i, CellNets& nets) {
       std::max({c[0]->scalar_size, c[1]->scalar_size, c[2]->scalar_size, c[3]->scalar_size}) * 2 /
       std::min({d[0], d[1], d[2]});
   if (!fields_.structure()) {
-    make_hessian(i, nets);
+    make_hessian(c, nets);
     return;
   }
   nets.tensor_size =

@@ -29,14 +29,14 @@ class RowNets {
   /// Bezier values along y and z of what stands at one x.
   struct Column {
     std::array<std::array<double, 16>, 6> tensor;
-    std::array<std::array<double, 16>, 3> scalar;  ///< L, dL/dy, dL/dz
+    /// L, dL/dy, dL/dz; for T = Hess s then d2L/dydy, d2L/dydz, d2L/dzdz.
+    std::array<std::array<double, 16>, 6> scalar;
     double tensor_size, scalar_size;
   };
   const Column& column(int i);
-  void make_hessian(int i, CellNets& nets) const;
+  void make_hessian(const std::array<const Column*, 4>& c, CellNets& nets) const;
 
   const Fields& fields_;
-  int j_, k_;
   std::array<std::size_t, 16> rows_;  ///< where coefficients' rows begin, z fastest
   std::array<Column, 4> ring_;
   std::array<int, 4> held_{-9, -9, -9, -9};

@@ -65,16 +65,13 @@ class TypeSearch {
  public:
   bool extremal = false, critical = false, open = false;
 
+  /// w anew at every part: the checker does the same, from the whole edge on.
   void search(const EdgeNet& net, const Vec3& guess, int depth) {
     if (open || (extremal && critical)) return;
-    Vec3 w = direction_at(net, 0.5, guess);
-    EdgeBounds b = edge_bounds(net, w);
-    if (!(b.gap > 0)) {
-      w = guess;
-      b = edge_bounds(net, w);
-    }
+    const Vec3 w = direction_at(net, 0.5, guess);
+    const EdgeBounds b = edge_bounds(net, w);
     if (b.gap > 0 && decided(net, w, b.theta)) return;
-    if (depth == kDeepest) {
+    if (depth == kDeepest || --left_ == 0) {
       open = true;
       return;
     }
@@ -109,6 +106,8 @@ class TypeSearch {
     if (-most > room) return critical = true;
     return false;
   }
+
+  int left_ = 64;
 };
 
 }  // namespace

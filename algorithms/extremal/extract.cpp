@@ -7,7 +7,7 @@ namespace crest::extremal {
 Result extract(const Volume& volume, const Options& options,
                certify::ExtremalCertificate* certificate) {
   if (options.refine > 0) throw kernel::InputError("refine: octrees are not built yet; use 0");
-  const Extraction e(volume, options);
+  const Extraction e(Fields(volume, options), options);
   const MeasuredMesh mesh = e.mesh(options.critical);
   if (certificate != nullptr)
     *certificate = make_certificate(volume, e, options.critical ? e.mesh(false) : mesh);

@@ -5,9 +5,9 @@
 
 namespace crest::extremal {
 
-Extraction::Extraction(const Volume& volume, const Options& options)
+Extraction::Extraction(Fields fields, const Options& options)
     : options_(options),
-      fields_(volume, options),
+      fields_(std::move(fields)),
       nodes_(fields_, options.min_value),
       cells_(fields_, nodes_),
       edges_(fields_, nodes_, cells_),
@@ -41,6 +41,7 @@ Counts Extraction::counts(const MeasuredMesh& mesh) const {
   }
   c.undecided_edges = edges_.undecided().size();
   c.valence = mesh.trimmed.valence;
+  c.odd_valence_unexplained = mesh.trimmed.unexplained;
   c.bisections = edges_.depths();
   c.cone_tests = edges_.tests();
   count_crossings(fields_, edges_, faces_, c);

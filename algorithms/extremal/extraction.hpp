@@ -8,7 +8,9 @@ namespace crest::extremal {
 
 class Extraction {
  public:
-  Extraction(const Volume& volume, const Options& options);
+  Extraction(Fields fields, const Options& options);
+  Extraction(const Extraction&) = delete;  // Its parts refer to each other.
+  Extraction& operator=(const Extraction&) = delete;
 
   const Options& options() const { return options_; }
   const Fields& fields() const { return fields_; }

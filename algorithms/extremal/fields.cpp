@@ -185,6 +185,16 @@ Fields::Fields(const Volume& volume, const Options& options)
       volume.samples);
 }
 
+Fields::Fields(const Grid& grid, Side side, std::vector<float> scalars,
+               std::vector<std::vector<float>> tensors)
+    : grid_(grid),
+      structure_(!tensors.empty()),
+      sign_(side == Side::ridge ? -1 : 1),
+      scalar_weights_{{{1}, {1}, {1}}},
+      tensor_weights_{{{1}, {1}, {1}}},
+      scalars_(std::move(scalars)),
+      tensors_(std::move(tensors)) {}
+
 void Fields::smooth(const std::function<void(int, double*)>& slice, const Weights& weights,
                     std::vector<float>& result) const {
   const std::size_t area = grid_.stride[2];

@@ -36,6 +36,9 @@ class Fields {
  public:
   /// Throws kernel::InputError as extract does. `samples` are not kept.
   Fields(const Volume& volume, const Options& options);
+  /// Given coefficients; no tensors: T = Hess s.
+  Fields(const Grid& grid, Side side, std::vector<float> scalars,
+         std::vector<std::vector<float>> tensors);
 
   const Grid& grid() const { return grid_; }
   bool structure() const { return structure_; }

@@ -122,40 +122,46 @@ class BorderedFace {
   }
 };
 
-class OctreeMesher {
- public:
-  OctreeMesher(const PointTree& tree, bool critical, Counts& counts)
-      : tree_(tree), counts_(counts) {
-    for (Index e = 0; e < tree.edges().size(); ++e) {
-      const EdgeState s = tree.edges()[e].state;
-      if (s == EdgeState::extremal || (critical && s == EdgeState::merely_critical)) add_polygon(e);
-    }
+/// A polygon's side: it crosses a face, from one leaf to another.
+struct Use {
+  FaceName face;
+  int group;
+  Index polygon, side;
+  std::array<Index, 2> leaves;
+  std::uint8_t reason;  ///< unless two polygons are there
+  friend bool same_edge(const Use& a, const Use& b) {
+    return a.face == b.face && a.group == b.group;
   }
+};
 
-  SheetMesh make() {
-    tbb::parallel_sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
+class OctreePolygons {
+ public:
+  std::vector<SheetPolygon> polygons;
+  std::vector<Use> uses;
+  std::vector<Index> leaf_of;  ///< a corner's, four a polygon; kNone: it has three
+
+  OctreePolygons(const PointTree& tree, bool critical) : tree_(tree), critical_(critical) {
+    for (Index e = 0; e < tree.edges().size(); ++e)
+      if (wanted(e)) add(e);
+    tbb::parallel_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
       return std::tuple(a.face, a.polygon, a.side) < std::tuple(b.face, b.polygon, b.side);
     });
-    make_groups();
-    make_vertices();
-    make_edges();
-    return std::move(mesh_);
+  }
+
+  /// Should the edge have a polygon, its type says?
+  bool wanted(Index e) const {
+    const EdgeState s = tree_.edges()[e].state;
+    return s == EdgeState::extremal || (critical_ && s == EdgeState::merely_critical);
+  }
+  /// kNone: the edge has none.
+  Index of(Index e) const {
+    const auto at =
+        std::lower_bound(polygon_of_.begin(), polygon_of_.end(), std::pair(e, Index{0}));
+    return at != polygon_of_.end() && at->first == e ? at->second : kernel::kNone;
   }
 
  private:
-  /// A polygon's side: it crosses a face, from one leaf to another.
-  struct Use {
-    FaceName face;
-    int group;
-    Index polygon, side;
-    std::array<Index, 2> leaves;
-    std::uint8_t reason;  ///< unless two polygons are there
-    friend bool same_edge(const Use& a, const Use& b) {
-      return a.face == b.face && a.group == b.group;
-    }
-  };
-
-  void add_polygon(Index e) {
+  void add(Index e) {
     const OctreeEdge& edge = tree_.edges()[e];
     const std::size_t a = edge.axis, b = next(a), c = after_next(a);
     const Node low = unpacked(edge.low);
@@ -172,7 +178,7 @@ class OctreeMesher {
     p.extremal = edge.state == EdgeState::extremal;
     p.zero = edge.zero;
     p.count = 0;
-    const auto number = static_cast<Index>(mesh_.polygons.size());
+    const auto number = static_cast<Index>(polygons.size());
     for (std::size_t i = 0; i < 4; ++i) {
       const Index from = round[i], to = round[(i + 1) % 4];
       if (from == to) continue;
@@ -181,24 +187,70 @@ class OctreeMesher {
       const OctreeLeaf& smaller = leaves[from].size < leaves[to].size ? leaves[from] : leaves[to];
       Node face = smaller.low;
       face[normal] = low[normal];
-      uses_.push_back({{packed(face), static_cast<int>(normal), smaller.size},
-                       -1,
-                       number,
-                       p.count,
-                       {from, to},
-                       0});
-      leaf_of_.resize(4 * std::size_t{number} + 4, kernel::kNone);
-      leaf_of_[4 * std::size_t{number} + p.count++] = from;
+      uses.push_back({{packed(face), static_cast<int>(normal), smaller.size},
+                      -1,
+                      number,
+                      p.count,
+                      {from, to},
+                      0});
+      leaf_of.resize(4 * std::size_t{number} + 4, kernel::kNone);
+      leaf_of[4 * std::size_t{number} + p.count++] = from;
     }
-    mesh_.polygons.push_back(p);
+    polygons.push_back(p);
     polygon_of_.emplace_back(e, number);
   }
-  Index polygon_of(Index e) const {
-    const auto at =
-        std::lower_bound(polygon_of_.begin(), polygon_of_.end(), std::pair(e, Index{0}));
-    return at != polygon_of_.end() && at->first == e ? at->second : kernel::kNone;
+
+  const PointTree& tree_;
+  bool critical_;
+  std::vector<std::pair<Index, Index>> polygon_of_;  ///< edge, polygon; ascending
+};
+
+/// As on the uniform grid: the zeros' centroid, then along n, inside the leaf.
+void place_vertices(const PointTree& tree, SheetMesh& mesh) {
+  std::vector<int> count(mesh.vertices.size(), 0);
+  for (const SheetPolygon& p : mesh.polygons)
+    for (std::size_t i = 0; i < p.count; ++i) {
+      Vec3& at = mesh.vertices[p.corners[i]].at;
+      at = at + p.zero;
+      ++count[p.corners[i]];
+    }
+  const double unit = tree.grid().spacing[0];
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count.size(), 64), [&](const auto& r) {
+    for (std::size_t i = r.begin(); i < r.end(); ++i) {
+      SheetVertex& v = mesh.vertices[i];
+      const OctreeLeaf& leaf = tree.tree().leaves()[v.cell];
+      v.at = (1.0 / count[i]) * v.at;
+      for (int step = 0; step < 3; ++step) {
+        for (std::size_t k = 0; k < 3; ++k)
+          v.at[k] = std::clamp(v.at[k], leaf.low[k] + leaf.size / 64.0,
+                               leaf.low[k] + leaf.size * 63 / 64.0);
+        if (step == 2) break;
+        const Local l = tree.sums(v.at).local;
+        const Vec3 n = dominant_direction(l.tensor);
+        const double bend = kernel::dot(n, product(l.hessian, n));
+        if (bend == 0) break;
+        const double move = kernel::dot(n, l.gradient) / bend / unit;
+        v.at = v.at - std::clamp(move, -double(leaf.size), double(leaf.size)) * n;
+      }
+    }
+  });
+}
+
+class OctreeMesher {
+ public:
+  OctreeMesher(const PointTree& tree, bool critical, Counts& counts)
+      : tree_(tree), counts_(counts), polygons_(tree, critical), uses_(polygons_.uses) {
+    mesh_.polygons = std::move(polygons_.polygons);
   }
 
+  SheetMesh make() {
+    make_groups();
+    make_vertices();
+    make_edges();
+    return std::move(mesh_);
+  }
+
+ private:
   /// Each face once; its uses in order of groups, then.
   void make_groups() {
     for (std::size_t i = 0, end; i < uses_.size(); i = end) {
@@ -220,15 +272,14 @@ class OctreeMesher {
     if (!face.tested) return face.undecided ? Reason::undecided : Reason::border;
     if (face.odd()) return Reason::discontinuity;
     for (const auto& s : face.sides)
-      if (s.group == group && polygon_of(s.edge) == kernel::kNone &&
-          tree_.edges()[s.edge].state == EdgeState::merely_critical)
-        return Reason::inflection;
-    return Reason::border;
+      if (s.group == group && polygons_.of(s.edge) == kernel::kNone)
+        return polygons_.wanted(s.edge) ? Reason::border : Reason::inflection;
+    return kUnexplained;
   }
 
   Index corner_in(Index polygon, Index leaf) const {
     Index i = 0;
-    while (leaf_of_[4 * std::size_t{polygon} + i] != leaf) ++i;
+    while (polygons_.leaf_of[4 * std::size_t{polygon} + i] != leaf) ++i;
     return 4 * polygon + i;
   }
 
@@ -242,7 +293,8 @@ class OctreeMesher {
     }
     std::vector<std::pair<Index, Index>> roots;
     for (Index c = 0; c < count; ++c)
-      if (leaf_of_[c] != kernel::kNone && sets.find(c) == c) roots.emplace_back(leaf_of_[c], c);
+      if (polygons_.leaf_of[c] != kernel::kNone && sets.find(c) == c)
+        roots.emplace_back(polygons_.leaf_of[c], c);
     tbb::parallel_sort(roots.begin(), roots.end());
     std::vector<Index> number(count);
     std::size_t before = ~std::size_t{0};
@@ -258,39 +310,9 @@ class OctreeMesher {
       mesh_.vertices.push_back({leaf, {}, {}});
     }
     for (Index c = 0; c < count; ++c)
-      if (leaf_of_[c] != kernel::kNone) mesh_.polygons[c / 4].corners[c % 4] = number[sets.find(c)];
-    place_vertices();
-  }
-
-  /// As on the uniform grid: the zeros' centroid, then along n, inside the leaf.
-  void place_vertices() {
-    std::vector<int> count(mesh_.vertices.size(), 0);
-    for (const SheetPolygon& p : mesh_.polygons)
-      for (std::size_t i = 0; i < p.count; ++i) {
-        Vec3& at = mesh_.vertices[p.corners[i]].at;
-        at = at + p.zero;
-        ++count[p.corners[i]];
-      }
-    const double unit = tree_.grid().spacing[0];
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count.size(), 64), [&](const auto& r) {
-      for (std::size_t i = r.begin(); i < r.end(); ++i) {
-        SheetVertex& v = mesh_.vertices[i];
-        const OctreeLeaf& leaf = tree_.tree().leaves()[v.cell];
-        v.at = (1.0 / count[i]) * v.at;
-        for (int step = 0; step < 3; ++step) {
-          for (std::size_t k = 0; k < 3; ++k)
-            v.at[k] = std::clamp(v.at[k], leaf.low[k] + leaf.size / 64.0,
-                                 leaf.low[k] + leaf.size * 63 / 64.0);
-          if (step == 2) break;
-          const Local l = tree_.sums(v.at).local;
-          const Vec3 n = dominant_direction(l.tensor);
-          const double bend = kernel::dot(n, product(l.hessian, n));
-          if (bend == 0) break;
-          const double move = kernel::dot(n, l.gradient) / bend / unit;
-          v.at = v.at - std::clamp(move, -double(leaf.size), double(leaf.size)) * n;
-        }
-      }
-    });
+      if (polygons_.leaf_of[c] != kernel::kNone)
+        mesh_.polygons[c / 4].corners[c % 4] = number[sets.find(c)];
+    place_vertices(tree_, mesh_);
   }
 
   void make_edges() {
@@ -318,9 +340,8 @@ class OctreeMesher {
 
   const PointTree& tree_;
   Counts& counts_;
-  std::vector<Use> uses_;
-  std::vector<Index> leaf_of_;  ///< a corner's, four a polygon
-  std::vector<std::pair<Index, Index>> polygon_of_;
+  OctreePolygons polygons_;
+  std::vector<Use>& uses_;
   SheetMesh mesh_;
 };
 

@@ -129,6 +129,7 @@ Result extract(const OrientedPoints& given, const PointOptions& options,
   write_mesh(
       tree.grid(), mesh, [&](const Vec3& x) { return tree.sums(x).local; }, r);
   r.counts.valence = mesh.trimmed.valence;
+  r.counts.odd_valence_unexplained = mesh.trimmed.unexplained;
   count_tree(tree, r.counts);
   for (const OctreeEdge& e : tree.edges()) {
     if (e.state != EdgeState::undecided) continue;

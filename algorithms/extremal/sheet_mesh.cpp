@@ -36,13 +36,12 @@ std::size_t local(const Face& f, Index e) {
 class Polygons {
  public:
   Polygons(const Fields& fields, const Edges& edges, const Faces& faces, bool critical)
-      : dual(fields.grid()), edges_(edges), faces_(faces) {
+      : dual(fields.grid()), edges_(edges), faces_(faces), critical_(critical) {
     const auto& list = edges.critical_edges();
     number_.assign(list.size(), kernel::kNone);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Index e = list[i].edge;
-      const bool extremal = edges.state(e) == EdgeState::extremal;
-      if (!extremal && !critical) continue;
+      if (!wanted(e)) continue;
       const auto cells = dual.cells_at(e);
       if (!std::all_of(cells.begin(), cells.begin() + dual.sides,
                        [&](const Node& c) { return dual.inside(c); }))
@@ -51,7 +50,7 @@ class Polygons {
       const std::uint16_t place = snapped(list[i].place);
       all.push_back({e,
                      place,
-                     extremal,
+                     edges.state(e) == EdgeState::extremal,
                      zero(fields.grid(), e, place),
                      {},
                      {},
@@ -59,6 +58,8 @@ class Polygons {
     }
   }
 
+  /// Should a critical edge have a polygon, its type says?
+  bool wanted(Index e) const { return critical_ || edges_.state(e) == EdgeState::extremal; }
   /// kNone: the critical edge has none.
   Index of(Index e) const { return number_[edges_.find(e)]; }
   Face face(const Dual::Side& s) const { return faces_.face(s.face, s.normal); }
@@ -87,6 +88,7 @@ class Polygons {
  private:
   const Edges& edges_;
   const Faces& faces_;
+  bool critical_;
   std::vector<Index> number_;  ///< a critical edge's
 };
 
@@ -244,11 +246,11 @@ class EdgeMaker {
     if (f.odd()) return Reason::discontinuity;
     for (std::size_t i = 0; i < 4; ++i) {
       if (f.group[i] != f.group[group] || polygons_.of(f.edges[i]) != kernel::kNone) continue;
-      const EdgeState s = edges_.state(f.edges[i]);
-      if (s == EdgeState::merely_critical) return Reason::inflection;
-      if (s == EdgeState::type_undecided) return Reason::undecided;
+      if (polygons_.wanted(f.edges[i])) return Reason::border;
+      return edges_.state(f.edges[i]) == EdgeState::merely_critical ? Reason::inflection
+                                                                    : Reason::undecided;
     }
-    return Reason::border;
+    return kUnexplained;
   }
 
   void add(Index p, std::size_t i, const Face& f, const Polygons::Members& m) {

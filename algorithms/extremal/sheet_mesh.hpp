@@ -10,6 +10,9 @@
 
 namespace crest::extremal {
 
+/// Never, says proposition 2.
+inline constexpr Reason kUnexplained{0};
+
 struct SheetVertex {
   std::size_t cell;                    ///< an image: square; an octree: leaf
   std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths; an octree: unused

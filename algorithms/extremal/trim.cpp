@@ -20,6 +20,18 @@ double level_at(const Fields& fields, const Levels& levels, const Node& cell, co
   return r;
 }
 
+void count(TrimmedMesh& r, std::size_t valence, std::uint8_t reason) {
+  ++r.valence[std::min<std::size_t>(valence, 4) - 1];
+  if (valence != 2 && static_cast<Reason>(reason) == kUnexplained)
+    ++r.unexplained;
+  else if (valence == 1)
+    ++r.reasons[reason - 1U];
+}
+
+bool kept(double x) {
+  return x >= 0;
+}
+
 class Trimmer {
  public:
   Trimmer(const SheetMesh& mesh, const LevelValues& values)
@@ -38,8 +50,6 @@ class Trimmer {
  private:
   double corner(Index v) const { return values_.corners.empty() ? 0 : values_.corners[v]; }
   double centre(Index p) const { return values_.centres.empty() ? 0 : values_.centres[p]; }
-  static bool kept(double x) { return x >= 0; }
-
   Index add_point(const Vec3& x) {
     r_.points.push_back(x);
     return static_cast<Index>(r_.points.size() - 1);
@@ -60,8 +70,8 @@ class Trimmer {
         cut_of_[i] = add_cut(r_.points[a], corner(a), r_.points[b], corner(b));
       else if (e.twin)
         middle_of_[i] = add_point(e.middle);
-      count(e.valence, e.reason);
-      if (e.valence == 2) continue;
+      count(r_, e.valence, e.reason);
+      if (e.valence == 2 || static_cast<Reason>(e.reason) == kUnexplained) continue;
       const auto why = static_cast<Reason>(e.reason);
       if (middle_of_[i] != kernel::kNone) {
         r_.features.push_back({a, middle_of_[i], why});
@@ -75,17 +85,13 @@ class Trimmer {
     for (Index v = 0; v < mesh_.vertices.size(); ++v) {
       if (!kept(corner(v))) continue;
       const auto [valence, reason] = mesh_.ends[v];
-      count(valence, reason);
+      count(r_, valence, reason);
       if (valence != 2) r_.features.push_back({v, v, static_cast<Reason>(reason)});
     }
   }
-  void count(std::size_t valence, std::uint8_t reason) {
-    ++r_.valence[std::min<std::size_t>(valence, 4) - 1];
-    if (valence == 1) ++r_.reasons[reason - 1U];
-  }
   void trim_feature(Index a, Index b) {
     r_.features.push_back({a, b, Reason::trim});
-    count(1, static_cast<std::uint8_t>(Reason::trim));
+    count(r_, 1, static_cast<std::uint8_t>(Reason::trim));
   }
 
   void close(Index p) {

@@ -15,6 +15,7 @@ struct TrimmedMesh {
   std::vector<bool> partly;              ///< a sheet polygon's: something of it is cut off
   std::array<std::size_t, 4> valence{};  ///< as in Counts
   std::array<std::size_t, 5> reasons{};  ///< edges of valence 1 by reason
+  std::size_t unexplained = 0;           ///< edges of other valence than 2 without a reason
 };
 
 /// What is kept: where a function is at least 0.
