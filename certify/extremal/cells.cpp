@@ -16,6 +16,19 @@ namespace code = extremal_code;
 
 constexpr size_t kBatch = 512;  ///< cells to a worker's turn: columns are shared in a row
 
+/// The largest norm of diag(d) H, from the derivatives by index.
+template <size_t n>
+double most_row_norm(const Matrices<n>& h, const Vec& inverse) {
+  std::array<double, n> square{};
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j)
+      for (size_t k = 0; k < n; ++k) {
+        const double x = h.at[kComponent[i][j]][k] * inverse[j];
+        square[k] += x * x;
+      }
+  return std::sqrt(most(square)) + slack(h.size);
+}
+
 /// Proves codes of cells; nets are its scratch.
 template <unsigned dimension>
 class CellProver {
@@ -117,17 +130,6 @@ class CellProver {
     h_.size = 0x1p10 * nets_.most_l() * inverse_ * inverse_;
   }
 
-  /// The largest norm of diag(d) H.
-  double most_row_norm() const {
-    const Vec& d = fields_.inverse_spacing;
-    std::array<double, kControls> square{};
-    for (unsigned i = 0; i < 3; ++i)
-      for (unsigned j = 0; j < 3; ++j) {
-        const auto& h = h_.at[kComponent[i][j]];
-        for (size_t n = 0; n < kControls; ++n) square[n] += (h[n] * d[j]) * (h[n] * d[j]);
-      }
-    return std::sqrt(most(square)) + slack(h_.size);
-  }
   /// Bounds d_k |n_k| for all axes together: D of SPEC.md.
   double turning(const Cone& cone, const Frame& frame) {
     double square = 0;
@@ -153,9 +155,9 @@ class CellProver {
     const auto along = form(v_, frame.w);
     const double most_along = std::max(most(along), -least(along)) + slack(v_.size);
     const double p = most_length(form(v_, frame.u), form(v_, frame.v), v_.size);
-    const double error =
-        (cone.chord * most_row_norm() + turning(cone, frame) * (p + cone.sine * most_along)) *
-        kMore;
+    const double error = (cone.chord * most_row_norm(h_, fields_.inverse_spacing) +
+                          turning(cone, frame) * (p + cone.sine * most_along)) *
+                         kMore;
     // a . h_i, h_i = diag(d) H_i w of s, and the same for two across a.
     const Vec& d = fields_.inverse_spacing;
     const double sign = fields_.valley ? 1 : -1;

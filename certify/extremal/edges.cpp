@@ -191,9 +191,7 @@ class TypeProver {
     return depth < kTypeDepth && prove(half(net, 0), depth + 1) && prove(half(net, 1), depth + 1);
   }
 
-  unsigned pieces() const {
-    return kPieces - left_;
-  }
+  unsigned pieces() const { return kPieces - left_; }
 
  private:
   int sign_;

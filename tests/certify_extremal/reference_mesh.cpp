@@ -46,10 +46,11 @@ struct Piece {
   std::vector<Key> nodes, sides;
 };
 
-class MeshCounter {
+/// What all steps know.
+class MeshState {
  public:
-  MeshCounter(ExtremalCertificate& c, const ReferenceFields& fields,
-              const std::vector<std::uint8_t>& states, const ExtremalCertificate* stated)
+  MeshState(ExtremalCertificate& c, const ReferenceFields& fields,
+            const std::vector<std::uint8_t>& states, const ExtremalCertificate* stated)
       : c_(c),
         fields_(fields),
         states_(states),
@@ -59,20 +60,10 @@ class MeshCounter {
     std::size_t at = 0;
     for (const CellRun& run : c.cells)
       for (u32 cell = run.first; cell < run.first + run.length; ++cell) code_[cell] = c.codes[at++];
-  }
-
-  void count() {
-    for (u32 edge = 0; edge < states_.size(); ++edge)
-      if (states_[edge] == 3 && inside(edge)) polygons_.push_back(edge);
     squares_ = squares();
-    make_groups();
-    make_vertices();
-    cut();
-    count_valences();
-    count_components();
   }
 
- private:
+ protected:
   u32 stride(unsigned k) const {
     return k == 0 ? 1 : k == 1 ? c_.data.nodes[0] : c_.data.nodes[0] * c_.data.nodes[1];
   }
@@ -89,8 +80,6 @@ class MeshCounter {
     const u32 a = stride((edge + 1) % 3), b = stride((edge + 2) % 3);
     return {node - a - b, node - b, node, node - a};
   }
-  bool is_polygon(u32 edge) const { return std::ranges::binary_search(polygons_, edge); }
-
   std::vector<Square> squares() const {
     std::vector<Square> out;
     for (u32 node = 0; node < fields_.nodes; ++node)
@@ -118,6 +107,31 @@ class MeshCounter {
     return false;
   }
 
+  bool is_polygon(u32 edge) const { return std::ranges::binary_search(polygons_, edge); }
+
+  Key corner(u32 edge, u32 cell) const { return {1, vertex_.at({edge, cell}), 0}; }
+  bool kept(const Key& node) const { return kept_.at(node); }
+
+  ExtremalCertificate& c_;
+  const ReferenceFields& fields_;
+  const std::vector<std::uint8_t>& states_;
+  const ExtremalCertificate* stated_;
+  unsigned d_;
+  std::vector<std::uint8_t> code_;
+  std::vector<Square> squares_;
+  std::vector<u32> polygons_, vertex_cells_;
+  std::vector<Group> groups_;
+  std::map<std::pair<u32, u32>, u32> vertex_;  ///< of (edge, cell)
+  std::map<Key, bool> kept_;
+  std::vector<std::pair<Piece, u32>> pieces_;
+  u32 cuts_ = 0;
+};
+
+class GroupMaker : public MeshState {
+ public:
+  using MeshState::MeshState;
+
+ protected:
   void make_groups() {
     for (const Square& square : squares_) {
       std::vector<u32> critical, untested;
@@ -159,7 +173,14 @@ class MeshCounter {
     }
     groups_.push_back(group);
   }
+};
 
+/// Vertices, and the pieces that are kept.
+class PieceMaker : public GroupMaker {
+ public:
+  using GroupMaker::GroupMaker;
+
+ protected:
   void make_vertices() {
     Classes classes;
     for (const Group& group : groups_)
@@ -207,9 +228,6 @@ class MeshCounter {
     return (!c_.data.has_min_value || here.l >= c_.data.min_value) &&
            (c_.data.min_strength == 0 || dot(n, image(here.hessian, n)) >= c_.data.min_strength);
   }
-  Key corner(u32 edge, u32 cell) const { return {1, vertex_.at({edge, cell}), 0}; }
-  bool kept(const Key& node) const { return kept_.at(node); }
-
   /// Makes the pieces.
   void cut() {
     const bool cuts = c_.data.has_min_value || c_.data.min_strength > 0;
@@ -273,7 +291,83 @@ class MeshCounter {
     }
     if (!piece.nodes.empty()) pieces_.push_back({piece, edge});
   }
+};
 
+/// Theorem 15, read once more.
+class ClusterFinder : public PieceMaker {
+ public:
+  using PieceMaker::PieceMaker;
+
+ protected:
+  void find_isotopic(const std::set<u32>& polygons, ExtremalComponent& out) const {
+    if (c_.data.hessian || out.cut) return;
+    for (const Group& group : groups_)
+      if (polygons.contains(group.polygons[0]) && group.polygons.size() != 2) return;
+    std::set<u32> cluster;
+    for (const u32 edge : polygons)
+      for (const u32 cell : cells_round(edge)) {
+        cluster.insert(cell);
+        for (unsigned k = 0; k < d_; ++k) {
+          const auto place = c_.vertices[vertex_.at({edge, cell})][k];
+          if (place < 1024 || place > 64512) return;
+        }
+      }
+    std::vector<u32> waiting(cluster.begin(), cluster.end());
+    bool extremal = true;
+    while (!waiting.empty()) {
+      const u32 cell = waiting.back();
+      waiting.pop_back();
+      if (code_[cell] != code::kRegular && code_[cell] != code::kRegularExtremal) return;
+      extremal = extremal && code_[cell] == code::kRegularExtremal;
+      if (!has_one_sheet(cell)) return;
+      for (u32 i = 0; i < (d_ == 3 ? 27U : 9U); ++i) {
+        const std::array<u32, 3> step = {i % 3, i / 3 % 3, i / 9};
+        u32 other = cell;
+        for (unsigned k = 0; k < d_; ++k) {
+          const u32 here = at(cell, k) + step[k];
+          if (here == 0 || here >= c_.data.nodes[k]) return;  // beyond the grid
+          other += (step[k] - 1) * stride(k);
+        }
+        if (code_[other] != code::kEmpty && cluster.insert(other).second) waiting.push_back(other);
+      }
+    }
+    out.isotopic = true;
+    out.extremal = extremal;
+  }
+  bool has_one_sheet(u32 cell) const {
+    Classes classes;
+    for (const Square& square : squares_) {
+      bool own = d_ == 2 && square.id == cell;
+      for (unsigned k = 0; k < d_ && d_ == 3; ++k)
+        own = own || square.id == 3 * cell + k || square.id == 3 * (cell + stride(k)) + k;
+      if (!own) continue;
+      std::vector<u32> critical;
+      for (const u32 edge : square.edges)
+        if (states_[edge] >= 2) critical.push_back(edge);
+      if (critical.size() == 4) return false;
+      for (const u32 edge : critical) classes.join({0, critical[0], 0}, {0, edge, 0});
+    }
+    int sheets = 0;
+    for (const auto& [edge, to] : classes.parent) sheets += edge == to;
+    return sheets <= 1;
+  }
+};
+
+class MeshCounter : public ClusterFinder {
+ public:
+  using ClusterFinder::ClusterFinder;
+
+  void count() {
+    for (u32 edge = 0; edge < states_.size(); ++edge)
+      if (states_[edge] == 3 && inside(edge)) polygons_.push_back(edge);
+    make_groups();
+    make_vertices();
+    cut();
+    count_valences();
+    count_components();
+  }
+
+ private:
   void count_valences() {
     for (const Group& group : groups_) {
       bool some = false;
@@ -379,74 +473,6 @@ class MeshCounter {
     }
     return true;
   }
-
-  /// Theorem 15, read once more.
-  void find_isotopic(const std::set<u32>& polygons, ExtremalComponent& out) const {
-    if (c_.data.hessian || out.cut) return;
-    for (const Group& group : groups_)
-      if (polygons.contains(group.polygons[0]) && group.polygons.size() != 2) return;
-    std::set<u32> cluster;
-    for (const u32 edge : polygons)
-      for (const u32 cell : cells_round(edge)) {
-        cluster.insert(cell);
-        for (unsigned k = 0; k < d_; ++k) {
-          const auto place = c_.vertices[vertex_.at({edge, cell})][k];
-          if (place < 1024 || place > 64512) return;
-        }
-      }
-    std::vector<u32> waiting(cluster.begin(), cluster.end());
-    bool extremal = true;
-    while (!waiting.empty()) {
-      const u32 cell = waiting.back();
-      waiting.pop_back();
-      if (code_[cell] != code::kRegular && code_[cell] != code::kRegularExtremal) return;
-      extremal = extremal && code_[cell] == code::kRegularExtremal;
-      if (!has_one_sheet(cell)) return;
-      for (u32 i = 0; i < (d_ == 3 ? 27U : 9U); ++i) {
-        const std::array<u32, 3> step = {i % 3, i / 3 % 3, i / 9};
-        u32 other = cell;
-        for (unsigned k = 0; k < d_; ++k) {
-          const u32 here = at(cell, k) + step[k];
-          if (here == 0 || here >= c_.data.nodes[k]) return;  // beyond the grid
-          other += (step[k] - 1) * stride(k);
-        }
-        if (code_[other] != code::kEmpty && cluster.insert(other).second) waiting.push_back(other);
-      }
-    }
-    out.isotopic = true;
-    out.extremal = extremal;
-  }
-  bool has_one_sheet(u32 cell) const {
-    Classes classes;
-    for (const Square& square : squares_) {
-      bool own = d_ == 2 && square.id == cell;
-      for (unsigned k = 0; k < d_ && d_ == 3; ++k)
-        own = own || square.id == 3 * cell + k || square.id == 3 * (cell + stride(k)) + k;
-      if (!own) continue;
-      std::vector<u32> critical;
-      for (const u32 edge : square.edges)
-        if (states_[edge] >= 2) critical.push_back(edge);
-      if (critical.size() == 4) return false;
-      for (const u32 edge : critical) classes.join({0, critical[0], 0}, {0, edge, 0});
-    }
-    int sheets = 0;
-    for (const auto& [edge, to] : classes.parent) sheets += edge == to;
-    return sheets <= 1;
-  }
-
-  ExtremalCertificate& c_;
-  const ReferenceFields& fields_;
-  const std::vector<std::uint8_t>& states_;
-  const ExtremalCertificate* stated_;
-  unsigned d_;
-  std::vector<std::uint8_t> code_;
-  std::vector<u32> polygons_, vertex_cells_;
-  std::vector<Square> squares_;
-  std::vector<Group> groups_;
-  std::map<std::pair<u32, u32>, u32> vertex_;  ///< of (edge, cell)
-  std::map<Key, bool> kept_;
-  std::vector<std::pair<Piece, u32>> pieces_;
-  u32 cuts_ = 0;
 };
 
 }  // namespace
