@@ -194,8 +194,8 @@ Topology topology_of(const Result& r) {
 
 void row(const std::string& name, int nodes, const std::string& picture) {
   const double min_value = 0.4;
-  const Extraction e(phantom(name, static_cast<std::size_t>(nodes)),
-                     ridge_options(false, min_value));
+  const Options options = ridge_options(false, min_value);
+  const Extraction e(Fields(phantom(name, static_cast<std::size_t>(nodes)), options), options);
   const GreedyOrientation orientation(e);
   const Grid& grid = e.fields().grid();
   std::size_t critical = 0, false_ones = 0, missed = 0;
