@@ -103,9 +103,10 @@ std::string unfiltered(const std::string& data, const PngHeader& header) {
     if (filter > 4)
       fail(fmt::format("row {}", y), "has an unknown filter", "export the image again");
     char* to = result.data() + y * row;
+    const char* above = y > 0 ? to - row : nullptr;
     for (std::size_t x = 0; x < row; ++x) {
-      const unsigned left = x >= step ? byte(to[x - step]) : 0, up = y > 0 ? byte(to[x - row]) : 0;
-      const unsigned corner = x >= step && y > 0 ? byte(to[x - row - step]) : 0;
+      const unsigned left = x >= step ? byte(to[x - step]) : 0, up = above ? byte(above[x]) : 0;
+      const unsigned corner = x >= step && above ? byte(above[x - step]) : 0;
       const unsigned guess = filter == 1   ? left
                              : filter == 2 ? up
                              : filter == 3 ? (left + up) / 2
