@@ -2,7 +2,7 @@
 #pragma once
 
 // What is proven of whole cells (an image: squares): T's net passes the cone test; g is not zero;
-// grad g lies in a cone; s_nn > 0 (../shared/specs/extremal.md, "Sufficient tests on a cell").
+// grad g lies in a cone; s_nn > 0 (certify/extremal/SPEC.md).
 #include "algorithms/extremal/cell_nets.hpp"
 #include "algorithms/extremal/direction.hpp"
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "algorithms/extremal/direction.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -44,7 +45,16 @@ struct Expansion {
 }  // namespace
 
 PointField::PointField(std::vector<Vec3> points, std::vector<Vec3> normals, double h)
-    : h_(h), radius_(2 * h) {
+    : h_(h), radius_(2 * h), low_(points[0]) {
+  Vec3 high = low_;
+  for (const Vec3& p : points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low_[k] = std::min(low_[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  if (!(kernel::norm(high - low_) < 1e6 * h))
+    throw kernel::InputError(
+        "radius: less than a millionth of the points' extent; give a larger one");
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
@@ -61,9 +71,10 @@ PointField::PointField(std::vector<Vec3> points, std::vector<Vec3> normals, doub
 }
 
 PointField::Key PointField::key(const Vec3& x) const {
-  return {static_cast<int>(std::floor(x[0] / radius_)),
-          static_cast<int>(std::floor(x[1] / radius_)),
-          static_cast<int>(std::floor(x[2] / radius_))};
+  const Vec3 d = x - low_;
+  return {static_cast<int>(std::floor(d[0] / radius_)),
+          static_cast<int>(std::floor(d[1] / radius_)),
+          static_cast<int>(std::floor(d[2] / radius_))};
 }
 
 /// All points within R of the box, in a fixed order.

@@ -12,7 +12,8 @@ namespace crest::extremal {
 
 class PointField {
  public:
-  /// Unit normals.
+  /// Unit normals; at least a point. Throws kernel::InputError if h is tiny beside the points'
+  /// extent.
   PointField(std::vector<Vec3> points, std::vector<Vec3> normals, double h);
 
   double h() const { return h_; }
@@ -53,6 +54,7 @@ class PointField {
   void visit(const Vec3& centre, const Vec3& half, const Visit& f) const;
 
   double h_, radius_;
+  Vec3 low_;                            ///< of the points' box
   std::vector<Vec3> points_, normals_;  ///< sorted by cell of the search grid, R wide
   std::unordered_map<Key, std::pair<Index, Index>, Hash> cells_;
 };

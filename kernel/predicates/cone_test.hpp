@@ -2,7 +2,7 @@
 #pragma once
 
 // Cone test: is the dominant eigenvector n of a symmetric tensor T certain, and within 45 degrees
-// of the line of w (../shared/specs/extremal.md, item 1; paper 000, section 2.1.1)?
+// of the line of w (paper 000, section 2.1.1, made effective)?
 //
 // Let q = w.Tw / w.w, C = T restricted to the plane across w, mu its larger eigenvalue.
 // cone_test(T, w) is positive iff q > mu; zero iff q = mu; negative iff q < mu.

@@ -2,7 +2,7 @@
 #pragma once
 
 // Direction sign: the sign of n . v, n the dominant eigenvector of a symmetric tensor T, oriented
-// by n . w > 0 (../shared/specs/extremal.md, item 3).
+// by n . w > 0 (paper 000, section 2.1.1, at nodes).
 //
 // Theorem. Let w pass the cone test at T, W = w.w, K^ its matrix, b^ = W T w - (w.Tw) w. Then
 // tan theta <= |b| / (q - mu), and q - mu >= det / tr of K across w, so

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The sheets of ../shared/specs/extremal.md, "Numbers to show": volumes in [-1, 1]^3 whose ridges
+// The sheets that experiments show: volumes in [-1, 1]^3 whose ridges
 // are known surfaces.
 #include <algorithm>
 #include <cmath>

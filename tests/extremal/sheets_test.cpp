@@ -108,7 +108,7 @@ TEST_CASE("extremal sheets: a closed shell is isotopic to the field's, and lies 
   CHECK(verdict.accepted);
 }
 
-TEST_CASE("extremal sheets: by Hess, the largest component has the shape; it claims no isotopy") {
+TEST_CASE("extremal sheets: by Hess the largest component has the shape and claims no isotopy") {
   for (const Row& row : table()) {
     if (!row.orientable) continue;
     extremal::Volume v = sampled(row.sheet, 40);
