@@ -29,6 +29,19 @@ double most_row_norm(const Matrices<n>& h, const Vec& inverse) {
   return std::sqrt(most(square)) + slack(h.size);
 }
 
+/// The box test: do any two vectors with coordinates in these ranges, widened, have a positive
+/// product?
+template <size_t n>
+bool has_box(const std::array<std::array<double, n>, 3>& h, unsigned dimension, double error) {
+  double sum = 0, size = 0;
+  for (unsigned k = 0; k < dimension; ++k) {
+    const double low = least(h[k]) - error, high = most(h[k]) + error;
+    sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
+    size += std::max(low * low, high * high);
+  }
+  return sum > slack(size);
+}
+
 /// Proves codes of cells; nets are its scratch.
 template <unsigned dimension>
 class CellProver {
@@ -38,8 +51,8 @@ class CellProver {
         nets_(fields),
         inverse_(*std::ranges::max_element(fields.inverse_spacing)) {}
 
-  /// Throws Reject. `a` is read for regular cells.
-  void prove(u32 cell, std::uint8_t stated, const ExtremalDirection& w,
+  /// Throws Reject. `a` is read for regular cells. Returns whether the box test holds, too.
+  bool prove(u32 cell, std::uint8_t stated, const ExtremalDirection& w,
              const ExtremalDirection& a) {
     const bool regular = stated >= code::kRegular;
     nets_.move_to(cell, regular || fields_.hessian);
@@ -47,19 +60,20 @@ class CellProver {
     make_tensors();
     const Cone cone = test_cone(t_, frame);
     require(cone.holds, "cell {}: the cone test fails", cell);
-    if (stated == code::kCone) return;
+    if (stated == code::kCone) return false;
     make_gradients();
     if (stated == code::kEmpty) {
       require(sign_on(cone, frame, v_) != 0, "cell {}: it is not proven empty", cell);
-      return;
+      return false;
     }
     require(!fields_.hessian, "cell {}: `hessian` has no regular cells", cell);
     make_hessians();
     require(is_regular(cone, frame, Frame(a)), "cell {}: it is not proven regular", cell);
-    if (stated != code::kRegularExtremal) return;
+    if (stated != code::kRegularExtremal) return boxed_;
     scale_hessians();
     require(curvature_on(cone, frame, h_) == (fields_.valley ? 1 : -1),
             "cell {}: s_nn > 0 is not proven", cell);
+    return boxed_;
   }
 
   /// Is L < level on the whole cell?
@@ -166,27 +180,32 @@ class CellProver {
     std::array<double, kControls> room;
     for (size_t n = 0; n < kControls; ++n)
       room[n] = ahead[n] - std::sqrt(u[n] * u[n] + v[n] * v[n]);
+    boxed_ =
+        has_box(std::array{form(h_, {1, 0, 0}, w), form(h_, {0, 1, 0}, w), form(h_, {0, 0, 1}, w)},
+                dimension, error * kMore + slack(h_.size));
     return least(room) - 3 * slack(h_.size) > 1.4142135623730952 * error * kMore;
   }
 
   const Fields& fields_;
   RowNets<dimension> nets_;
   double inverse_;
+  bool boxed_ = false;
   Matrices<kControls> t_, h_, d_;
   Vectors<kControls> v_;
 };
 
 template <unsigned dimension>
-void check_codes(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
+void check_codes(const ExtremalCertificate& c, const Fields& fields, Cells& cells) {
   parallel_for((cells.ids.size() + kBatch - 1) / kBatch,
                [&] { return std::make_unique<CellProver<dimension>>(fields); },
                [&](auto& prover, size_t batch) {
                  const size_t end = std::min(cells.ids.size(), (batch + 1) * kBatch);
                  for (size_t i = batch * kBatch; i < end; ++i)
                    if (c.codes[i] != code::kOpen)
-                     prover->prove(cells.ids[i], c.codes[i], c.directions[cells.directions[i]],
-                                   c.codes[i] < code::kRegular ? c.directions[cells.directions[i]]
-                                                               : c.gradients[cells.gradients[i]]);
+                     cells.boxed[cells.ids[i]] = prover->prove(
+                         cells.ids[i], c.codes[i], c.directions[cells.directions[i]],
+                         c.codes[i] < code::kRegular ? c.directions[cells.directions[i]]
+                                                     : c.gradients[cells.gradients[i]]);
                });
 }
 
@@ -287,7 +306,9 @@ Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
   return cells;
 }
 
-void check_cells(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
+void check_cells(const ExtremalCertificate& c, const Fields& fields, Cells& cells) {
+  cells.boxed.resize(fields.grid.count);
+  std::fill(cells.boxed.begin(), cells.boxed.end(), std::uint8_t{0});
   if (fields.grid.dimension == 3) {
     check_codes<3>(c, fields, cells);
     check_unlisted<3>(c, fields, cells);

@@ -13,12 +13,15 @@ struct Cells {
   std::vector<u32> ids;
   std::vector<u32> directions;  ///< place in the certificate's, of cells that are not open
   std::vector<u32> gradients;   ///< place in the certificate's, of regular cells
-  Buffer<std::uint8_t> code;    ///< of the cell of that lowest node, or kUnlisted
+  Buffer<std::uint8_t>
+      boxed;  ///< of the cell of that lowest node: it is regular, the box test holds
+  Buffer<std::uint8_t> code;  ///< of the cell of that lowest node, or kUnlisted
 };
 
 /// Throws Reject unless the runs are cells, ascending, maximal, as many as codes.
 Cells list_cells(const ExtremalCertificate& c, const Grid& grid);
 /// Throws Reject unless every code is proven and L < min_value on all cells that are not listed.
-void check_cells(const ExtremalCertificate& c, const Fields& fields, const Cells& cells);
+/// Sets `boxed`.
+void check_cells(const ExtremalCertificate& c, const Fields& fields, Cells& cells);
 
 }  // namespace crest::certify::extremal

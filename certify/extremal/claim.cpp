@@ -78,7 +78,7 @@ void verify_extremal(std::span<const std::uint8_t> data, std::span<const std::ui
   const Grid& grid = fields.grid;
   prove(verdict, "data: {} x {} x {} samples, sigma {}; digests match", grid.nodes[0],
         grid.nodes[1], grid.nodes[2], c.data.sigma);
-  const Cells cells = list_cells(c, grid);
+  Cells cells = list_cells(c, grid);
   check_cells(c, fields, cells);
   say_cells(c, verdict);
   const Edges edges = check_edges(c, fields, cells);

@@ -47,7 +47,7 @@ class Clusters {
         cluster.good = false;
         continue;
       }
-      cluster.good &= has_one_sheet(cell);
+      cluster.good &= cells_.boxed[cell] != 0 && has_one_sheet(cell);
       for_neighbours(cell, [&](u32 other) {
         if (cells_.code[other] == code::kEmpty || number_[other] == number) return;
         if (!is_regular(other)) {

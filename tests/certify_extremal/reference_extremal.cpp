@@ -66,7 +66,17 @@ class CellMaker {
   void make(u32 cell, ExtremalCertificate& c) {
     Vec centre = fields_.place(cell);
     for (unsigned k = 0; k < fields_.data.dimension; ++k) centre[k] += 0.5;
-    const auto w16 = quantised(eigen(fields_.at(centre).tensor).vectors[0]);
+    make(cell, quantised(eigen(fields_.at(centre).tensor).vectors[0]), c);
+  }
+  /// Is the cell regular, and does the box test hold?
+  bool is_boxed(u32 cell, const ExtremalDirection& w) {
+    ExtremalCertificate c;
+    make(cell, w, c);
+    return c.codes[0] >= code::kRegular && boxed_;
+  }
+
+ private:
+  void make(u32 cell, const ExtremalDirection& w16, ExtremalCertificate& c) {
     w_ = direction(w16);
     controls_ = fields_.controls(cell);
     Cone cone;
@@ -82,8 +92,6 @@ class CellMaker {
     gap_ = cone.gap;
     c.codes.push_back(kind(cell, c));
   }
-
- private:
   std::uint8_t kind(u32 cell, ExtremalCertificate& c) {
     double low = HUGE_VAL, high = -HUGE_VAL, p = 0, h = 0, least_curvature = HUGE_VAL;
     Vec sum{};
@@ -107,6 +115,7 @@ class CellMaker {
     const Vec a = direction(a16);
     const double e = 2 * std::sin(angle_ / 2) * h +
                      turning(cell) * (p + s1 * std::max(std::fabs(low), std::fabs(high)));
+    boxed_ = has_box(gradients, e);
     for (const Vec& g : gradients)
       if (!(dot(a, g) - length(across(g, a)) > std::sqrt(2) * e * (1 + 1e-6))) return code::kCone;
     c.gradients.push_back(a16);
@@ -114,6 +123,18 @@ class CellMaker {
     for (const PointFields& x : controls_) most_h = std::max(most_h, norm(x.hessian));
     return least_curvature > 2 * angle_ * most_h * (1 + 1e-6) ? code::kRegularExtremal
                                                               : code::kRegular;
+  }
+  bool has_box(const std::vector<Vec>& gradients, double e) const {
+    double sum = 0;
+    for (unsigned k = 0; k < fields_.data.dimension; ++k) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const Vec& g : gradients) {
+        low = std::min(low, g[k] - e);
+        high = std::max(high, g[k] + e);
+      }
+      sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
+    }
+    return sum > 0;
   }
   double turning(u32 cell) const {
     double square = 0;
@@ -142,6 +163,7 @@ class CellMaker {
   std::vector<PointFields> controls_;
   Vec w_{};
   double angle_ = 0, gap_ = 0;
+  bool boxed_ = false;
 };
 
 /// n in the direction nearer to another; zero if lambda1 is not simple.
@@ -351,12 +373,17 @@ class Maker {
 
 }  // namespace
 
+bool is_boxed(const ReferenceFields& fields, u32 cell, const ExtremalDirection& w) {
+  return CellMaker(fields, false).is_boxed(cell, w);
+}
+
 ExtremalCertificate reference_of(const ExtremalCertificate& c) {
   const ReferenceFields fields(c.data);
   ExtremalCertificate out;
   out.data = c.data;
   out.cells = c.cells;
   out.codes = c.codes;
+  out.directions = c.directions;
   const auto of_cell = edges_of_cells(c);
   std::vector<std::uint8_t> states(of_cell.size(), 0);
   EdgeMaker maker(fields);

@@ -20,6 +20,10 @@ certify::ExtremalCertificate reference_extremal(const certify::ExtremalData& dat
 /// anew: counts and components. Odd faces are ~0 where its types are not those of the data.
 certify::ExtremalCertificate reference_of(const certify::ExtremalCertificate& c);
 
+/// Is the cell regular with this w, and does the box test hold?
+bool is_boxed(const ReferenceFields& fields, std::uint32_t cell,
+              const certify::ExtremalDirection& w);
+
 /// Does the code hold at points of the cell? (g, n . w and s_nn are sampled)
 bool code_holds(const ReferenceFields& fields, std::uint32_t cell, std::uint8_t code,
                 const certify::ExtremalDirection& w);

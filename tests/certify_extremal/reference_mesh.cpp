@@ -59,7 +59,10 @@ class MeshState {
         code_(fields.nodes, 0xff) {
     std::size_t at = 0;
     for (const CellRun& run : c.cells)
-      for (u32 cell = run.first; cell < run.first + run.length; ++cell) code_[cell] = c.codes[at++];
+      for (u32 cell = run.first; cell < run.first + run.length; ++cell) {
+        code_[cell] = c.codes[at++];
+        if (code_[cell] != code::kOpen) direction_[cell] = c.directions[direction_.size()];
+      }
     squares_ = squares();
   }
 
@@ -118,6 +121,7 @@ class MeshState {
   const ExtremalCertificate* stated_;
   unsigned d_;
   std::vector<std::uint8_t> code_;
+  std::map<u32, ExtremalDirection> direction_;
   std::vector<Square> squares_;
   std::vector<u32> polygons_, vertex_cells_;
   std::vector<Group> groups_;
@@ -319,7 +323,7 @@ class ClusterFinder : public PieceMaker {
       waiting.pop_back();
       if (code_[cell] != code::kRegular && code_[cell] != code::kRegularExtremal) return;
       extremal = extremal && code_[cell] == code::kRegularExtremal;
-      if (!has_one_sheet(cell)) return;
+      if (!has_one_sheet(cell) || !is_boxed(fields_, cell, direction_.at(cell))) return;
       for (u32 i = 0; i < (d_ == 3 ? 27U : 9U); ++i) {
         const std::array<u32, 3> step = {i % 3, i / 3 % 3, i / 9};
         u32 other = cell;
