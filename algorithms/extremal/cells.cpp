@@ -24,7 +24,6 @@ std::array<std::size_t, 8> corner_offsets(const Grid& g) {
 Cells::Cells(const Fields& fields, const Nodes& nodes) : fields_(fields) {
   const Grid& g = fields.grid();
   states_.assign(g.nodes(), CellState::unlisted);
-  ids_.assign(g.nodes(), kernel::kNone);
   const int layers = std::max(1, g.size[2] - 1);
   std::vector<std::vector<CellProof>> slices(static_cast<std::size_t>(layers));
   const auto corners = corner_offsets(g);
@@ -49,17 +48,13 @@ Cells::Cells(const Fields& fields, const Nodes& nodes) : fields_(fields) {
         const CellProof proof = prove_cell(fields, {i, j, k}, nets, w);
         states_[v] = proof.state;
         if (proof.state == CellState::open) continue;
-        ids_[v] = static_cast<Index>(proofs.size());
         proofs.push_back(proof);
       }
     }
   });
+  ids_ = RankedBits(g.nodes(), [&](std::size_t v) { return decides(v); });
   std::size_t total = 0;
-  for (std::size_t k = 0; k < slices.size(); ++k) {
-    for (std::size_t v = k * g.stride[2]; v < (k + 1) * g.stride[2]; ++v)
-      if (ids_[v] != kernel::kNone) ids_[v] += static_cast<Index>(total);
-    total += slices[k].size();
-  }
+  for (const auto& s : slices) total += s.size();
   proofs_.reserve(total);
   for (auto& s : slices) {
     proofs_.insert(proofs_.end(), s.begin(), s.end());

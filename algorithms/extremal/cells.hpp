@@ -22,14 +22,14 @@ class Cells {
     return states_[v] == CellState::regular || states_[v] == CellState::regular_extremal;
   }
   /// w of a cell that decides its edges.
-  const Short3& direction(std::size_t v) const { return proofs_[ids_[v]].direction; }
-  const CellProof& proof(std::size_t v) const { return proofs_[ids_[v]]; }
+  const Short3& direction(std::size_t v) const { return proofs_[ids_.rank(v)].direction; }
+  const CellProof& proof(std::size_t v) const { return proofs_[ids_.rank(v)]; }
   std::size_t count(CellState s) const;
 
  private:
   const Fields& fields_;
   std::vector<CellState> states_;
-  std::vector<Index> ids_;  ///< of cells that decide their edges, in their order
+  RankedBits ids_;  ///< of cells that decide their edges
   std::vector<CellProof> proofs_;
 };
 

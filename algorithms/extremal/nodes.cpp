@@ -141,10 +141,8 @@ Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value) : fie
         slice.signs.push_back(sign);
       }
   });
-  ids_.assign(g.nodes(), kernel::kNone);
-  Index next = 0;
-  for (std::size_t v = 0; v < ids_.size(); ++v)
-    if (states_[v] == NodeState::active) ids_[v] = next++;
+  ids_ = RankedBits(g.nodes(), [&](std::size_t v) { return active(v); });
+  const std::size_t next = count(NodeState::active);
   directions_.reserve(next);
   signs_.reserve(next);
   for (Slice& s : slices) {

@@ -7,6 +7,7 @@
 
 #include "algorithms/extremal/direction.hpp"
 #include "algorithms/extremal/fields.hpp"
+#include "algorithms/extremal/ranked_bits.hpp"
 
 namespace crest::extremal {
 
@@ -21,11 +22,11 @@ class Nodes {
   bool active(std::size_t v) const { return states_[v] == NodeState::active; }
   /// n at an active node, in the orientation that stays.
   Vec3 direction(std::size_t v) const {
-    const auto& d = directions_[ids_[v]];
+    const auto& d = directions_[ids_.rank(v)];
     return {static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
   }
   /// Of g in that orientation: 1 or -1.
-  int sign(std::size_t v) const { return signs_[ids_[v]]; }
+  int sign(std::size_t v) const { return signs_[ids_.rank(v)]; }
   /// May L reach min-value in the cell (an image: square) at v?
   bool possible(std::size_t v) const { return (cells_[v] & kPossible) != 0; }
   std::size_t count(NodeState s) const;
@@ -39,7 +40,7 @@ class Nodes {
   const Fields& fields_;
   std::vector<std::uint8_t> cells_;
   std::vector<NodeState> states_;
-  std::vector<Index> ids_;  ///< an active node's, in the order of nodes
+  RankedBits ids_;  ///< of active nodes
   std::vector<std::array<float, 3>> directions_;
   std::vector<std::int8_t> signs_;
 };
