@@ -62,7 +62,8 @@ ExtremalData with_type(const ExtremalData& data, std::uint8_t type) {
 }  // namespace
 
 TEST_CASE("extremal: a sphere is one closed component, isotopic to the field's") {
-  const auto c = reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
+  const auto c =
+      reference_extremal(with_level(sampled({26, 26, 26}, sphere(0.78, 0.25), 1.8), 0.4));
   require_accepted(c);
   REQUIRE(c.components.size() == 1);
   const auto& sphere = c.components[0];

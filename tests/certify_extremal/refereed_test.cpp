@@ -164,6 +164,15 @@ TEST_CASE("extremal, referee 6: gradients in units in which cells are cubes") {
   CHECK_FALSE(is_accepted(lie));
 }
 
+TEST_CASE("extremal: cones of 45 degrees are not enough, gradients must lie in a box") {
+  // All cells of the cluster are regular, some not in a box with positive products.
+  auto c = reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
+  require_accepted(c);
+  CHECK_FALSE(c.components[0].isotopic);
+  c.components[0].isotopic = true;
+  CHECK_FALSE(is_accepted(c));
+}
+
 TEST_CASE("extremal, referee 7: beside a plateau no cell is empty") {
   // A step at sample 10: L's coefficients 3 to 6 are equal, T's coefficient 6 is not zero.
   const auto step = [](double x, double, double) { return x > -1 + 2 * 9.5 / 19 ? 1.0 : 0.25; };
