@@ -248,6 +248,7 @@ const Command extremal_command = {
     "ridge and valley surfaces of volumes, curves of images, surfaces of points",
     add,
     {"crest extremal moebius.nrrd --ridge --min-value 0.4 -o sheet.vtp --certificate sheet.crest",
-     "crest extremal strip.xyz --surface --radius 0.15 -o strip.vtp --picture strip.png"}};
+     "crest extremal strip.xyz --surface --radius 0.15 --depth 6 -o strip.vtp --picture "
+     "strip.png"}};
 
 }  // namespace crest::cli

@@ -24,7 +24,8 @@ set(public
   kernel/arithmetic/self_test.hpp
   kernel/geometry/input_error.hpp)
 if(IO)
-  list(APPEND public io/read/mesh_reader.hpp io/read/quadratic_reader.hpp)
+  list(APPEND public io/read/mesh_reader.hpp io/read/point_reader.hpp io/read/quadratic_reader.hpp
+    io/read/volume_reader.hpp)
   file(GLOB writers RELATIVE ${SOURCE} ${SOURCE}/io/*/*_writer.hpp ${SOURCE}/io/*/*_picture.hpp)
   list(APPEND public ${writers})
 endif()

@@ -61,7 +61,8 @@ void row(const DataSet& data, bool hessian, const std::string& path, const std::
     const auto encoded = certify::encode(certificate);
     bytes = encoded.size();
     const auto before = std::chrono::steady_clock::now();
-    verdict = certify::verify(encoded).accepted ? "accepted" : "REJECTED";
+    const certify::Verdict checked = certify::verify(encoded);
+    verdict = checked.accepted ? "accepted" : "REJECTED: " + checked.reason;
     checking = seconds_since(before);
   }
   const auto& c = r.counts;

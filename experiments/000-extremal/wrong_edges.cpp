@@ -98,7 +98,7 @@ void count_edge(const Extraction& e, const Anywhere& field, const Node& v, std::
 
 void rows(const std::string& name, const extremal::Volume& volume, const Options& options,
           const std::vector<int>& steps) {
-  const Extraction e(volume, options);
+  const Extraction e(Fields(volume, options), options);
   const Grid& grid = e.fields().grid();
   const Anywhere field(e.fields());
   for (const int step : steps) {

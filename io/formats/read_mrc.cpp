@@ -93,7 +93,8 @@ void place(const MrcHeader& header, Volume& volume) {
       edges[k][k] = 1;
     }
   }
-  if (unknown) volume.warnings.emplace_back("the header has no cell along an axis: spacing 1 there");
+  if (unknown)
+    volume.warnings.emplace_back("the header has no cell along an axis: spacing 1 there");
   const bool has_origin = header.real(49) != 0 || header.real(50) != 0 || header.real(51) != 0;
   for (std::size_t i = 0; i < 3; ++i) {
     volume.steps.push_back(edges[axis[i]]);

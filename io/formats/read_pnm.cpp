@@ -13,8 +13,8 @@ std::size_t take_count(TextScan& scan, const char* what, std::size_t most) {
   const bool given = scan.more();
   const std::string word = io::quoted(scan.peek());
   if (!given || !scan.take(n) || n < 1 || n > most)
-    fail(fmt::format("header (line {})", scan.line()),
-         fmt::format("{} {} is none", what, word), "correct it");
+    fail(fmt::format("header (line {})", scan.line()), fmt::format("{} {} is none", what, word),
+         "correct it");
   return n;
 }
 

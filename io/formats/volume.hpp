@@ -4,8 +4,8 @@
 // Volumes and images as they stand in a file, and their readers: bytes to samples. Each throws
 // kernel::InputError without the file's name and allocates nothing on the strength of a count that
 // the bytes are too few for.
-// Own code but for VTI and PNG: VTK's readers want a file, allocate what a header announces, and
-// lose what is wanted here (NIfTI: the slope; MRC: the order of axes; PNM: 16 bits; NRRD: all,
+// Own code but for VTI: VTK's readers want a file, allocate what a header announces, crash (PNG)
+// and lose what is wanted here (NIfTI: the slope; MRC: the order of axes; PNM: 16 bits; NRRD: all,
 // where VTK's MPI modules are linked, too).
 #include <functional>
 #include <string>

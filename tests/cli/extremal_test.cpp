@@ -194,7 +194,7 @@ TEST_CASE("crest extremal: nothing to extract is no error") {
 TEST_CASE("crest extremal: one line and the right exit code for what cannot be done") {
   const TemporaryFolder folder;
   write_text(folder / "v.nrrd", small_volume());
-  write_text(folder / "nan.nrrd", small_volume().replace(small_volume().rfind("3."), 1, "nan"));
+  write_text(folder / "nan.nrrd", small_volume().replace(small_volume().rfind("3."), 8, "nan"));
   write_text(folder / "short.nrrd", small_volume().substr(0, 300));
   write_text(folder / "p.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
   write_text(folder / "bare.xyz", "0 0 0\n1 0 0\n");
@@ -220,4 +220,20 @@ TEST_CASE("crest extremal: one line and the right exit code for what cannot be d
     CHECK(run.err.find(c.words) != std::string::npos);
   }
   CHECK(!fs::exists(folder / "n.vtp"));
+}
+
+TEST_CASE("crest sample: volumes and points take their own options alone") {
+  const TemporaryFolder folder;
+  for (const Case& c :
+       {Case{"sphere-shell --vertices 100 -o s.nrrd", 2, "takes --nodes alone"},
+        Case{"ellipsoid --nodes 10 -o s.off", 2, "--nodes is for volumes"},
+        Case{"moebius-points --rotate -o s.xyz", 2, "takes --vertices, --noise and --seed"},
+        Case{"sphere-shell -o s.off", 3, "write .nrrd or .vti"},
+        Case{"moebius-points -o s.off", 3, "write .xyz or .pwn"}}) {
+    const auto run = run_crest(std::string("crest sample ") + c.arguments, folder.path());
+    INFO(c.arguments << "\n" << run.err);
+    CHECK(run.exit_code == c.exit_code);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(c.words) != std::string::npos);
+  }
 }

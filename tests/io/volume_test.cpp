@@ -4,7 +4,6 @@
 
 #include "io/read/volume_reader.hpp"
 #include "io/write/volume_writer.hpp"
-#include "kernel/geometry/input_error.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/io/volume_bytes.hpp"
 
@@ -212,6 +211,74 @@ TEST_CASE("images: rows from the topmost, 16 bits, text, colours, one slice", "[
   // As VTK has images: y points up, the last row at 0.
   CHECK(eight.to_world({0, 0, 0}) == Vec3{0, 4, 0});
   CHECK(eight.to_world({3, 4, 0}) == Vec3{3, 0, 0});
+}
+
+namespace {
+
+std::string png_chunk(const std::string& type, const std::string& data) {
+  std::string bytes;
+  put(bytes, static_cast<std::uint32_t>(data.size()), true);
+  bytes += type + data;
+  put(bytes,
+      static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>((type + data).data()),
+                                       static_cast<uInt>(data.size() + 4))),
+      true);
+  return bytes;
+}
+
+/// 4 x 5 pixels; `rows`: of `step` bytes a pixel, each filtered in another way.
+std::string png(int depth, int type, const std::string& rows, std::size_t step,
+                const std::string& palette = "") {
+  std::string header, filtered;
+  for (const std::uint32_t x : {4u, 5u}) put(header, x, true);
+  for (const int x : {depth, type, 0, 0, 0}) header += static_cast<char>(x);
+  const std::size_t row = rows.size() / 5;
+  for (std::size_t y = 0; y < 5; ++y) {
+    filtered += static_cast<char>(y);  // none, left, up, mean, Paeth
+    for (std::size_t x = 0; x < row; ++x) {
+      const auto at = [&](std::size_t dx, std::size_t dy) {
+        return x < dx || y < dy ? 0 : static_cast<unsigned char>(rows[(y - dy) * row + x - dx]);
+      };
+      const int left = at(step, 0), up = at(0, 1), corner = at(step, 1);
+      const int p = left + up - corner, a = std::abs(p - left), b = std::abs(p - up),
+                c = std::abs(p - corner);
+      const int guess[] = {0, left, up, (left + up) / 2,
+                           a <= b && a <= c ? left
+                           : b <= c         ? up
+                                            : corner};
+      filtered += static_cast<char>(at(0, 0) - guess[y]);
+    }
+  }
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) +
+         (palette.empty() ? "" : png_chunk("PLTE", palette)) +
+         png_chunk("IDAT", deflated(filtered, 15)) + png_chunk("IEND", "");
+}
+
+}  // namespace
+
+TEST_CASE("PNG: every filter, 1 to 16 bits, palettes, opacity", "[io]") {
+  std::string grey, wide, rgba, indices, bits, palette;
+  for (int i = 0; i < 20; ++i) {
+    put(grey, static_cast<std::uint8_t>(37 * i));
+    put(wide, static_cast<std::uint16_t>(3301 * i), true);
+    for (const int c : {7 * i, 7 * i, 7 * i, 255 - i}) put(rgba, static_cast<std::uint8_t>(c));
+    put(indices, static_cast<std::uint8_t>(19 - i));
+    for (int c = 0; c < 3; ++c) put(palette, static_cast<std::uint8_t>(11 * i));
+  }
+  for (int y = 0; y < 5; ++y) bits += static_cast<char>(0xa0 >> (y % 2));  // 1010 and 0101
+  const SampledGrid a = read("i.png", png(8, 0, grey, 1)), b = read("i.png", png(16, 0, wide, 2)),
+                    d = read("i.png", png(8, 3, indices, 1, palette)),
+                    e = read("i.png", png(1, 0, bits, 1));
+  const auto c = read_volume_bytes("i.png", png(8, 6, rgba, 4));
+  CHECK(c.warnings == std::vector<std::string>{"the image's opacity is passed over"});
+  CHECK(b.type() == SampleType::u16);
+  for (std::size_t i = 0; i < 20; ++i) {
+    CHECK(a.at(i) == static_cast<double>(37 * i % 256));
+    CHECK(b.at(i) == static_cast<double>(3301 * i % 65536));
+    CHECK(c.grid.at(i) == static_cast<double>(7 * i));
+    CHECK(d.at(i) == static_cast<double>(11 * (19 - i)));
+    CHECK(e.at(i) == static_cast<double>((i % 4 + i / 4 + 1) % 2));
+  }
 }
 
 TEST_CASE("what is written as a volume or as points is read again", "[io]") {
