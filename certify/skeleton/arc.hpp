@@ -19,11 +19,11 @@ class ArcMaker {
       : field_(field), backward_(backward), extra_(extra) {}
 
   struct Task {
-    u32 corner;              ///< of the frame
-    Point<Number> start;     ///< on a side, at o, or inside
-    int turn;                ///< +1: L, turned to the left; -1: R
-    bool zero;               ///< the closed triangle holds a zero: x'.v > 0, too
-    int exit;                ///< coordinate of the side where it ends, -1: where `trapped` says
+    u32 corner;           ///< of the frame
+    Point<Number> start;  ///< on a side, at o, or inside
+    int turn;             ///< +1: L, turned to the left; -1: R
+    bool zero;            ///< the closed triangle holds a zero: x'.v > 0, too
+    int exit;             ///< coordinate of the side where it ends, -1: where `trapped` says
     SkeletonBarrier barrier;
   };
 
@@ -37,9 +37,11 @@ class ArcMaker {
       const bool last = make_piece(task, at);
       if (failure_ != nullptr) return failure_;
       if (!inside(last ? task.exit : -1)) return "a barrier is not inside the triangle";
-      if (!has_sign([](const auto& f) -> const auto& { return f.determinant; }, -task.turn))
+      if (!has_sign(
+              [](const auto& f) -> const auto& { return f.determinant; }, -task.turn))
         return "a barrier is not one-way";
-      if (task.zero && !has_sign([](const auto& f) -> const auto& { return f.product; }, 1))
+      if (task.zero && !has_sign(
+                           [](const auto& f) -> const auto& { return f.product; }, 1))
         return "a barrier turns away from the field";
       at = control_.back();
       if (last || (task.exit < 0 && trapped(at))) {
@@ -124,7 +126,7 @@ class ArcMaker {
       (value > 0 ? low : high) = s;
       double next = s - value / slope;
       if (!(next > low && next < high)) next = (low + high) / 2;
-      if (std::fabs(next - s) <= 0x1p-52 * s) break;
+      if (std::fabs(next - s) <= 0x1p-50 * s) break;
       s = next;
     }
     Number x = s;
