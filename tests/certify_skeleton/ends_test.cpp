@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claim 9: ends that the lattice fields do not have (polygons around vertices, walls), and more bits.
+// Claim 9: ends that the lattice fields do not have (polygons around vertices, walls), and more
+// bits.
 #include <catch2/catch.hpp>
 #include <cmath>
 
