@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A stream line between two barriers, triangle by triangle (SPEC.md, lemma 11).
+// A stream line between two barriers, triangle by triangle (SPEC.md, lemma 13).
 #include <atomic>
 
 #include "certify/container/reject.hpp"
@@ -123,8 +123,7 @@ class Corridor {
   const Segment<Number>& at() const { return at_; }
   bool at_boundary() const { return at_boundary_; }
   Work work() const {
-    return {cells_, left_.pieces() + right_.pieces(),
-            left_.exact_pieces() + right_.exact_pieces()};
+    return {cells_, left_.pieces() + right_.pieces(), left_.exact_pieces() + right_.exact_pieces()};
   }
 
  private:

@@ -12,8 +12,8 @@ void check_barrier(const SkeletonBarrier& b, const std::string& name) {
   require(std::find(kBits.begin(), kBits.end(), b.bits) != kBits.end(), "{}: {} bits", name,
           b.bits);
   require(b.degree >= 1 && b.degree <= (b.bits == 53 ? 50 : 128), "{}: degree {}", name, b.degree);
-  require(b.angle >= 1 && b.angle <= b.bits && std::abs(b.shrink) <= 16, "{}: angle {}, shrink {}", name,
-          b.angle, b.shrink);
+  require(b.angle >= 1 && b.angle <= b.bits && std::abs(b.shrink) <= 16, "{}: angle {}, shrink {}",
+          name, b.angle, b.shrink);
 }
 void check_barriers(const SkeletonBarrier& barrier, const std::vector<SkeletonException>& list,
                     std::size_t turns, const std::string& name) {
@@ -38,6 +38,59 @@ Work with_precision(u32 bits, const Follow& follow) {
   Big::bits = static_cast<mpfr_prec_t>(bits);
   return follow(Big{});
 }
+
+/// The end of a line that is straight to its end.
+class StraightEnd {
+ public:
+  StraightEnd(const Context& context, const SkeletonSeparatrix& line, const std::string& name,
+              SignLadder& sign)
+      : context_(context), line_(line), name_(name), sign_(sign) {}
+
+  /// Throws Reject.
+  void check(const StraightWalk& walk) const {
+    const Spot& spot = walk.spot();
+    if (line_.end == SkeletonEnd::zero)
+      return require(walk.at_zero() && context_.zeros.of_triangle[walk.triangle()] == line_.to,
+                     "{}: does not end in zero {}", name_, line_.to);
+    require(!walk.at_zero() && walk.leaves(), "{}: does not leave the domain", name_);
+    if (line_.end == SkeletonEnd::switch_point) {
+      require(line_.to < context_.boundary.switches.size(), "{}: no switch point {}", name_,
+              line_.to);
+      const SkeletonSwitch& point = context_.boundary.switches[line_.to];
+      return require(
+          point.place != 0 && spot.kind == Spot::at_vertex &&
+              context_.domain.fan[spot.name] == context_.domain.fan[next_corner(point.side)],
+          "{}: does not end in switch point {}", name_, line_.to);
+    }
+    require(line_.end == SkeletonEnd::boundary, "{}: straight into an orbit", name_);
+    const u32 found = region_at(spot);
+    require(found == line_.to && found != kNone, "{}: does not end in region {}", name_, line_.to);
+  }
+
+ private:
+  /// kNone between two regions.
+  u32 region_at(const Spot& spot) const {
+    const auto& regions = context_.boundary.regions;
+    if (spot.kind == Spot::in_side) {
+      // v.N < 0 (forward) at the point: the end of the side with that sign has the region.
+      const Sign out = line_.backward != 0 ? Sign::positive : Sign::negative;
+      const Field& field = context_.field;
+      const u32 head = next_corner(spot.name);
+      const Sign tail = inflow_sign(sign_, field.position(spot.name), field.position(head),
+                                    field.vector(spot.name));
+      return regions[spot.name][tail == out ? 0 : 1];
+    }
+    const auto fan = context_.domain.corners_of(context_.domain.fan[spot.name]);
+    const u32 leaving = fan.front(), arriving = previous_corner(fan.back());
+    const u32 before = regions[arriving][1], after = regions[leaving][0];
+    return before == after ? before : kNone;
+  }
+
+  const Context& context_;
+  const SkeletonSeparatrix& line_;
+  const std::string& name_;
+  SignLadder& sign_;
+};
 
 /// One separatrix.
 class LineCheck {
@@ -75,11 +128,11 @@ class LineCheck {
     if (zero() != nullptr && zero()->stated.index != kNoIndex)
       claimed.ray = ray_name(context_, walk, *zero(), backward_);
     if (line_.legs.size() == 1) {
-      if (!open) end_straight(walk);
+      if (!open) StraightEnd(context_, line_, name_, sign_).check(walk);
       return {};
     }
-    require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(),
-            "{}: goes on from no vertex", name_);
+    require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(), "{}: goes on from no vertex",
+            name_);
     return corridor(line_.legs[1], &walk, claimed);
   }
 
@@ -129,8 +182,7 @@ class LineCheck {
       return;
     }
     require(before != nullptr || zero() == nullptr, "{}: does not start at its zero", name_);
-    const u32 fan =
-        before == nullptr ? origin_fan() : context_.domain.fan[before->spot().name];
+    const u32 fan = before == nullptr ? origin_fan() : context_.domain.fan[before->spot().name];
     if (leg.kind == LegKind::point) {
       require(leg.first.empty() && leg.second.empty(), "{}: numbers of a vertex", name_);
       require(fan != kNone && context_.domain.fan[leg.corner] == fan, "{}: starts elsewhere",
@@ -145,8 +197,8 @@ class LineCheck {
     const u32 head = next_corner(leg.corner);
     require(context_.domain.fan[leg.corner] == fan || context_.domain.fan[head] == fan,
             "{}: starts elsewhere", name_);
-    line.start_along(leg, context_.field.vertex(context_.domain.fan[leg.corner] == fan ? leg.corner
-                                                                                        : head));
+    line.start_along(
+        leg, context_.field.vertex(context_.domain.fan[leg.corner] == fan ? leg.corner : head));
   }
 
   template <class Line>
@@ -159,7 +211,8 @@ class LineCheck {
       case SkeletonEnd::orbit: {
         require(line_.to < context_.stated.orbits.size(), "{}: no orbit {}", name_, line_.to);
         const SkeletonOrbit& orbit = context_.stated.orbits[line_.to];
-        require((orbit.backward != 0) == backward_, "{}: ends in an orbit of the other kind", name_);
+        require((orbit.backward != 0) == backward_, "{}: ends in an orbit of the other kind",
+                name_);
         return line.end_in_segment({orbit.side, orbit.left, orbit.right}, false);
       }
       case SkeletonEnd::zero: {
@@ -173,44 +226,6 @@ class LineCheck {
       default:
         require(false, "{}: ends in a switch point, but is not straight", name_);
     }
-  }
-
-  void end_straight(const StraightWalk& walk) const {
-    const Spot& spot = walk.spot();
-    if (line_.end == SkeletonEnd::zero)
-      return require(walk.at_zero() && context_.zeros.of_triangle[walk.triangle()] == line_.to,
-                     "{}: does not end in zero {}", name_, line_.to);
-    require(!walk.at_zero() && walk.leaves(), "{}: does not leave the domain", name_);
-    if (line_.end == SkeletonEnd::switch_point) {
-      require(line_.to < context_.boundary.switches.size(), "{}: no switch point {}", name_,
-              line_.to);
-      const SkeletonSwitch& point = context_.boundary.switches[line_.to];
-      return require(point.place != 0 && spot.kind == Spot::at_vertex &&
-                         context_.domain.fan[spot.name] ==
-                             context_.domain.fan[next_corner(point.side)],
-                     "{}: does not end in switch point {}", name_, line_.to);
-    }
-    require(line_.end == SkeletonEnd::boundary, "{}: straight into an orbit", name_);
-    const u32 found = region_at(spot);
-    require(found == line_.to && found != kNone, "{}: does not end in region {}", name_, line_.to);
-  }
-
-  /// kNone between two regions.
-  u32 region_at(const Spot& spot) const {
-    const auto& regions = context_.boundary.regions;
-    if (spot.kind == Spot::in_side) {
-      // v.N < 0 (forward) at the point: the end of the side with that sign has the region.
-      const Sign out = backward_ ? Sign::positive : Sign::negative;
-      const Field& field = context_.field;
-      const u32 head = next_corner(spot.name);
-      const Sign tail = inflow_sign(sign_, field.position(spot.name), field.position(head),
-                                    field.vector(spot.name));
-      return regions[spot.name][tail == out ? 0 : 1];
-    }
-    const auto fan = context_.domain.corners_of(context_.domain.fan[spot.name]);
-    const u32 leaving = fan.front(), arriving = previous_corner(fan.back());
-    const u32 before = regions[arriving][1], after = regions[leaving][0];
-    return before == after ? before : kNone;
   }
 
   const Context& context_;

@@ -30,9 +30,7 @@ struct Quadratic {
     return static_cast<int>(kernel::sign_of(Rational(2 * (q0 - q1 + q2) * s + q1 - 2 * q0)));
   }
   /// The number of the root with this sign before it.
-  u8 number(int before) const {
-    return q0 * q2 > 0 && before * q0 < 0 ? 1 : 0;
-  }
+  u8 number(int before) const { return q0 * q2 > 0 && before * q0 < 0 ? 1 : 0; }
 };
 
 /// The zero of a component in a triangle, seen from one of its sides.
@@ -53,22 +51,12 @@ Exact zero_across(const Context& context, u32 side, const Component& zero) {
   return exact(context.field.position(opposite));
 }
 
-Rational exact_sum(const std::vector<double>& parts) {
-  Rational sum = 0;
-  for (const double x : parts) sum += Rational(x);
-  return sum;
-}
-
 }  // namespace
 
-RaySigns ray_signs(const Context& context, const SkeletonLeg& leg, const Component& zero) {
-  const Exact z = zero_across(context, leg.corner, zero);
-  const Quadratic q(context.field, leg.corner, z);
-  const auto at = [&](const std::vector<double>& parts) {
-    const Rational t = exact_sum(parts);
-    return q.sign_at(t > 0 ? t : Rational(1 + t));
-  };
-  return {at(leg.first), at(leg.second)};
+RaySigns ray_signs(const Context& context, u32 side, const Component& zero, const Rational& left,
+                   const Rational& right) {
+  const Quadratic q(context.field, side, zero_across(context, side, zero));
+  return {q.sign_at(left), q.sign_at(right)};
 }
 
 Ray ray_name(const Context& context, const SkeletonLeg& leg, const Component& zero,
@@ -160,12 +148,11 @@ void check_completeness(const Context& context, std::vector<Claimed> lines) {
     Group group{origin, from, backward, {}, 0};
     for (; at < lines.size() && lines[at].origin == origin && lines[at].from == from &&
            lines[at].backward == backward;
-         ++at) {
+         ++at)
       if (lines[at].known)
         group.known.push_back(lines[at].ray);
       else
         ++group.unknown;
-    }
     check_group(context, group);
   };
   for (u32 i = 0; i < context.zeros.components.size(); ++i)

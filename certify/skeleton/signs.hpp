@@ -63,10 +63,10 @@ class Products {
 
 /// Whether all Bernstein coefficients of a form have the wanted sign; a point's a, b >= 0,
 /// a + b <= 1. In numbers with this bound, where S bounds max |da| |first| + max |db| |second| and
-/// u is half a unit: e1, e2 round once, a form's value at a corner is within 4 u M, M its magnitude;
-/// at a control point all terms are below 5 M and the value within 40 u M; da within u |da|;
-/// n <= 128 products a sum, each rounded thrice with its binomials: below
-/// (128 + 16 n) u S C(2n-1, m). The last term covers underflow (below 2^-1074 an operation).
+/// u is half a unit: e1, e2 round once, a form's value at a corner is within 4 u M, M its
+/// magnitude; at a control point all terms are below 5 M and the value within 40 u M; da within u
+/// |da|; n <= 128 products a sum, each rounded thrice with its binomials: below (128 + 16 n) u S
+/// C(2n-1, m). The last term covers underflow (below 2^-1074 an operation).
 enum class Answer { no, open, yes };
 template <class Number>
 Answer have_sign(const std::vector<Point<Number>>& control, const LinearForms<Number>& forms,
@@ -78,10 +78,9 @@ Answer have_sign(const std::vector<Point<Number>>& control, const LinearForms<Nu
     da = std::max(da, std::fabs(to_double(control[k + 1].a - control[k].a)));
     db = std::max(db, std::fabs(to_double(control[k + 1].b - control[k].b)));
   }
-  const double unit =
-      static_cast<double>(128 + 16 * n) * unit_roundoff<Number>() *
-          (da * forms.magnitude_first + db * forms.magnitude_second) +
-      0x1p-1030;
+  const double unit = static_cast<double>(128 + 16 * n) * unit_roundoff<Number>() *
+                          (da * forms.magnitude_first + db * forms.magnitude_second) +
+                      0x1p-1030;
   bool certain = true;
   const auto& sums = products.sums();
   for (std::size_t m = 0; m < sums.size(); ++m) {
