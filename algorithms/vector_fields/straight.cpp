@@ -54,8 +54,7 @@ class Walk {
     const Exact u = velocity(domain_.from(3 * t)), v = velocity(domain_.from(3 * t + 1)),
                 w = velocity(domain_.from(3 * t + 2));
     const Rational l0 = cross(v, w), l1 = cross(w, u), l2 = cross(u, v), sum = l0 + l1 + l2;
-    for (std::size_t i = 0; i < 2; ++i)
-      x_[i] = (l0 * a[i] + l1 * b[i] + l2 * c[i]) / sum;
+    for (std::size_t i = 0; i < 2; ++i) x_[i] = (l0 * a[i] + l1 * b[i] + l2 * c[i]) / sum;
     return through(t, kNone);
   }
 

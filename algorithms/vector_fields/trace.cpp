@@ -127,10 +127,13 @@ class Follower {
 
   bool fail(Trace& trace, const CellResult<Real>& cell, Index triangle) {
     trace.reason = OpenReason::vertex_hit;
-    if (cell.divided)
-      for (const ZeroComponent& z : around_.zeros)
-        if (z.item.kind == ZeroKind::saddle && z.triangles.front() == triangle)
-          trace.reason = OpenReason::saddle_connection;
+    const Domain& d = around_.domain;
+    // A line that creeps up to a zero corner does so at any precision.
+    for (HalfEdge h = 3 * triangle; h < 3 * triangle + 3; ++h)
+      trace.creeps = trace.creeps || (!cell.divided && d.is_zero(d.from(h)));
+    if (const auto zero = zero_of_triangle(around_, triangle); zero && cell.divided)
+      if (around_.zeros[*zero].item.kind == ZeroKind::saddle)
+        trace.reason = OpenReason::saddle_connection;
     return false;
   }
 
@@ -140,8 +143,9 @@ class Follower {
     for (HalfEdge h = 3 * (gate.side / 3); h < 3 * (gate.side / 3) + 3; ++h)
       zeros += d.is_zero(d.from(h)) ? 1 : 0;
     if (zeros != 2) return false;
-    const auto wall = wall_ahead(around_, trace.start.forward, gate.side, expand(gate.left),
-                                 expand(gate.right));
+    const auto wall = wall_ahead(around_, trace.start.forward, gate.side,
+                                 expand(gate.left, maker_.setting().bits + 2),
+                                 expand(gate.right, maker_.setting().bits + 2));
     if (!wall) return false;
     trace.end = EndKind::zero_flow;
     trace.target = *wall;
@@ -233,7 +237,8 @@ class Follower {
 
 }  // namespace
 
-/// At one precision after the other, until one suffices. `straight`: the line's first part, or none.
+/// At one precision after the other, until one suffices. `straight`: the line's first part, or
+/// none.
 template <class Real>
 bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
                const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
@@ -249,14 +254,14 @@ Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>
   result.reason = OpenReason::vertex_hit;
   // Lines that do not settle down, or return to where they were, do so at any precision.
   const auto final = [&](bool found) {
-    return found || result.reason == OpenReason::budget || result.reason == OpenReason::weak_focus;
+    return found || result.creeps || result.reason == OpenReason::budget ||
+           result.reason == OpenReason::weak_focus;
   };
   if (start.kind != StartKind::none &&
       final(Follower<double>(around, kDoubles, annuli).follow(start, result)))
     return result;
   Start exact_start = start;
-  if (start.kind == StartKind::ray)
-    exact_start.direction = exact_direction(around.domain, start);
+  if (start.kind == StartKind::ray) exact_start.direction = exact_direction(around.domain, start);
   if (exact_start.direction) {
     walk_straight(around, exact_start, straight);
     if (straight.end != EndKind::undecided) return straight;

@@ -7,8 +7,8 @@
 
 namespace crest::vector_fields {
 
-/// The component of which an open wall edge catches all lines that enter the side's triangle between
-/// two of its points; nothing if there is none. Exact.
+/// The component of which an open wall edge catches all lines that enter the side's triangle
+/// between two of its points; nothing if there is none. Exact.
 std::optional<Index> wall_ahead(const Surroundings& around, bool forward, HalfEdge side,
                                 const Expansion& left, const Expansion& right);
 

@@ -61,11 +61,11 @@ class ArcMaker {
       : field_(field), backward_(backward), extra_(extra) {}
 
   struct Task {
-    u32 corner;              ///< of the frame
-    Point<Number> start;     ///< on a side, at o, or inside
-    int turn;                ///< +1: L, turned to the left; -1: R
-    bool zero;               ///< the closed triangle holds a zero: x'.v > 0, too
-    int exit;                ///< coordinate of the side where it ends, -1: where `trapped` says
+    u32 corner;           ///< of the frame
+    Point<Number> start;  ///< on a side, at o, or inside
+    int turn;             ///< +1: L, turned to the left; -1: R
+    bool zero;            ///< the closed triangle holds a zero: x'.v > 0, too
+    int exit;             ///< coordinate of the side where it ends, -1: where `trapped` says
     SkeletonBarrier barrier;
   };
 
@@ -257,8 +257,7 @@ class ArcMaker {
     if (exact_frame_.corner != frame_.corner)
       exact_frame_ = make_frame<Rational>(field_, frame_.corner, backward_);
     exact_control_.clear();
-    for (const auto& [a, b] : control_)
-      exact_control_.push_back({to_rational(a), to_rational(b)});
+    for (const auto& [a, b] : control_) exact_control_.push_back({to_rational(a), to_rational(b)});
     exact_products_.compute(exact_control_, exact_frame_.*forms);
     return std::all_of(exact_products_.sums().begin(), exact_products_.sums().end(),
                        [&](const Rational& x) { return wanted * x > 0; });

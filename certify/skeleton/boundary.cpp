@@ -15,8 +15,7 @@ struct EndSign {
   bool zero;  ///< v = 0 at this end
 };
 
-std::vector<EndSign> end_signs(const Field& field, const std::vector<u32>& loop,
-                               SignLadder& sign) {
+std::vector<EndSign> end_signs(const Field& field, const std::vector<u32>& loop, SignLadder& sign) {
   std::vector<EndSign> ends;
   ends.reserve(2 * loop.size());
   for (const u32 side : loop) {
@@ -70,7 +69,8 @@ class LoopWalk {
       const std::size_t end = strict[(k + 1) % strict.size()];
       out_.regions[ends_[end].side][end % 2] = base + (after[k] + count - 1) % count;
     }
-    if (strict.empty()) require(loop.zero != 0, "loop {}: wholly tangent without a zero", loop.side);
+    if (strict.empty())
+      require(loop.zero != 0, "loop {}: wholly tangent without a zero", loop.side);
     if (loop.zero == 0) count_regions(strict, events, loop);
     out_.region_count += count;
   }
@@ -168,9 +168,8 @@ Boundary find_boundary(const Field& field, const Domain& domain, SignLadder& sig
 std::int64_t winding_around_rest(const Field& field, const Domain& domain, const ZeroSet& zeros,
                                  SignLadder& sign) {
   const auto inside = [&](u32 t) {
-    return domain.live[t] != 0 &&
-           (zeros.of_triangle[t] == kNone ||
-            zeros.components[zeros.of_triangle[t]].stated.index != kNoIndex);
+    return domain.live[t] != 0 && (zeros.of_triangle[t] == kNone ||
+                                   zeros.components[zeros.of_triangle[t]].stated.index != kNoIndex);
   };
   std::int64_t crossings = 0;
   for (u32 c = 0; c < field.corners(); ++c)

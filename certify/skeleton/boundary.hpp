@@ -14,7 +14,8 @@ struct Boundary {
   u32 region_count = 0;
 };
 
-/// Throws Reject if a loop without zeros breaks 2 (winding - turning) = inside - outside. Cost: linear.
+/// Throws Reject if a loop without zeros breaks 2 (winding - turning) = inside - outside. Cost:
+/// linear.
 Boundary find_boundary(const Field& field, const Domain& domain, SignLadder& sign);
 
 /// Winding of v along the border of the triangles that meet no component without an index.

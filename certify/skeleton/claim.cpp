@@ -16,17 +16,16 @@ namespace {
 using namespace skeleton;
 
 bool same(const SkeletonZero& a, const SkeletonZero& b) {
-  return a.triangle == b.triangle && a.place == b.place && a.kind == b.kind &&
-         a.focus == b.focus && a.index == b.index && a.hyperbolic == b.hyperbolic &&
-         a.elliptic == b.elliptic;
+  return a.triangle == b.triangle && a.place == b.place && a.kind == b.kind && a.focus == b.focus &&
+         a.index == b.index && a.hyperbolic == b.hyperbolic && a.elliptic == b.elliptic;
 }
 bool same(const SkeletonSwitch& a, const SkeletonSwitch& b) {
   return a.side == b.side && a.place == b.place && a.inside == b.inside;
 }
 bool same(const SkeletonLoop& a, const SkeletonLoop& b) {
-  return a.side == b.side && a.zero == b.zero && a.winding == b.winding &&
-         a.turning == b.turning && a.interior == b.interior && a.exterior == b.exterior &&
-         a.inflow == b.inflow && a.outflow == b.outflow;
+  return a.side == b.side && a.zero == b.zero && a.winding == b.winding && a.turning == b.turning &&
+         a.interior == b.interior && a.exterior == b.exterior && a.inflow == b.inflow &&
+         a.outflow == b.outflow;
 }
 
 std::string in_words(const SkeletonZero& z) {
@@ -38,10 +37,10 @@ std::string in_words(const SkeletonSwitch& s) {
   return fmt::format("side {}, place {}, inside {}", s.side, s.place, s.inside);
 }
 std::string in_words(const SkeletonLoop& l) {
-  return fmt::format("side {}, zero {}, winding {}, turning {}, inside {}, outside {}, inflow {}, "
-                     "outflow {}",
-                     l.side, l.zero, l.winding, l.turning, l.interior, l.exterior, l.inflow,
-                     l.outflow);
+  return fmt::format(
+      "side {}, zero {}, winding {}, turning {}, inside {}, outside {}, inflow {}, "
+      "outflow {}",
+      l.side, l.zero, l.winding, l.turning, l.interior, l.exterior, l.inflow, l.outflow);
 }
 
 template <class Record>
@@ -109,8 +108,7 @@ void check_lines(const SkeletonCertificate& c, const Context& context, Arithmeti
   prove(verdict, "closed orbits: {} chains of cells that return into themselves", c.orbits.size());
   std::vector<Claimed> claimed(c.separatrices.size());
   parallel_for(c.separatrices.size(), make, [&](auto& worker, std::size_t i) {
-    worker->add(
-        check_line(context, traps, static_cast<u32>(i), worker->sign, claimed[i]));
+    worker->add(check_line(context, traps, static_cast<u32>(i), worker->sign, claimed[i]));
   });
   check_completeness(context, std::move(claimed));
   std::array<u32, 5> ends{};
@@ -140,7 +138,8 @@ void verify_skeleton(std::span<const std::uint8_t> data, std::span<const std::ui
     std::vector<std::array<double, 3>> flat;
     for (const auto& [x, y] : c.positions) flat.push_back({x, y, 0});
     const std::string oriented = check_input(*options.input, flat, c.triangles);
-    prove(verdict, "input: {} holds the same positions and faces, {}; nothing ties the vectors to it",
+    prove(verdict,
+          "input: {} holds the same positions and faces, {}; nothing ties the vectors to it",
           options.input->name, oriented);
   }
   const ZeroSet zeros = find_zeros(field, domain, sign);

@@ -112,9 +112,8 @@ void Corridor<Number>::end_in_segment(const Segment<Number>& other, bool strictl
   need(!at_boundary_ && !starting_ && at_.side == other.side, "does not reach the orbit's segment",
        at_.side / 3);
   // Seen from the triangle entered, left is nearer to the tail.
-  const bool inside = strictly
-                          ? before(other.left, at_.left) && before(at_.right, other.right)
-                          : !before(at_.left, other.left) && !before(other.right, at_.right);
+  const bool inside = strictly ? before(other.left, at_.left) && before(at_.right, other.right)
+                               : !before(at_.left, other.left) && !before(other.right, at_.right);
   need(inside, "does not end inside the orbit's segment", at_.side / 3);
 }
 
@@ -125,12 +124,11 @@ void Corridor<Number>::end_in_wall(u32 component) const {
   const u32 t = at_.side / 3;
   need(context_.zeros.of_triangle[t] == component, "not at the zero that is stated", t);
   u32 third = kNone, zeros = 0;
-  for (const u32 c : {3 * t, 3 * t + 1, 3 * t + 2}) {
+  for (const u32 c : {3 * t, 3 * t + 1, 3 * t + 2})
     if (is_zero(field.vector(c)))
       ++zeros;
     else
       third = c;
-  }
   need(zeros == 2, "no wall", t);
   // v is parallel to u: barycentric coordinates move at constant rates.
   Plane<Rational> u = exact(field.vector(third));
@@ -144,7 +142,9 @@ void Corridor<Number>::end_in_wall(u32 component) const {
   for (const Number& end : {at_.left, at_.right}) {
     const Rational s = tail_distance(end);
     const auto coordinate = [&](u32 corner) {
-      return corner == at_.side ? Rational(1 - s) : corner == next_corner(at_.side) ? s : Rational(0);
+      return corner == at_.side                ? Rational(1 - s)
+             : corner == next_corner(at_.side) ? s
+                                               : Rational(0);
     };
     for (const u32 c : {next_corner(third), previous_corner(third)})
       need(coordinate(c) * towards + rate(c) * coordinate(third) > 0, "misses the wall", t);

@@ -123,8 +123,7 @@ class Corridor {
   const Segment<Number>& at() const { return at_; }
   bool at_boundary() const { return at_boundary_; }
   Work work() const {
-    return {cells_, left_.pieces() + right_.pieces(),
-            left_.exact_pieces() + right_.exact_pieces()};
+    return {cells_, left_.pieces() + right_.pieces(), left_.exact_pieces() + right_.exact_pieces()};
   }
 
  private:

@@ -46,7 +46,12 @@ void build_fans(Domain& d) {
 }
 
 Pair low_part(const Pair& p, const Pair& q) {
-  return {q[0] > p[0] ? 1.0 : q[0] < p[0] ? -1.0 : 0.0, q[1] > p[1] ? 1.0 : q[1] < p[1] ? -1.0 : 0.0};
+  return {q[0] > p[0]   ? 1.0
+          : q[0] < p[0] ? -1.0
+                        : 0.0,
+          q[1] > p[1]   ? 1.0
+          : q[1] < p[1] ? -1.0
+                        : 0.0};
 }
 bool in_lower_half(const Pair& quadrant) {
   return quadrant[1] < 0 || (quadrant[1] == 0 && quadrant[0] < 0);
@@ -66,8 +71,8 @@ void check_angles(const Field& field, const Domain& d, SignLadder& sign) {
     const Pair& p = field.position(corners[0]);
     int crossings = 0;
     for (const u32 c : corners)
-      crossings += field.position(next_corner(c))[1] < p[1] &&
-                   field.position(previous_corner(c))[1] >= p[1];
+      crossings +=
+          field.position(next_corner(c))[1] < p[1] && field.position(previous_corner(c))[1] >= p[1];
     const u32 vertex = field.vertex(corners[0]);
     if (d.open[f] == 0) {
       require(crossings == 1, "vertex {}: its triangles go round {} times", vertex, crossings);

@@ -9,19 +9,20 @@
 namespace crest::certify::skeleton {
 
 struct Domain {
-  Buffer<u8> live;                  ///< F: a corner has a vector that is not zero
-  Buffer<u32> twin;                 ///< 3F: kNone at the boundary, at walls and in dead triangles
-  std::vector<u8> at_dead;          ///< 3F: the side borders on a dead triangle
-  Buffer<u32> fan;                  ///< 3F: fan of a live corner
-  std::vector<u32> fan_start;       ///< a fan's corners are round[fan_start[i]] .. counter-clockwise
-  Buffer<u32> round;                ///< corners of fans
-  std::vector<u8> open;             ///< of fans: on the boundary
+  Buffer<u8> live;             ///< F: a corner has a vector that is not zero
+  Buffer<u32> twin;            ///< 3F: kNone at the boundary, at walls and in dead triangles
+  std::vector<u8> at_dead;     ///< 3F: the side borders on a dead triangle
+  Buffer<u32> fan;             ///< 3F: fan of a live corner
+  std::vector<u32> fan_start;  ///< a fan's corners are round[fan_start[i]] .. counter-clockwise
+  Buffer<u32> round;           ///< corners of fans
+  std::vector<u8> open;        ///< of fans: on the boundary
   std::vector<std::vector<u32>> loops;  ///< sides, each from its least on, by their least
   std::size_t dead = 0;
 
   /// Counter-clockwise.
   std::span<const u32> corners_of(u32 f) const {
-    return std::span<const u32>(round.data(), round.size()).subspan(fan_start[f], fan_start[f + 1] - fan_start[f]);
+    return std::span<const u32>(round.data(), round.size())
+        .subspan(fan_start[f], fan_start[f + 1] - fan_start[f]);
   }
 };
 

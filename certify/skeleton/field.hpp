@@ -90,15 +90,13 @@ inline Sign orientation(SignLadder& sign, const Pair& p, const Pair& q, const Pa
 }
 /// Of det(q - p, v): positive is into what lies at the left of p -> q.
 inline Sign inflow_sign(SignLadder& sign, const Pair& p, const Pair& q, const Pair& v) {
-  return sign([&](const auto& lift) {
-    return det(lifted(lift, q) - lifted(lift, p), lifted(lift, v));
-  });
+  return sign(
+      [&](const auto& lift) { return det(lifted(lift, q) - lifted(lift, p), lifted(lift, v)); });
 }
 /// Of (q - p) . v.
 inline Sign along_sign(SignLadder& sign, const Pair& p, const Pair& q, const Pair& v) {
-  return sign([&](const auto& lift) {
-    return dot(lifted(lift, q) - lifted(lift, p), lifted(lift, v));
-  });
+  return sign(
+      [&](const auto& lift) { return dot(lifted(lift, q) - lifted(lift, p), lifted(lift, v)); });
 }
 
 /// How often the segment from a to b, which does not meet the origin, crosses the positive x-axis

@@ -25,7 +25,7 @@ struct LinearForms {
 
 template <class Number>
 struct Frame {
-  u32 corner = kNone;              ///< o
+  u32 corner = kNone;               ///< o
   LinearForms<Number> determinant;  ///< det(x', v)
   LinearForms<Number> product;      ///< x' . v
 };

@@ -12,8 +12,8 @@ void check_barrier(const SkeletonBarrier& b, const std::string& name) {
   require(std::find(kBits.begin(), kBits.end(), b.bits) != kBits.end(), "{}: {} bits", name,
           b.bits);
   require(b.degree >= 1 && b.degree <= (b.bits == 53 ? 50 : 128), "{}: degree {}", name, b.degree);
-  require(b.angle >= 1 && b.angle <= b.bits && std::abs(b.shrink) <= 16, "{}: angle {}, shrink {}", name,
-          b.angle, b.shrink);
+  require(b.angle >= 1 && b.angle <= b.bits && std::abs(b.shrink) <= 16, "{}: angle {}, shrink {}",
+          name, b.angle, b.shrink);
 }
 void check_barriers(const SkeletonBarrier& barrier, const std::vector<SkeletonException>& list,
                     std::size_t turns, const std::string& name) {
@@ -78,8 +78,8 @@ class LineCheck {
       if (!open) end_straight(walk);
       return {};
     }
-    require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(),
-            "{}: goes on from no vertex", name_);
+    require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(), "{}: goes on from no vertex",
+            name_);
     return corridor(line_.legs[1], &walk, claimed);
   }
 
@@ -129,8 +129,7 @@ class LineCheck {
       return;
     }
     require(before != nullptr || zero() == nullptr, "{}: does not start at its zero", name_);
-    const u32 fan =
-        before == nullptr ? origin_fan() : context_.domain.fan[before->spot().name];
+    const u32 fan = before == nullptr ? origin_fan() : context_.domain.fan[before->spot().name];
     if (leg.kind == LegKind::point) {
       require(leg.first.empty() && leg.second.empty(), "{}: numbers of a vertex", name_);
       require(fan != kNone && context_.domain.fan[leg.corner] == fan, "{}: starts elsewhere",
@@ -145,8 +144,8 @@ class LineCheck {
     const u32 head = next_corner(leg.corner);
     require(context_.domain.fan[leg.corner] == fan || context_.domain.fan[head] == fan,
             "{}: starts elsewhere", name_);
-    line.start_along(leg, context_.field.vertex(context_.domain.fan[leg.corner] == fan ? leg.corner
-                                                                                        : head));
+    line.start_along(
+        leg, context_.field.vertex(context_.domain.fan[leg.corner] == fan ? leg.corner : head));
   }
 
   template <class Line>
@@ -159,7 +158,8 @@ class LineCheck {
       case SkeletonEnd::orbit: {
         require(line_.to < context_.stated.orbits.size(), "{}: no orbit {}", name_, line_.to);
         const SkeletonOrbit& orbit = context_.stated.orbits[line_.to];
-        require((orbit.backward != 0) == backward_, "{}: ends in an orbit of the other kind", name_);
+        require((orbit.backward != 0) == backward_, "{}: ends in an orbit of the other kind",
+                name_);
         return line.end_in_segment({orbit.side, orbit.left, orbit.right}, false);
       }
       case SkeletonEnd::zero: {
@@ -185,10 +185,10 @@ class LineCheck {
       require(line_.to < context_.boundary.switches.size(), "{}: no switch point {}", name_,
               line_.to);
       const SkeletonSwitch& point = context_.boundary.switches[line_.to];
-      return require(point.place != 0 && spot.kind == Spot::at_vertex &&
-                         context_.domain.fan[spot.name] ==
-                             context_.domain.fan[next_corner(point.side)],
-                     "{}: does not end in switch point {}", name_, line_.to);
+      return require(
+          point.place != 0 && spot.kind == Spot::at_vertex &&
+              context_.domain.fan[spot.name] == context_.domain.fan[next_corner(point.side)],
+          "{}: does not end in switch point {}", name_, line_.to);
     }
     require(line_.end == SkeletonEnd::boundary, "{}: straight into an orbit", name_);
     const u32 found = region_at(spot);

@@ -30,9 +30,7 @@ struct Quadratic {
     return static_cast<int>(kernel::sign_of(Rational(2 * (q0 - q1 + q2) * s + q1 - 2 * q0)));
   }
   /// The number of the root with this sign before it.
-  u8 number(int before) const {
-    return q0 * q2 > 0 && before * q0 < 0 ? 1 : 0;
-  }
+  u8 number(int before) const { return q0 * q2 > 0 && before * q0 < 0 ? 1 : 0; }
 };
 
 /// The zero of a component in a triangle, seen from one of its sides.
@@ -160,12 +158,11 @@ void check_completeness(const Context& context, std::vector<Claimed> lines) {
     Group group{origin, from, backward, {}, 0};
     for (; at < lines.size() && lines[at].origin == origin && lines[at].from == from &&
            lines[at].backward == backward;
-         ++at) {
+         ++at)
       if (lines[at].known)
         group.known.push_back(lines[at].ray);
       else
         ++group.unknown;
-    }
     check_group(context, group);
   };
   for (u32 i = 0; i < context.zeros.components.size(); ++i)

@@ -50,8 +50,8 @@ struct SkeletonPoint {
   double a = 0, b = 0;
 };
 
-/// Whoever enters stays and ends in the zero. Inside a triangle: the ellipse (x - z)^T P (x - z) < 1
-/// in the frame of corner 0. Vertex: a polygon around it.
+/// Whoever enters stays and ends in the zero. Inside a triangle: the ellipse (x - z)^T P (x - z) <
+/// 1 in the frame of corner 0. Vertex: a polygon around it.
 struct SkeletonTrap {
   std::uint32_t zero = 0;
   std::array<double, 3> form{};     ///< P: aa, ab, bb; vertex: zeros
@@ -93,7 +93,7 @@ enum class OpenReason : std::uint8_t { none, saddle_connection, vertex_hit, weak
 
 struct SkeletonSeparatrix {
   SkeletonOrigin origin = SkeletonOrigin::zero;
-  std::uint32_t from = 0;     ///< number of the zero or switch point
+  std::uint32_t from = 0;         ///< number of the zero or switch point
   std::uint8_t backward = 0;      ///< 1: a stream line of -v
   std::vector<SkeletonLeg> legs;  ///< none: nothing is known but that it is there
   SkeletonEnd end = SkeletonEnd::undecided;

@@ -12,8 +12,8 @@ using Exact = Plane<Rational>;
 
 /// Between two neighbouring directions around the zero v is linear: det(d, v) is quadratic.
 struct Cone {
-  u32 exit;              ///< the side across
-  Exact from, to;        ///< directions to its tail and head
+  u32 exit;        ///< the side across
+  Exact from, to;  ///< directions to its tail and head
   Exact v_from, v_to;
 };
 

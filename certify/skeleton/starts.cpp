@@ -102,9 +102,8 @@ void Corridor<Number>::end_in_trap(const Trap& trap, const SkeletonBarrier& barr
   need(!at_boundary_, "ends at the boundary", at_.side / 3);
   need(trap.backward() == backward_, "ends in a zero of the other kind", at_.side / 3);
   ++cells_;
-  const auto starts = starting_ ? starts_
-                             : std::array{on_side(at_.side, at_.left),
-                                          on_side(at_.side, at_.right)};
+  const auto starts =
+      starting_ ? starts_ : std::array{on_side(at_.side, at_.left), on_side(at_.side, at_.right)};
   Point<Number> ends[2];
   for (const std::size_t i : {0U, 1U}) {
     Maker& maker = i == 0 ? left_ : right_;
@@ -119,8 +118,7 @@ void Corridor<Number>::end_in_trap(const Trap& trap, const SkeletonBarrier& barr
     return Point<Rational>{to_rational(p.a), to_rational(p.b)};
   };
   const u32 corner = starts[0].corner;
-  need(trap.holds(corner, rational(ends[0]),
-                  reframed(rational(ends[1]), starts[1].corner, corner)),
+  need(trap.holds(corner, rational(ends[0]), reframed(rational(ends[1]), starts[1].corner, corner)),
        "does not end in the trap", at_.side / 3);
 }
 

@@ -118,8 +118,7 @@ void StraightWalk::run(const SkeletonLeg& leg, const Component* zero) {
   } else if (zero->stated.place == ZeroPlace::triangle || zero->stated.place == ZeroPlace::edge) {
     const bool edge = zero->stated.place == ZeroPlace::edge;
     x_ = zero_point(field, context_.domain, *zero);
-    spot_ = {edge ? Spot::in_side : Spot::inside,
-             edge ? zero->place : 3 * zero->stated.triangle};
+    spot_ = {edge ? Spot::in_side : Spot::inside, edge ? zero->place : 3 * zero->stated.triangle};
   } else {
     if (!is_zero(field.vector(leg.corner)) ||
         &context_.zeros.components[context_.zeros.of_triangle[leg.corner / 3]] != zero)

@@ -90,10 +90,9 @@ void Trap::check_star(const Field& field, const Domain& domain, const Component&
   const auto fan = domain.corners_of(zero.place);
   require(!stated.star.empty() && stated.star[0].b == 0,
           "trap of zero {}: does not begin on an edge", stated.zero);
-  backward_ = trace_sign(make_frame<Rational>(field, stated.star[0].corner < field.corners()
-                                                         ? stated.star[0].corner
-                                                         : fan[0],
-                                              false)) > 0;
+  backward_ = trace_sign(make_frame<Rational>(
+                  field, stated.star[0].corner < field.corners() ? stated.star[0].corner : fan[0],
+                  false)) > 0;
   std::size_t turned = 0;  // corners that the polygon has left behind
   for (std::size_t i = 0; i < stated.star.size(); ++i) {
     const SkeletonPoint &p = stated.star[i], &q = stated.star[(i + 1) % stated.star.size()];
@@ -106,8 +105,8 @@ void Trap::check_star(const Field& field, const Domain& domain, const Component&
     require(stays || (q.corner == following && q.b == 0), "trap of zero {}: point {}: a gap",
             stated.zero, i);
     turned += !stays;
-    const Part part{p.corner, {p.a, p.b},
-                    stays ? Point<Rational>{q.a, q.b} : Point<Rational>{0, q.a}};
+    const Part part{
+        p.corner, {p.a, p.b}, stays ? Point<Rational>{q.a, q.b} : Point<Rational>{0, q.a}};
     check_part(field, part, stated.zero);
     auto& range = parts_of_.try_emplace(part.corner / 3, std::array{i, i}).first->second;
     range[1] = i + 1;
@@ -122,12 +121,12 @@ std::size_t Trap::part_of(u32 corner, const Point<Rational>& p) const {
   const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(range->second[0]),
              end = parts_.begin() + static_cast<std::ptrdiff_t>(range->second[1]);
   const Point<Rational> x = reframed(p, corner, begin->corner);
-  const auto after = std::partition_point(
-      begin, end, [&](const Part& part) { return cross(part.from, x) >= 0; });
+  const auto after =
+      std::partition_point(begin, end, [&](const Part& part) { return cross(part.from, x) >= 0; });
   if (after == begin) return kNone;
   const Part& part = *(after - 1);
-  const bool inside = cross(x, part.to) >= 0 &&
-                      cross(minus(part.to, part.from), minus(x, part.from)) > 0;
+  const bool inside =
+      cross(x, part.to) >= 0 && cross(minus(part.to, part.from), minus(x, part.from)) > 0;
   return inside ? static_cast<std::size_t>(&part - parts_.data()) : kNone;
 }
 

@@ -35,11 +35,11 @@ class Trap {
   std::size_t part_of(u32 corner, const Point<Rational>& p) const;
 
   bool backward_ = false;
-  u32 triangle_ = kNone;          ///< of the ellipse
-  Point<Rational> centre_{};      ///< in the frame of corner 0
+  u32 triangle_ = kNone;      ///< of the ellipse
+  Point<Rational> centre_{};  ///< in the frame of corner 0
   std::array<Rational, 3> form_;
-  std::array<double, 5> rounded_{};  ///< centre, form
-  std::vector<Part> parts_;  ///< counter-clockwise
+  std::array<double, 5> rounded_{};                     ///< centre, form
+  std::vector<Part> parts_;                             ///< counter-clockwise
   std::map<u32, std::array<std::size_t, 2>> parts_of_;  ///< of a triangle: from, to
 };
 

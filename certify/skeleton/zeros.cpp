@@ -36,8 +36,7 @@ void places_of(const Field& field, const Domain& domain, u32 t, SignLadder& sign
   }
   for (const u32 k : {c, c + 1, c + 2}) {
     if (is_zero(field.vector(k))) places.push_back({ZeroPlace::vertex, domain.fan[k], t});
-    if (has_edge_zero(field, k, sign))
-      places.push_back({ZeroPlace::edge, edge_name(domain, k), t});
+    if (has_edge_zero(field, k, sign)) places.push_back({ZeroPlace::edge, edge_name(domain, k), t});
   }
 }
 
@@ -62,10 +61,9 @@ std::vector<Place> join_places(const Field& field, const Domain& domain, SignLad
 void classify(const Field& field, u32 t, SignLadder& sign, SkeletonZero& zero) {
   const auto terms = [&](const auto& lift, const auto& use) {
     const auto p = lifted(lift, field.position(3 * t)), v = lifted(lift, field.vector(3 * t));
-    return use(lifted(lift, field.position(3 * t + 1)) - p,
-               lifted(lift, field.position(3 * t + 2)) - p,
-               lifted(lift, field.vector(3 * t + 1)) - v,
-               lifted(lift, field.vector(3 * t + 2)) - v);
+    return use(
+        lifted(lift, field.position(3 * t + 1)) - p, lifted(lift, field.position(3 * t + 2)) - p,
+        lifted(lift, field.vector(3 * t + 1)) - v, lifted(lift, field.vector(3 * t + 2)) - v);
   };
   if (turn_sign(sign, field.vector(3 * t), field.vector(3 * t + 1)) == Sign::negative) {
     zero.kind = ZeroClass::saddle;

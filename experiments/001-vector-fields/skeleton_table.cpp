@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skeletons of the generated fields: the reference table, the twins of the thesis' data, and a large
-// field; processor time of the whole, and of finding zeros alone.
+// Skeletons of the generated fields: the reference table, the twins of the thesis' data, and a
+// large field; processor time of the whole, and of finding zeros alone.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -42,9 +42,8 @@ void row(const std::string& name, sampling::PlanarSample sample) {
     return count(s.critical_points, [k](const CriticalPoint& c) { return c.kind == k; });
   };
   const auto touch = [&](bool inside, bool vertex) {
-    return count(s.switch_points, [=](const SwitchPoint& p) {
-      return p.inside == inside && p.at_vertex == vertex;
-    });
+    return count(s.switch_points,
+                 [=](const SwitchPoint& p) { return p.inside == inside && p.at_vertex == vertex; });
   };
   const auto end = [&](EndKind e) {
     return count(s.separatrices, [e](const Separatrix& l) { return l.end == e; });
@@ -53,19 +52,24 @@ void row(const std::string& name, sampling::PlanarSample sample) {
     return l.bits > 53 && l.end != EndKind::undecided;
   });
   fmt::print(
-      "| {} | {} | {} | {}/{}/{} ({}) | {}+{} / {}+{} | {} = {} | {} | {}/{}/{} | {} | {} | {} | {:.4f} "
+      "| {} | {} | {} | {}/{}/{} ({}) | {}+{} / {}+{} | {} = {} | {} | {}/{}/{} | {} | {} | {} | "
+      "{:.4f} "
       "| {:.3f} |\n",
       name, field.triangles.size(), zeros, kind(ZeroKind::saddle), kind(ZeroKind::source),
-      kind(ZeroKind::sink), count(s.critical_points, [](const CriticalPoint& c) { return c.focus; }),
-      touch(true, false), touch(true, true), touch(false, false), touch(false, true), s.index_sum,
-      s.winding_sum, s.separatrices.size(), end(EndKind::critical_point), end(EndKind::boundary),
-      end(EndKind::closed_orbit), end(EndKind::undecided), precise, s.counts.crossings, scan, whole);
+      kind(ZeroKind::sink),
+      count(s.critical_points, [](const CriticalPoint& c) { return c.focus; }), touch(true, false),
+      touch(true, true), touch(false, false), touch(false, true), s.index_sum, s.winding_sum,
+      s.separatrices.size(), end(EndKind::critical_point), end(EndKind::boundary),
+      end(EndKind::closed_orbit), end(EndKind::undecided), precise, s.counts.crossings, scan,
+      whole);
 }
 
 void table(int large) {
   fmt::print(
-      "| field | triangles | zeros | saddle/source/sink (foci) | switch in-edge + vertex / out-edge "
-      "+ vertex | index = winding | separatrices | ends zero/boundary/orbit | undecided | beyond 53 "
+      "| field | triangles | zeros | saddle/source/sink (foci) | switch in-edge + vertex / "
+      "out-edge "
+      "+ vertex | index = winding | separatrices | ends zero/boundary/orbit | undecided | beyond "
+      "53 "
       "bits | crossings | zeros alone, s | whole, s |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const std::pair<std::uint64_t, bool> fields[] = {{1, false}, {1, true},  {2, false}, {2, true},

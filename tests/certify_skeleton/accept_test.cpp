@@ -39,7 +39,8 @@ PlaneField integer_field(Random& random, std::uint32_t n, int range, bool hole) 
       n, n, 1,
       [&](double, double) {
         const auto number = [&] {
-          return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * range + 1)) - range);
+          return static_cast<double>(
+              static_cast<int>(random() % static_cast<unsigned>(2 * range + 1)) - range);
         };
         const double x = number();
         return std::array{x, number()};

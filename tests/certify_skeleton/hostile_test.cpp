@@ -183,17 +183,19 @@ TEST_CASE("hostile: short files do not cost much") {
   line.reason = OpenReason::budget;
   c.separatrices.assign(50000, line);
   c.ends = {0, 0, 0, 0, 50000};
-  CHECK(seconds([&] { CHECK(reason(c).find("too long straight lines") != std::string::npos); }) < 20);
+  CHECK(seconds([&] { CHECK(reason(c).find("too long straight lines") != std::string::npos); }) <
+        20);
   // Pieces as short as can be.
   c = original();
   for (auto& s : c.separatrices)
     if (!s.legs.empty()) s.legs[0].barrier.shrink = 11;
   CHECK(seconds([&] { CHECK_FALSE(reason(c).empty()); }) < 30);
   // Degrees, angles and bits that nobody needs.
-  for (const SkeletonBarrier& b : {SkeletonBarrier{0, 30, 53, 0}, SkeletonBarrier{51, 30, 53, 0},
-                                   SkeletonBarrier{12, 54, 53, 0}, SkeletonBarrier{12, 30, 54, 0},
-                                   SkeletonBarrier{129, 30, 133, 0}, SkeletonBarrier{12, 0, 53, 0},
-                                   SkeletonBarrier{12, 30, 53, 17}, SkeletonBarrier{12, 30, 65535, 0}}) {
+  for (const SkeletonBarrier& b :
+       {SkeletonBarrier{0, 30, 53, 0}, SkeletonBarrier{51, 30, 53, 0},
+        SkeletonBarrier{12, 54, 53, 0}, SkeletonBarrier{12, 30, 54, 0},
+        SkeletonBarrier{129, 30, 133, 0}, SkeletonBarrier{12, 0, 53, 0},
+        SkeletonBarrier{12, 30, 53, 17}, SkeletonBarrier{12, 30, 65535, 0}}) {
     c = original();
     c.separatrices[0].legs[0].barrier = b;
     CHECK(reason(c).find("separatrix 0: ") == 0);

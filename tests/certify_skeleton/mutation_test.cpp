@@ -50,8 +50,8 @@ std::vector<std::int64_t> points_of(const Certificate& c) {
     all.insert(all.end(), {z.triangle, static_cast<int>(z.place), static_cast<int>(z.kind), z.focus,
                            z.index, z.hyperbolic, z.elliptic});
   for (const auto& l : c.loops)
-    all.insert(all.end(), {l.side, l.zero, l.winding, l.turning, l.interior, l.exterior, l.inflow,
-                           l.outflow});
+    all.insert(all.end(),
+               {l.side, l.zero, l.winding, l.turning, l.interior, l.exterior, l.inflow, l.outflow});
   for (const auto& s : c.switches) all.insert(all.end(), {s.side, s.place, s.inside});
   all.push_back(c.index_sum);
   return all;
@@ -85,9 +85,8 @@ bool agree(const Certificate& a, const Certificate& b) {
                           std::back_inserter(common));
     // At most two lines of an origin and time: all that both decide must agree.
     const std::size_t lines = origin[0] == 0 ? 2 : 1;
-    const std::size_t least = both[0].size() + both[1].size() > lines
-                                  ? both[0].size() + both[1].size() - lines
-                                  : 0;
+    const std::size_t least =
+        both[0].size() + both[1].size() > lines ? both[0].size() + both[1].size() - lines : 0;
     if (common.size() < least) return false;
   }
   return true;
@@ -206,15 +205,17 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
     {"zero dropped", dropped(&C::zeros)},
     {"zero doubled", doubled(&C::zeros)},
     {"zero elsewhere", of(&C::zeros, [](auto& z, Random&) { ++z.triangle; })},
-    {"class changed",
-     of(&C::zeros, [](auto& z, Random& r) {
-       z.kind = static_cast<ZeroClass>((static_cast<unsigned>(z.kind) + 1 + r() % 4) % 5);
-     })},
+    {"class changed", of(&C::zeros,
+                         [](auto& z, Random& r) {
+                           z.kind = static_cast<ZeroClass>(
+                               (static_cast<unsigned>(z.kind) + 1 + r() % 4) % 5);
+                         })},
     {"focus changed", of(&C::zeros, [](auto& z, Random&) { z.focus ^= 1U; })},
-    {"place changed",
-     of(&C::zeros, [](auto& z, Random& r) {
-       z.place = static_cast<ZeroPlace>((static_cast<unsigned>(z.place) + 1 + r() % 4) % 5);
-     })},
+    {"place changed", of(&C::zeros,
+                         [](auto& z, Random& r) {
+                           z.place = static_cast<ZeroPlace>(
+                               (static_cast<unsigned>(z.place) + 1 + r() % 4) % 5);
+                         })},
     {"index changed",
      [](C& c, Random& r) {
        auto& z = c.zeros[pick(c.zeros, r)];
@@ -233,15 +234,22 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
        return true;
      }},
     {"sectors changed", of(&C::zeros, [](auto& z, Random&) { ++z.hyperbolic, ++z.elliptic; })},
-    {"winding and turning changed", of(&C::loops, [](auto& l, Random&) { ++l.winding, ++l.turning; })},
+    {"winding and turning changed",
+     of(&C::loops, [](auto& l, Random&) { ++l.winding, ++l.turning; })},
     {"loop dropped", dropped(&C::loops)},
-    {"counts of a loop changed", of(&C::loops, [](auto& l, Random&) { ++l.interior, ++l.exterior; })},
+    {"counts of a loop changed",
+     of(&C::loops, [](auto& l, Random&) { ++l.interior, ++l.exterior; })},
     {"regions of a loop changed", of(&C::loops, [](auto& l, Random&) { ++l.inflow; })},
     {"loop meets a zero", of(&C::loops, [](auto& l, Random&) { l.zero ^= 1U; })},
     {"switch point dropped", dropped(&C::switches)},
     {"switch point turned", of(&C::switches, [](auto& s, Random&) { s.inside ^= 1U; })},
     {"switch point elsewhere", of(&C::switches, [](auto& s, Random&) { ++s.side; })},
-    {"switch point of another kind", of(&C::switches, [](auto& s, Random&) { s.place = s.place == 2 ? std::uint8_t{0} : static_cast<std::uint8_t>(s.place + 1); })},
+    {"switch point of another kind", of(&C::switches,
+                                        [](auto& s, Random&) {
+                                          s.place = s.place == 2
+                                                        ? std::uint8_t{0}
+                                                        : static_cast<std::uint8_t>(s.place + 1);
+                                        })},
     {"index sum", [](C& c, Random&) { return ++c.index_sum, true; }},
     {"ends", [](C& c, Random& r) { return ++c.ends[r() % 5], true; }},
     {"trap dropped",
@@ -255,15 +263,16 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
      }},
     {"trap doubled", doubled(&C::traps)},
     {"trap of another zero", of(&C::traps, [](auto& t, Random&) { ++t.zero; })},
-    {"trap too large",
-     of(&C::traps, [](auto& t, Random&) { for (double& x : t.form) x /= 4; })},
+    {"trap too large", of(&C::traps,
+                          [](auto& t, Random&) {
+                            for (double& x : t.form) x /= 4;
+                          })},
     {"trap turned", of(&C::traps, [](auto& t, Random&) { t.form[0] = -t.form[0]; })},
     {"separatrix dropped",
      [](C& c, Random& r) { return dropped(&C::separatrices)(c, r) && (recount(c), true); }},
     {"separatrix doubled",
      [](C& c, Random& r) { return doubled(&C::separatrices)(c, r) && (recount(c), true); }},
-    {"turn changed",
-     of_line([](auto& line, C&, Random& r) {
+    {"turn changed", of_line([](auto& line, C&, Random& r) {
        auto& turns = line.legs[0].turns;
        auto& turn = turns[pick(turns, r)];
        turn = static_cast<Turn>((static_cast<unsigned>(turn) + 1 + r() % 2) % 3);
@@ -271,41 +280,34 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
      })},
     {"turn dropped",
      of_line([](auto& line, C&, Random&) { return line.legs[0].turns.pop_back(), true; })},
-    {"turn added",
-     of_line([](auto& line, C&, Random& r) {
+    {"turn added", of_line([](auto& line, C&, Random& r) {
        return line.legs[0].turns.push_back(static_cast<Turn>(r() % 3)), true;
      })},
-    {"time turned",
-     of_line([](auto& line, C&, Random&) { return line.backward ^= 1U, true; })},
-    {"end elsewhere",
-     of_line([](auto& line, C&, Random& r) {
+    {"time turned", of_line([](auto& line, C&, Random&) { return line.backward ^= 1U, true; })},
+    {"end elsewhere", of_line([](auto& line, C&, Random& r) {
        line.to += r() % 2 == 0 ? 1 : 2;
        return true;
      })},
-    {"end of another kind",
-     of_line([](auto& line, C& c, Random& r) {
+    {"end of another kind", of_line([](auto& line, C& c, Random& r) {
        line.end = static_cast<SkeletonEnd>((static_cast<unsigned>(line.end) + 1 + r() % 3) % 4);
        recount(c);
        return true;
      })},
-    {"ends exchanged",
-     of_line([](auto& line, C& c, Random& r) {
+    {"ends exchanged", of_line([](auto& line, C& c, Random& r) {
        auto& other = *decided(c, r);
        if (std::pair(line.end, line.to) == std::pair(other.end, other.to)) return false;
        std::swap(line.end, other.end);
        std::swap(line.to, other.to);
        return true;
      })},
-    {"origins exchanged",
-     of_line([](auto& line, C& c, Random& r) {
+    {"origins exchanged", of_line([](auto& line, C& c, Random& r) {
        auto& other = *decided(c, r);
        if (std::pair(line.origin, line.from) == std::pair(other.origin, other.from)) return false;
        std::swap(line.from, other.from);
        std::swap(line.origin, other.origin);
        return true;
      })},
-    {"a ray twice",
-     of_line([](auto& line, C& c, Random&) {
+    {"a ray twice", of_line([](auto& line, C& c, Random&) {
        for (auto& other : c.separatrices)
          if (&other != &line && other.from == line.from && other.backward == line.backward &&
              other.origin == line.origin) {
@@ -315,28 +317,24 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
          }
        return false;
      })},
-    {"start without length",
-     of_line([](auto& line, C&, Random&) {
+    {"start without length", of_line([](auto& line, C&, Random&) {
        auto& leg = line.legs[0];
        if (leg.kind != LegKind::ray) return false;
        leg.first = leg.second;
        return true;
      })},
-    {"start turned round",
-     of_line([](auto& line, C&, Random&) {
+    {"start turned round", of_line([](auto& line, C&, Random&) {
        auto& leg = line.legs[0];
        if (leg.kind == LegKind::point) return false;
        std::swap(leg.first, leg.second);
        return true;
      })},
-    {"start through another side",
-     of_line([](auto& line, C&, Random& r) {
+    {"start through another side", of_line([](auto& line, C&, Random& r) {
        auto& corner = line.legs[0].corner;
        corner = 3 * (corner / 3) + (corner + 1 + static_cast<unsigned>(r() % 2)) % 3;
        return true;
      })},
-    {"start of another kind",
-     of_line([](auto& line, C&, Random& r) {
+    {"start of another kind", of_line([](auto& line, C&, Random& r) {
        auto& kind = line.legs[0].kind;
        kind = static_cast<LegKind>((static_cast<unsigned>(kind) + 1 + r() % 3) % 4);
        return true;
@@ -345,17 +343,17 @@ const std::vector<std::pair<std::string, Edit>> kFalse = {
      of_line([](auto& line, C&, Random&) { return line.reason = OpenReason::budget, true; })},
     {"orbit turned", of(&C::orbits, [](auto& o, Random&) { o.backward ^= 1U; })},
     {"orbit beside", of(&C::orbits, [](auto& o, Random&) { o.left = o.right; })},
-    {"orbit with another turn",
-     of(&C::orbits, [](auto& o, Random& r) {
-       auto& turn = o.turns[pick(o.turns, r)];
-       turn = static_cast<Turn>((static_cast<unsigned>(turn) + 1 + r() % 2) % 3);
-     })},
+    {"orbit with another turn", of(&C::orbits,
+                                   [](auto& o, Random& r) {
+                                     auto& turn = o.turns[pick(o.turns, r)];
+                                     turn = static_cast<Turn>(
+                                         (static_cast<unsigned>(turn) + 1 + r() % 2) % 3);
+                                   })},
     {"orbit dropped", dropped(&C::orbits)},
     {"orbit through another side", of(&C::orbits, [](auto& o, Random&) { ++o.side; })},
 };
 const std::vector<std::pair<std::string, Edit>> kHarmless = {
-    {"way forgotten",
-     of_line([](auto& line, C& c, Random&) {
+    {"way forgotten", of_line([](auto& line, C& c, Random&) {
        line.legs.clear();
        line.end = SkeletonEnd::undecided;
        line.to = 0;
@@ -363,15 +361,13 @@ const std::vector<std::pair<std::string, Edit>> kHarmless = {
        recount(c);
        return true;
      })},
-    {"other barriers",
-     of_line([](auto& line, C&, Random& r) {
+    {"other barriers", of_line([](auto& line, C&, Random& r) {
        auto& b = line.legs[0].barrier;
        b.degree = static_cast<std::uint8_t>(8 + r() % 8);
        b.angle = static_cast<std::uint16_t>(20 + r() % 24);
        return true;
      })},
-    {"more bits",
-     of_line([](auto& line, C&, Random&) {
+    {"more bits", of_line([](auto& line, C&, Random&) {
        line.legs[0].barrier = {24, 80, 133, 0};
        return true;
      })},

@@ -59,7 +59,8 @@ TEST_CASE("refereed 1: index = 1 + (elliptic - hyperbolic) / 2 in random fans") 
     std::vector<Vec> rim, vectors;
     const int n = 3 + static_cast<int>(random() % 5);
     for (int k = 0; k < n; ++k) {
-      const double angle = 2 * M_PI * (k + 0.2 * std::ldexp(static_cast<double>(random() >> 11U), -53)) / n;
+      const double angle =
+          2 * M_PI * (k + 0.2 * std::ldexp(static_cast<double>(random() >> 11U), -53)) / n;
       rim.push_back({std::round(64 * std::cos(angle)), std::round(64 * std::sin(angle))});
       const auto number = [&] { return static_cast<double>(static_cast<int>(random() % 9) - 4); };
       const double x = number();
@@ -73,15 +74,16 @@ TEST_CASE("refereed 1: index = 1 + (elliptic - hyperbolic) / 2 in random fans") 
     hyperbolic += c.zeros[0].hyperbolic;
     elliptic += c.zeros[0].elliptic;
   }
-  std::cout << "random fans: " << hyperbolic << " hyperbolic, " << elliptic << " elliptic sectors\n";
+  std::cout << "random fans: " << hyperbolic << " hyperbolic, " << elliptic
+            << " elliptic sectors\n";
   CHECK(hyperbolic > 0);
   CHECK(elliptic > 0);
 }
 
 TEST_CASE("refereed 2: a zero on the boundary has no index") {
   // v = x at the vertices, half fan; and the edge zero of (-1, 0), (1, 0).
-  const PlaneField half{{{0, 0}, {1, 0}, {0, 1}, {-1, 0}}, {{0, 1, 2}, {0, 2, 3}},
-                        {{0, 0}, {1, 0}, {0, 1}, {-1, 0}}};
+  const PlaneField half{
+      {{0, 0}, {1, 0}, {0, 1}, {-1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {{0, 0}, {1, 0}, {0, 1}, {-1, 0}}};
   const PlaneField edge{{{-1, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {{-1, 0}, {1, 0}, {0, 1}}};
   for (const PlaneField& f : {half, edge}) {
     auto c = reference_points(f);
@@ -166,7 +168,14 @@ TEST_CASE("refereed 3: one-way arcs through one edge do not prove the crossing")
   Cell cell{{{{-4, -3}, {4, -3}, {0, 5}}},
             {{{4, 3}, {-4, 3}, {0, -5}}},
             1,
-            {{-.1, -3}, {-1.3, -2.6}, {-2.3, -1.4}, {-2.2, 0}, {-1.5, 1.4}, {0, 2.2}, {.9, 1.9}, {1.55, 1.9}},
+            {{-.1, -3},
+             {-1.3, -2.6},
+             {-2.3, -1.4},
+             {-2.2, 0},
+             {-1.5, 1.4},
+             {0, 2.2},
+             {.9, 1.9},
+             {1.55, 1.9}},
             {{.1, -3}, {1.2, -2.5}, {1.9, -1.5}, {2.1, -.5}, {2.2, .6}}};
   CHECK(cell.entered());
   CHECK(cell.one_way(false));
@@ -292,14 +301,16 @@ TEST_CASE("refereed 6: two orbits around no zero of their own, and no separatrix
   attracting.side = 0;
   attracting.left = -0.43;
   attracting.right = -0.34;
-  for (int i = 0; i < 8; ++i) attracting.turns.insert(attracting.turns.end(), {Turn::left, Turn::right});
+  for (int i = 0; i < 8; ++i)
+    attracting.turns.insert(attracting.turns.end(), {Turn::left, Turn::right});
   SkeletonOrbit repelling;
   repelling.side = 3 * (2 * (8 + 7) + 1) + 1;
   repelling.backward = 1;
   // Entered from the other side: the tail is outside.
   repelling.left = -0.35;
   repelling.right = -0.25;
-  for (int i = 0; i < 8; ++i) repelling.turns.insert(repelling.turns.end(), {Turn::left, Turn::right});
+  for (int i = 0; i < 8; ++i)
+    repelling.turns.insert(repelling.turns.end(), {Turn::left, Turn::right});
   c.orbits = {attracting, repelling};
   CHECK(reason(c) == "");
   for (const double shift : {0.1, -0.1}) {  // beside the orbits

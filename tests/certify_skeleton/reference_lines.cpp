@@ -114,8 +114,8 @@ class Tracer {
         }
         regions_[s][1] = base + (events + all - 1) % all;
         // A corner belongs to the side before: its region begins with the next side.
-        const bool corner = at > 0 && events > 0 && c_.switches[at - 1].side == s &&
-                            c_.switches[at - 1].place != 0;
+        const bool corner =
+            at > 0 && events > 0 && c_.switches[at - 1].side == s && c_.switches[at - 1].place != 0;
         if (corner) regions_[s][1] = base + (events + all - 2) % all;
       }
       base += all;
@@ -367,7 +367,8 @@ class Tracer {
     const double eta = 1e-3 * std::min(fixed, 1 - fixed);
     u32 number = 0;
     for (; number < c_.orbits.size(); ++number)
-      if (c_.orbits[number].side == side && std::fabs(from_tail(c_.orbits[number].left) - fixed) < 2 * eta)
+      if (c_.orbits[number].side == side &&
+          std::fabs(from_tail(c_.orbits[number].left) - fixed) < 2 * eta)
         break;
     std::size_t first = 0;
     while (std::fabs(seen[first].second - fixed) > eta / 2) ++first;

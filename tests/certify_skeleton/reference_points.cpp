@@ -154,8 +154,7 @@ std::vector<PointSet> components(const Mesh& m) {
 void classify(const Mesh& m, u32 t, SkeletonZero& z) {
   const Vec e = m.p(3 * t + 1) - m.p(3 * t), f = m.p(3 * t + 2) - m.p(3 * t),
             a = m.w(3 * t + 1) - m.w(3 * t), b = m.w(3 * t + 2) - m.w(3 * t);
-  const Q area = cross(e, f), trace = (cross(a, f) + cross(e, b)) / area,
-          det = cross(a, b) / area;
+  const Q area = cross(e, f), trace = (cross(a, f) + cross(e, b)) / area, det = cross(a, b) / area;
   z.kind = det < 0     ? ZeroClass::saddle
            : trace > 0 ? ZeroClass::source
            : trace < 0 ? ZeroClass::sink
@@ -239,7 +238,7 @@ SkeletonZero zero_record(const Mesh& m, const PointSet& s, std::array<int, 2>& r
   SkeletonZero z;
   z.triangle = *s.triangles.begin();
   const int kind = std::get<0>(*s.places.begin());
-  z.place = s.region               ? ZeroPlace::region
+  z.place = s.region              ? ZeroPlace::region
             : s.places.size() > 1 ? ZeroPlace::line
             : kind == 0           ? ZeroPlace::triangle
             : kind == 1           ? ZeroPlace::edge
@@ -317,8 +316,8 @@ void loop_record(const Mesh& m, const std::vector<u32>& sides, SkeletonCertifica
     regions.push_back(after);
   }
   if (loop.zero == 0) {
-    if (regions.empty()) regions.push_back(*std::find_if(normal.begin(), normal.end(),
-                                                         [](int s) { return s != 0; }));
+    if (regions.empty())
+      regions.push_back(*std::find_if(normal.begin(), normal.end(), [](int s) { return s != 0; }));
     for (const int s : regions) ++(s > 0 ? loop.inflow : loop.outflow);
     loop.winding = static_cast<int>(std::lround(winding / (2 * M_PI)));
     loop.turning = static_cast<int>(std::lround(turning / (2 * M_PI)));

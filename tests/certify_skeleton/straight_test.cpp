@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claim 9: lines that enclosures cannot finish: along edges, through vertices, into walls and zeros.
+// Claim 9: lines that enclosures cannot finish: along edges, through vertices, into walls and
+// zeros.
 #include <catch2/catch.hpp>
 
 #include "certify/skeleton/encode.hpp"
@@ -136,14 +137,21 @@ TEST_CASE("straight: from a saddle into a sink, a saddle connection, an irration
 }
 
 TEST_CASE("straight: a shear has a zero line, a uniform flow slides along slip walls") {
-  const auto shear = reference_points(centred(4, [](double, double y) { return std::array{y, 0.0}; }));
+  const auto shear = reference_points(centred(4, [](double, double y) {
+    return std::array{y, 0.0};
+  }));
   CHECK(reason(shear).empty());
   REQUIRE(shear.zeros.size() == 2);  // it cuts the domain
   for (const auto& z : shear.zeros) CHECK(z.place == ZeroPlace::line);
   CHECK(shear.separatrices.empty());
 
   const auto hole = [](std::uint32_t i, std::uint32_t j) { return i == 2 && j == 2; };
-  const auto f = grid_field(5, 5, 1, [](double, double) { return std::array{1.0, 0.0}; }, hole);
+  const auto f = grid_field(
+      5, 5, 1,
+      [](double, double) {
+        return std::array{1.0, 0.0};
+      },
+      hole);
   auto c = reference_points(f);
   REQUIRE(reason(c).empty());
   // The hole's upper and lower side: runs, touched from inside; two lines each.

@@ -56,8 +56,9 @@ TEST_CASE("crest skeleton: winds and velocimetry") {
   const TemporaryFolder folder;
   const std::string header =
       "\"nx\":3,\"ny\":2,\"lo1\":0,\"lo2\":2,\"la1\":1,\"la2\":0,\"parameterNumber\":";
-  write_text(folder / "w.json", "[{\"header\":{" + header + "2},\"data\":[1,1,1,1,1,1]},{\"header\":{" +
-                                    header + "3},\"data\":[0.5,-1,0.5,0.25,-1,null]}]");
+  write_text(folder / "w.json", "[{\"header\":{" + header +
+                                    "2},\"data\":[1,1,1,1,1,1]},{\"header\":{" + header +
+                                    "3},\"data\":[0.5,-1,0.5,0.25,-1,null]}]");
   auto run = run_crest("crest skeleton w.json --report w.rep.json", folder.path());
   INFO(run.err);
   CHECK(run.exit_code == 0);
@@ -85,7 +86,8 @@ TEST_CASE("crest skeleton: one line and exit code 3 for what it cannot take") {
   for (const Case& c : cases) {
     INFO(c.name);
     write_text(folder / c.name, c.text);
-    const auto run = run_crest(std::string("crest skeleton ") + c.name + " -o out.vtp", folder.path());
+    const auto run =
+        run_crest(std::string("crest skeleton ") + c.name + " -o out.vtp", folder.path());
     INFO(run.err);
     CHECK(run.exit_code == 3);
     CHECK(is_one_line(run.err));
