@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A stream line between two barriers, triangle by triangle (SPEC.md, lemma 11).
+// A stream line between two barriers, triangle by triangle (SPEC.md, lemma 13).
 #include <atomic>
 
 #include "certify/container/reject.hpp"

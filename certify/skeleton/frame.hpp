@@ -30,7 +30,7 @@ struct Frame {
   LinearForms<Number> product;      ///< x' . v
 };
 
-/// Number of roundings from the data to a value of a form: see bound() in arc.hpp.
+/// Each value of a form is three roundings away from the data (signs.hpp).
 template <class Number>
 Frame<Number> make_frame(const Field& field, u32 corner, bool backward) {
   const std::array<u32, 3> corners = {corner, next_corner(corner), previous_corner(corner)};

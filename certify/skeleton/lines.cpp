@@ -39,6 +39,59 @@ Work with_precision(u32 bits, const Follow& follow) {
   return follow(Big{});
 }
 
+/// The end of a line that is straight to its end.
+class StraightEnd {
+ public:
+  StraightEnd(const Context& context, const SkeletonSeparatrix& line, const std::string& name,
+              SignLadder& sign)
+      : context_(context), line_(line), name_(name), sign_(sign) {}
+
+  /// Throws Reject.
+  void check(const StraightWalk& walk) const {
+    const Spot& spot = walk.spot();
+    if (line_.end == SkeletonEnd::zero)
+      return require(walk.at_zero() && context_.zeros.of_triangle[walk.triangle()] == line_.to,
+                     "{}: does not end in zero {}", name_, line_.to);
+    require(!walk.at_zero() && walk.leaves(), "{}: does not leave the domain", name_);
+    if (line_.end == SkeletonEnd::switch_point) {
+      require(line_.to < context_.boundary.switches.size(), "{}: no switch point {}", name_,
+              line_.to);
+      const SkeletonSwitch& point = context_.boundary.switches[line_.to];
+      return require(
+          point.place != 0 && spot.kind == Spot::at_vertex &&
+              context_.domain.fan[spot.name] == context_.domain.fan[next_corner(point.side)],
+          "{}: does not end in switch point {}", name_, line_.to);
+    }
+    require(line_.end == SkeletonEnd::boundary, "{}: straight into an orbit", name_);
+    const u32 found = region_at(spot);
+    require(found == line_.to && found != kNone, "{}: does not end in region {}", name_, line_.to);
+  }
+
+ private:
+  /// kNone between two regions.
+  u32 region_at(const Spot& spot) const {
+    const auto& regions = context_.boundary.regions;
+    if (spot.kind == Spot::in_side) {
+      // v.N < 0 (forward) at the point: the end of the side with that sign has the region.
+      const Sign out = line_.backward != 0 ? Sign::positive : Sign::negative;
+      const Field& field = context_.field;
+      const u32 head = next_corner(spot.name);
+      const Sign tail = inflow_sign(sign_, field.position(spot.name), field.position(head),
+                                    field.vector(spot.name));
+      return regions[spot.name][tail == out ? 0 : 1];
+    }
+    const auto fan = context_.domain.corners_of(context_.domain.fan[spot.name]);
+    const u32 leaving = fan.front(), arriving = previous_corner(fan.back());
+    const u32 before = regions[arriving][1], after = regions[leaving][0];
+    return before == after ? before : kNone;
+  }
+
+  const Context& context_;
+  const SkeletonSeparatrix& line_;
+  const std::string& name_;
+  SignLadder& sign_;
+};
+
 /// One separatrix.
 class LineCheck {
  public:
@@ -75,7 +128,7 @@ class LineCheck {
     if (zero() != nullptr && zero()->stated.index != kNoIndex)
       claimed.ray = ray_name(context_, walk, *zero(), backward_);
     if (line_.legs.size() == 1) {
-      if (!open) end_straight(walk);
+      if (!open) StraightEnd(context_, line_, name_, sign_).check(walk);
       return {};
     }
     require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(), "{}: goes on from no vertex",
@@ -173,44 +226,6 @@ class LineCheck {
       default:
         require(false, "{}: ends in a switch point, but is not straight", name_);
     }
-  }
-
-  void end_straight(const StraightWalk& walk) const {
-    const Spot& spot = walk.spot();
-    if (line_.end == SkeletonEnd::zero)
-      return require(walk.at_zero() && context_.zeros.of_triangle[walk.triangle()] == line_.to,
-                     "{}: does not end in zero {}", name_, line_.to);
-    require(!walk.at_zero() && walk.leaves(), "{}: does not leave the domain", name_);
-    if (line_.end == SkeletonEnd::switch_point) {
-      require(line_.to < context_.boundary.switches.size(), "{}: no switch point {}", name_,
-              line_.to);
-      const SkeletonSwitch& point = context_.boundary.switches[line_.to];
-      return require(
-          point.place != 0 && spot.kind == Spot::at_vertex &&
-              context_.domain.fan[spot.name] == context_.domain.fan[next_corner(point.side)],
-          "{}: does not end in switch point {}", name_, line_.to);
-    }
-    require(line_.end == SkeletonEnd::boundary, "{}: straight into an orbit", name_);
-    const u32 found = region_at(spot);
-    require(found == line_.to && found != kNone, "{}: does not end in region {}", name_, line_.to);
-  }
-
-  /// kNone between two regions.
-  u32 region_at(const Spot& spot) const {
-    const auto& regions = context_.boundary.regions;
-    if (spot.kind == Spot::in_side) {
-      // v.N < 0 (forward) at the point: the end of the side with that sign has the region.
-      const Sign out = backward_ ? Sign::positive : Sign::negative;
-      const Field& field = context_.field;
-      const u32 head = next_corner(spot.name);
-      const Sign tail = inflow_sign(sign_, field.position(spot.name), field.position(head),
-                                    field.vector(spot.name));
-      return regions[spot.name][tail == out ? 0 : 1];
-    }
-    const auto fan = context_.domain.corners_of(context_.domain.fan[spot.name]);
-    const u32 leaving = fan.front(), arriving = previous_corner(fan.back());
-    const u32 before = regions[arriving][1], after = regions[leaving][0];
-    return before == after ? before : kNone;
   }
 
   const Context& context_;

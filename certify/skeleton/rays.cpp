@@ -51,22 +51,12 @@ Exact zero_across(const Context& context, u32 side, const Component& zero) {
   return exact(context.field.position(opposite));
 }
 
-Rational exact_sum(const std::vector<double>& parts) {
-  Rational sum = 0;
-  for (const double x : parts) sum += Rational(x);
-  return sum;
-}
-
 }  // namespace
 
-RaySigns ray_signs(const Context& context, const SkeletonLeg& leg, const Component& zero) {
-  const Exact z = zero_across(context, leg.corner, zero);
-  const Quadratic q(context.field, leg.corner, z);
-  const auto at = [&](const std::vector<double>& parts) {
-    const Rational t = exact_sum(parts);
-    return q.sign_at(t > 0 ? t : Rational(1 + t));
-  };
-  return {at(leg.first), at(leg.second)};
+RaySigns ray_signs(const Context& context, u32 side, const Component& zero, const Rational& left,
+                   const Rational& right) {
+  const Quadratic q(context.field, side, zero_across(context, side, zero));
+  return {q.sign_at(left), q.sign_at(right)};
 }
 
 Ray ray_name(const Context& context, const SkeletonLeg& leg, const Component& zero,

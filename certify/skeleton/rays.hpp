@@ -6,8 +6,10 @@
 
 namespace crest::certify::skeleton {
 
-/// Of a leg of kind ray. Throws Reject unless its segment lies across from the zero in a triangle.
-RaySigns ray_signs(const Context& context, const SkeletonLeg& leg, const Component& zero);
+/// At two points of a side, by their distances from its tail. Throws Reject unless it lies across
+/// from the zero in a triangle.
+RaySigns ray_signs(const Context& context, u32 side, const Component& zero, const Rational& left,
+                   const Rational& right);
 
 /// The name of a line among those of its origin: a ray of a vertex or edge, or the side (root 0)
 /// or vertex (root 3, a fan) through which a saddle's ray leaves its triangle.

@@ -100,7 +100,7 @@ TEST_CASE("refereed 2: a zero on the boundary has no index") {
 
 namespace {
 
-/// A triangle, v affine in it, and two paths of straight pieces: what lemma 11 asks for.
+/// A triangle, v affine in it, and two paths of straight pieces: what lemma 13 asks for.
 struct Cell {
   std::array<Vec, 3> corner;  ///< entered through side 0, left through `exit`
   std::array<Vec, 3> vector;

@@ -44,9 +44,10 @@ struct Local {
   Vec at(const Vec& x) const { return o + x[0] * a + x[1] * b; }
 };
 
-class Tracer {
+/// The field by corners, glued; regions of the boundary.
+class View {
  public:
-  Tracer(const PlaneField& f, SkeletonCertificate& c) : f_(f), c_(c) {
+  View(const PlaneField& f, SkeletonCertificate& c) : f_(f), c_(c) {
     std::map<std::array<u32, 2>, u32> sides;
     const auto n = static_cast<u32>(3 * f.triangles.size());
     for (u32 k = 0; k < n; ++k) sides[{v(k), v(nx(k))}] = k;
@@ -55,27 +56,10 @@ class Tracer {
       const auto other = sides.find({v(nx(k)), v(k)});
       if (other != sides.end() && !(nil(k) && nil(nx(k)))) twin_[k] = other->second;
     }
-    zero_of_.assign(f.triangles.size(), kNotStated);
-    for (u32 i = 0; i < c.zeros.size(); ++i)
-      if (c.zeros[i].place == ZeroPlace::triangle) zero_of_[c.zeros[i].triangle] = i;
     find_regions();
-    find_traps();
   }
 
-  void all_lines() {
-    // Of zeros on vertices and edges nothing is known.
-    std::erase_if(c_.separatrices, [&](const SkeletonSeparatrix& line) {
-      return line.origin != SkeletonOrigin::zero ||
-             c_.zeros[line.from].kind != ZeroClass::higher_order;
-    });
-    for (u32 i = 0; i < c_.zeros.size(); ++i)
-      if (c_.zeros[i].kind == ZeroClass::saddle) saddle(i);
-    for (u32 i = 0; i < c_.switches.size(); ++i)
-      if (c_.switches[i].inside != 0)
-        for (const bool backward : {false, true}) switch_line(i, backward);
-  }
-
- private:
+ protected:
   u32 v(u32 k) const { return f_.triangles[k / 3][k % 3]; }
   const Vec& p(u32 k) const { return f_.positions[v(k)]; }
   const Vec& w(u32 k) const { return f_.vectors[v(k)]; }
@@ -91,6 +75,15 @@ class Tracer {
     return from_tail <= 0.5 ? from_tail : -(1 - from_tail);
   }
   static double from_tail(double t) { return t > 0 ? t : 1 + t; }
+
+  static Turn turn_of(u32 entered, u32 exit) {
+    return exit == entered ? Turn::back : exit == nx(entered) ? Turn::right : Turn::left;
+  }
+  static double head_weight(u32 corner, const Vec& x, u32 side) {
+    const double l[3] = {1 - x[0] - x[1], x[0], x[1]};
+    const u32 head = nx(side);
+    return head == corner ? l[0] : head == nx(corner) ? l[1] : l[2];
+  }
 
   /// Regions at the ends of boundary sides, by the events in the order of the loops.
   void find_regions() {
@@ -122,6 +115,23 @@ class Tracer {
     }
   }
 
+  const PlaneField& f_;
+  SkeletonCertificate& c_;
+  std::vector<u32> twin_;
+  std::vector<std::array<u32, 2>> regions_;
+};
+
+/// Steps through triangles; ellipses around sinks and sources.
+class Stepper : public View {
+ public:
+  Stepper(const PlaneField& f, SkeletonCertificate& c) : View(f, c) {
+    zero_of_.assign(f.triangles.size(), kNotStated);
+    for (u32 i = 0; i < c.zeros.size(); ++i)
+      if (c.zeros[i].place == ZeroPlace::triangle) zero_of_[c.zeros[i].triangle] = i;
+    find_traps();
+  }
+
+ protected:
   void find_traps() {
     for (u32 i = 0; i < c_.zeros.size(); ++i) {
       const SkeletonZero& z = c_.zeros[i];
@@ -158,6 +168,175 @@ class Tracer {
     return {cross(l.b, l.o) / d, cross(l.o, l.a) / d};
   }
 
+  /// Moves x along v until it leaves the triangle; the coordinate that vanishes, or -1.
+  int leave(u32 corner, bool backward, Vec& x) const {
+    const Local l = local(corner, backward);
+    const double norm =
+        std::max(std::fabs(l.a[0]) + std::fabs(l.b[0]), std::fabs(l.a[1]) + std::fabs(l.b[1]));
+    bool first = true;
+    for (int step = 0; step < 2000; ++step, first = false) {
+      const Vec v0 = l.at(x);
+      const double h = 1 / (4 * norm + 8 * std::max(std::fabs(v0[0]), std::fabs(v0[1])));
+      std::vector<Vec> series = {x};
+      Vec c = h * v0;
+      for (int k = 1; k <= 16; ++k) {
+        series.push_back(c);
+        c = (h / (k + 1)) * (c[0] * l.a + c[1] * l.b);
+      }
+      const auto point = [&](double s) {
+        Vec sum{0, 0};
+        for (std::size_t k = series.size(); k-- > 0;) sum = s * sum + series[k];
+        return sum;
+      };
+      const auto least = [&](double s, int& which) {
+        const Vec y = point(s);
+        const double m[3] = {1 - y[0] - y[1], y[0], y[1]};
+        which = m[0] < m[1] ? (m[0] < m[2] ? 0 : 2) : (m[1] < m[2] ? 1 : 2);
+        return m[which];
+      };
+      int which = 0;
+      double low = first ? 1e-7 : 0;
+      constexpr int kSamples = 16;
+      for (int k = 1; k <= kSamples; ++k) {
+        double high = static_cast<double>(k) / kSamples;
+        if (least(high, which) >= 0) {
+          low = high;
+          continue;
+        }
+        for (int i = 0; i < 60; ++i) {
+          const double mid = (low + high) / 2;
+          (least(mid, which) >= 0 ? low : high) = mid;
+        }
+        least(high, which);
+        x = point(high);
+        return which;
+      }
+      x = point(1);
+      if (trapped(corner, x, backward)) return -2;
+    }
+    return -1;
+  }
+  bool trapped(u32 corner, const Vec& x, bool backward) const {
+    const u32 zero = zero_of_[corner / 3];
+    if (zero == kNotStated) return false;
+    const auto trap = traps_.find(zero);
+    if (trap == traps_.end() || (c_.zeros[zero].kind == ZeroClass::source) != backward)
+      return false;
+    const double m[3] = {1 - x[0] - x[1], x[0], x[1]};
+    const u32 k = corner % 3;  // weights of corners 1 and 2 of the triangle
+    const Vec y = Vec{m[(4 - k) % 3], m[(5 - k) % 3]} - trap->second.first;
+    const auto& form = trap->second.second;
+    return form[0] * y[0] * y[0] + 2 * form[1] * y[0] * y[1] + form[2] * y[1] * y[1] < 0.5;
+  }
+
+  std::vector<u32> zero_of_;
+  std::map<u32, std::pair<Vec, std::array<double, 3>>> traps_;
+};
+
+/// Follows lines from triangle to triangle to their ends.
+class Follower : public Stepper {
+ public:
+  using Stepper::Stepper;
+
+ protected:
+  /// Inside the triangle of a corner at x in its frame.
+  void follow_from(SkeletonSeparatrix& line, u32 corner, const Vec& x) {
+    Vec at = x;
+    const int exit = leave(corner, line.backward != 0, at);
+    if (exit < 0) {
+      line.legs.clear();
+      line.reason = OpenReason::budget;
+      return;
+    }
+    const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
+    const u32 side = nx(opposite);
+    line.legs[0].turns.push_back(turn_of(corner, side));
+    follow(line, side, head_weight(corner, at, side));
+  }
+  /// On from a point of a side that was left (weight of its head), triangle by triangle.
+  void follow(SkeletonSeparatrix& line, u32 left, double head) {
+    auto& turns = line.legs[0].turns;
+    const bool backward = line.backward != 0;
+    std::map<u32, std::vector<std::pair<std::size_t, double>>> visits;
+    u32 side = left;
+    for (int count = 0; count < 5000; ++count) {
+      if (twin_[side] == kNotStated) {
+        line.end = SkeletonEnd::boundary;
+        const double n0 = cross(p(nx(side)) - p(side), w(side));
+        line.to = regions_[side][(n0 < 0) == !backward ? 0 : 1];
+        return;
+      }
+      const u32 entered = twin_[side];
+      const double at = 1 - head;
+      auto& seen = visits[entered];
+      seen.emplace_back(turns.size(), at);
+      if (seen.size() > 40) return orbit(line, entered, seen, backward);
+      // The frame of the nearer end.
+      const u32 corner = at <= 0.5 ? entered : nx(entered);
+      Vec x = at <= 0.5 ? Vec{at, 0} : Vec{0, head};
+      const int exit = leave(corner, backward, x);
+      if (exit == -2) {
+        line.end = SkeletonEnd::zero;
+        line.to = zero_of_[entered / 3];
+        return;
+      }
+      if (exit < 0) break;
+      const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
+      side = nx(opposite);
+      turns.push_back(turn_of(entered, side));
+      head = head_weight(corner, x, side);
+      if (head < 1e-9 || head > 1 - 1e-9) break;
+    }
+    line.reason = OpenReason::budget;
+  }
+
+  void orbit(SkeletonSeparatrix& line, u32 side,
+             const std::vector<std::pair<std::size_t, double>>& seen, bool backward) {
+    auto& turns = line.legs[0].turns;
+    const double fixed = seen.back().second;
+    const double eta = 1e-3 * std::min(fixed, 1 - fixed);
+    u32 number = 0;
+    for (; number < c_.orbits.size(); ++number)
+      if (c_.orbits[number].side == side &&
+          std::fabs(from_tail(c_.orbits[number].left) - fixed) < 2 * eta)
+        break;
+    std::size_t first = 0;
+    while (std::fabs(seen[first].second - fixed) > eta / 2) ++first;
+    if (number == c_.orbits.size()) {
+      SkeletonOrbit orbit;
+      orbit.side = side;
+      orbit.backward = backward;
+      orbit.left = signed_distance(fixed - eta);
+      orbit.right = signed_distance(fixed + eta);
+      orbit.barrier = kBarrier;
+      orbit.turns.assign(turns.begin() + static_cast<std::ptrdiff_t>(seen[seen.size() - 2].first),
+                         turns.begin() + static_cast<std::ptrdiff_t>(seen.back().first));
+      c_.orbits.push_back(orbit);
+    }
+    turns.resize(seen[first].first);
+    line.end = SkeletonEnd::orbit;
+    line.to = number;
+  }
+};
+
+class Tracer : public Follower {
+ public:
+  using Follower::Follower;
+
+  void all_lines() {
+    // Of zeros on vertices and edges nothing is known.
+    std::erase_if(c_.separatrices, [&](const SkeletonSeparatrix& line) {
+      return line.origin != SkeletonOrigin::zero ||
+             c_.zeros[line.from].kind != ZeroClass::higher_order;
+    });
+    for (u32 i = 0; i < c_.zeros.size(); ++i)
+      if (c_.zeros[i].kind == ZeroClass::saddle) saddle(i);
+    for (u32 i = 0; i < c_.switches.size(); ++i)
+      if (c_.switches[i].inside != 0)
+        for (const bool backward : {false, true}) switch_line(i, backward);
+  }
+
+ private:
   void saddle(u32 i) {
     const u32 t = c_.zeros[i].triangle, corner = 3 * t;
     const Local l = local(corner, false);
@@ -238,161 +417,6 @@ class Tracer {
     }
     c_.separatrices.push_back(line);
   }
-
-  /// Inside the triangle of a corner at x in its frame.
-  void follow_from(SkeletonSeparatrix& line, u32 corner, const Vec& x) {
-    Vec at = x;
-    const int exit = leave(corner, line.backward != 0, at);
-    if (exit < 0) {
-      line.legs.clear();
-      line.reason = OpenReason::budget;
-      return;
-    }
-    const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
-    const u32 side = nx(opposite);
-    line.legs[0].turns.push_back(turn_of(corner, side));
-    follow(line, side, head_weight(corner, at, side));
-  }
-  static Turn turn_of(u32 entered, u32 exit) {
-    return exit == entered ? Turn::back : exit == nx(entered) ? Turn::right : Turn::left;
-  }
-  static double head_weight(u32 corner, const Vec& x, u32 side) {
-    const double l[3] = {1 - x[0] - x[1], x[0], x[1]};
-    const u32 head = nx(side);
-    return head == corner ? l[0] : head == nx(corner) ? l[1] : l[2];
-  }
-
-  /// Moves x along v until it leaves the triangle; the coordinate that vanishes, or -1.
-  int leave(u32 corner, bool backward, Vec& x) const {
-    const Local l = local(corner, backward);
-    const double norm =
-        std::max(std::fabs(l.a[0]) + std::fabs(l.b[0]), std::fabs(l.a[1]) + std::fabs(l.b[1]));
-    bool first = true;
-    for (int step = 0; step < 2000; ++step, first = false) {
-      const Vec v0 = l.at(x);
-      const double h = 1 / (4 * norm + 8 * std::max(std::fabs(v0[0]), std::fabs(v0[1])));
-      std::vector<Vec> series = {x};
-      Vec c = h * v0;
-      for (int k = 1; k <= 16; ++k) {
-        series.push_back(c);
-        c = (h / (k + 1)) * (c[0] * l.a + c[1] * l.b);
-      }
-      const auto point = [&](double s) {
-        Vec sum{0, 0};
-        for (std::size_t k = series.size(); k-- > 0;) sum = s * sum + series[k];
-        return sum;
-      };
-      const auto least = [&](double s, int& which) {
-        const Vec y = point(s);
-        const double m[3] = {1 - y[0] - y[1], y[0], y[1]};
-        which = m[0] < m[1] ? (m[0] < m[2] ? 0 : 2) : (m[1] < m[2] ? 1 : 2);
-        return m[which];
-      };
-      int which = 0;
-      double low = first ? 1e-7 : 0;
-      constexpr int kSamples = 16;
-      for (int k = 1; k <= kSamples; ++k) {
-        double high = static_cast<double>(k) / kSamples;
-        if (least(high, which) >= 0) {
-          low = high;
-          continue;
-        }
-        for (int i = 0; i < 60; ++i) {
-          const double mid = (low + high) / 2;
-          (least(mid, which) >= 0 ? low : high) = mid;
-        }
-        least(high, which);
-        x = point(high);
-        return which;
-      }
-      x = point(1);
-      if (trapped(corner, x, backward)) return -2;
-    }
-    return -1;
-  }
-  bool trapped(u32 corner, const Vec& x, bool backward) const {
-    const u32 zero = zero_of_[corner / 3];
-    if (zero == kNotStated) return false;
-    const auto trap = traps_.find(zero);
-    if (trap == traps_.end() || (c_.zeros[zero].kind == ZeroClass::source) != backward)
-      return false;
-    const double m[3] = {1 - x[0] - x[1], x[0], x[1]};
-    const u32 k = corner % 3;  // weights of corners 1 and 2 of the triangle
-    const Vec y = Vec{m[(4 - k) % 3], m[(5 - k) % 3]} - trap->second.first;
-    const auto& form = trap->second.second;
-    return form[0] * y[0] * y[0] + 2 * form[1] * y[0] * y[1] + form[2] * y[1] * y[1] < 0.5;
-  }
-
-  /// On from a point of a side that was left (weight of its head), triangle by triangle.
-  void follow(SkeletonSeparatrix& line, u32 left, double head) {
-    auto& turns = line.legs[0].turns;
-    const bool backward = line.backward != 0;
-    std::map<u32, std::vector<std::pair<std::size_t, double>>> visits;
-    u32 side = left;
-    for (int count = 0; count < 5000; ++count) {
-      if (twin_[side] == kNotStated) {
-        line.end = SkeletonEnd::boundary;
-        const double n0 = cross(p(nx(side)) - p(side), w(side));
-        line.to = regions_[side][(n0 < 0) == !backward ? 0 : 1];
-        return;
-      }
-      const u32 entered = twin_[side];
-      const double at = 1 - head;
-      auto& seen = visits[entered];
-      seen.emplace_back(turns.size(), at);
-      if (seen.size() > 40) return orbit(line, entered, seen, backward);
-      // The frame of the nearer end.
-      const u32 corner = at <= 0.5 ? entered : nx(entered);
-      Vec x = at <= 0.5 ? Vec{at, 0} : Vec{0, head};
-      const int exit = leave(corner, backward, x);
-      if (exit == -2) {
-        line.end = SkeletonEnd::zero;
-        line.to = zero_of_[entered / 3];
-        return;
-      }
-      if (exit < 0) break;
-      const u32 opposite = exit == 0 ? corner : exit == 1 ? nx(corner) : pv(corner);
-      side = nx(opposite);
-      turns.push_back(turn_of(entered, side));
-      head = head_weight(corner, x, side);
-      if (head < 1e-9 || head > 1 - 1e-9) break;
-    }
-    line.reason = OpenReason::budget;
-  }
-
-  void orbit(SkeletonSeparatrix& line, u32 side,
-             const std::vector<std::pair<std::size_t, double>>& seen, bool backward) {
-    auto& turns = line.legs[0].turns;
-    const double fixed = seen.back().second;
-    const double eta = 1e-3 * std::min(fixed, 1 - fixed);
-    u32 number = 0;
-    for (; number < c_.orbits.size(); ++number)
-      if (c_.orbits[number].side == side &&
-          std::fabs(from_tail(c_.orbits[number].left) - fixed) < 2 * eta)
-        break;
-    std::size_t first = 0;
-    while (std::fabs(seen[first].second - fixed) > eta / 2) ++first;
-    if (number == c_.orbits.size()) {
-      SkeletonOrbit orbit;
-      orbit.side = side;
-      orbit.backward = backward;
-      orbit.left = signed_distance(fixed - eta);
-      orbit.right = signed_distance(fixed + eta);
-      orbit.barrier = kBarrier;
-      orbit.turns.assign(turns.begin() + static_cast<std::ptrdiff_t>(seen[seen.size() - 2].first),
-                         turns.begin() + static_cast<std::ptrdiff_t>(seen.back().first));
-      c_.orbits.push_back(orbit);
-    }
-    turns.resize(seen[first].first);
-    line.end = SkeletonEnd::orbit;
-    line.to = number;
-  }
-
-  const PlaneField& f_;
-  SkeletonCertificate& c_;
-  std::vector<u32> twin_, zero_of_;
-  std::vector<std::array<u32, 2>> regions_;
-  std::map<u32, std::pair<Vec, std::array<double, 3>>> traps_;
 };
 
 void count_ends(SkeletonCertificate& c) {
