@@ -54,18 +54,18 @@ Outcome work(Run& run, const SkeletonOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<SkeletonOptions>();
   SkeletonOptions& o = *options;
-  add_common_options(app, o.common,
-                     "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts, winds .json, "
-                     "velocimetry .txt .vec)",
-                     "the skeleton (.vtp)");
+  add_common_options(
+      app, o.common,
+      "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts, winds .json, "
+      "velocimetry .txt .vec)",
+      "the skeleton (.vtp)");
   app.add_option("--vectors", o.vectors.field,
                  "the array (default: the only one of 2 or 3 numbers)")
       ->type_name("NAME");
   app.add_flag("--cell-to-point", o.vectors.cell_to_point,
                "take vectors of cells: at a point the mean of those around it");
-  const std::map<std::string, io::Diagonal> diagonals = {{"up", io::Diagonal::up},
-                                                         {"down", io::Diagonal::down},
-                                                         {"short", io::Diagonal::shorter}};
+  const std::map<std::string, io::Diagonal> diagonals = {
+      {"up", io::Diagonal::up}, {"down", io::Diagonal::down}, {"short", io::Diagonal::shorter}};
   app.add_option("--diagonal", o.vectors.diagonal,
                  "of grids' cells: up, down or short (default: up)")
       ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))

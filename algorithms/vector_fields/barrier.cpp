@@ -108,6 +108,7 @@ Real BarrierMaker<Real>::root(const Piece& p, int corner, bool divided) const {
       slope = slope * s + value;
       value = value * s + e[k];
     }
+    if (value == 0) return s;
     (value > 0 ? low : high) = s;
     Real next = slope < 0 ? Real(s - value / slope) : Real((low + high) / 2);
     if (!(next > low && next < high)) next = (low + high) / 2;

@@ -16,8 +16,8 @@
 namespace crest::vector_fields {
 
 /// Regions at the ends of a boundary edge; they differ if it switches inside. On each loop switch
-/// points and runs with zeros are events; region r follows event r, and the loop's start lies in the
-/// last one.
+/// points and runs with zeros are events; region r follows event r, and the loop's start lies in
+/// the last one.
 struct EdgeRegions {
   Index at_from = kNone, at_to = kNone;  ///< kNone: tangent or zero there
 };
@@ -26,8 +26,7 @@ struct Boundary {
   std::vector<std::vector<HalfEdge>> half_edges;  ///< by loops
   std::vector<BoundaryLoop> loops;
   std::vector<SwitchPoint> switch_points;
-  std::unordered_map<HalfEdge, EdgeRegions>
-      regions;  ///< inflow and outflow, over all loops
+  std::unordered_map<HalfEdge, EdgeRegions> regions;  ///< inflow and outflow, over all loops
 };
 
 Boundary examine_boundary(const Domain& domain);

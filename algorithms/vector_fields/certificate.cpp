@@ -26,7 +26,10 @@ certify::SkeletonZero record_of(const ZeroComponent& z) {
 }
 
 certify::SkeletonSwitch record_of(const SwitchPoint& s) {
-  return {s.side, static_cast<std::uint8_t>(!s.at_vertex ? 0 : s.tangent ? 2 : 1),
+  return {s.side,
+          static_cast<std::uint8_t>(!s.at_vertex ? 0
+                                    : s.tangent  ? 2
+                                                 : 1),
           static_cast<std::uint8_t>(s.inside ? 1 : 0)};
 }
 
@@ -169,8 +172,7 @@ Skeleton extract_skeleton(const PlanarField& field, certify::SkeletonCertificate
   record.vectors = field.vectors;
   record.triangles = field.triangles;
   for (const ZeroComponent& z : a.zeros) record.zeros.push_back(record_of(z));
-  for (const SwitchPoint& s : a.boundary.switch_points)
-    record.switches.push_back(record_of(s));
+  for (const SwitchPoint& s : a.boundary.switch_points) record.switches.push_back(record_of(s));
   for (std::size_t i = 0; i < a.boundary.loops.size(); ++i)
     record.loops.push_back(record_of(a.boundary.loops[i], a.boundary.half_edges[i].front()));
   record.traps = traps_of(a);

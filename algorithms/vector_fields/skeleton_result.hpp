@@ -40,8 +40,8 @@ struct SwitchPoint {
   Index edge = 0;             ///< 3 t + k: the edge, or the one that leaves the run's first vertex
   bool at_vertex = false;
   bool tangent = false;  ///< v is tangent there
-  Index last_edge = 0;  ///< at a vertex: the edge that arrives at the (last) one
-  Index side = 0;       ///< the edge that holds the last sign before it
+  Index last_edge = 0;   ///< at a vertex: the edge that arrives at the (last) one
+  Index side = 0;        ///< the edge that holds the last sign before it
 };
 
 struct BoundaryLoop {

@@ -76,7 +76,8 @@ struct ZeroTriangle {
     }
     const Rational l[3] = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
     const Rational sum = l[0] + l[1] + l[2];
-    if (sum != 0) zero = scaled(l[0] / sum, p[0]) + scaled(l[1] / sum, p[1]) + scaled(l[2] / sum, p[2]);
+    if (sum != 0)
+      zero = scaled(l[0] / sum, p[0]) + scaled(l[1] / sum, p[1]) + scaled(l[2] / sum, p[2]);
   }
   static Exact scaled(const Rational& s, const Exact& x) { return {s * x[0], s * x[1]}; }
   /// The turn det(x - z, v(x)) and the flow out at the point t of a side, for a line forward.
@@ -99,17 +100,17 @@ Real on_side(const Real& t) {
 
 /// The smallest gate around a point of a side that provably holds the one ray that leaves by it.
 template <class Real>
-CellResult<Real> gate_around(BarrierMaker<Real>& maker, const ZeroTriangle& triangle,
-                             HalfEdge side, const Real& at, bool forward, Trace& trace) {
+CellResult<Real> gate_around(BarrierMaker<Real>& maker, const ZeroTriangle& triangle, HalfEdge side,
+                             const Real& at, bool forward, Trace& trace) {
   using std::fabs;
   using std::ldexp;
   CellResult<Real> result;
   for (Real delta = 16 * maker.unit(); delta < ldexp(maker.unit(), 24); delta *= 16) {
-    const Real left = on_side<Real>(at + delta), right = on_side<Real>(at - delta);
+    trace.first = expand(on_side<Real>(at + delta), maker.setting().bits);
+    trace.second = expand(on_side<Real>(at - delta), maker.setting().bits);
+    const Real left = sum_of<Real>(trace.first), right = sum_of<Real>(trace.second);
     if (((left > 0) != (at > 0) || (right > 0) != (at > 0)) && fabs(at) < 0.25) break;
     if (left == 0 || right == 0) break;
-    trace.first = expand(left);
-    trace.second = expand(right);
     const int i = static_cast<int>(side % 3);
     const auto [turn_l, out_l] = triangle.look(i, trace.first, forward);
     const auto [turn_r, out_r] = triangle.look(i, trace.second, forward);
@@ -129,8 +130,8 @@ CellResult<Real> gate_around(BarrierMaker<Real>& maker, const ZeroTriangle& tria
   return result;
 }
 
-/// From which row of A - lambda I a saddle's direction is taken: the same in all precisions, so that
-/// `sense` means the same ray.
+/// From which row of A - lambda I a saddle's direction is taken: the same in all precisions, so
+/// that `sense` means the same ray.
 bool by_second_row(const Domain& domain, const Start& ray) {
   const TriangleFrame<double> f(domain, ray.place / 3, 0, ray.forward, 0x1p-53);
   const double half = (f.a[0][0] + f.a[1][1]) / 2;
@@ -204,13 +205,6 @@ CellResult<Real> begin_fan_ray(BarrierMaker<Real>& maker, const Start& start, Tr
 // --- along a side -----------------------------------------------------------------------------
 
 template <class Real>
-Real sum_of(const Expansion& x) {
-  Real sum = 0;
-  for (std::size_t i = x.size(); i-- > 0;) sum += x[i];
-  return sum;
-}
-
-template <class Real>
 CellResult<Real> begin_along(BarrierMaker<Real>& maker, const Start& start, Trace& trace,
                              const Ellipse* trap) {
   using std::fabs;
@@ -229,12 +223,12 @@ CellResult<Real> begin_along(BarrierMaker<Real>& maker, const Start& start, Trac
   if (speed < room * size) room = speed / size;
   const Real step = ldexp(room, -(2 * maker.setting().angle / 3));
   if (!(step > 0) || !(speed > 0)) return result;
-  // Any numbers near these will do: such that few doubles hold them.
-  const auto terms = static_cast<std::size_t>(maker.setting().angle / 50 + 2);
-  trace.second = expand(Real(p + start.sense * step), terms);
-  trace.second_height = expand(Real(2 * fabs(slope) * step / speed * step), 1);
+  // Any numbers near these will do: such that few digits hold them.
+  const int bits = maker.setting().bits;
+  trace.second = expand(Real(p + start.sense * step), bits);
+  trace.second_height = expand(Real(2 * fabs(slope) * step / speed * step), 53);
   const Real a = sum_of<Real>(trace.second), b = sum_of<Real>(trace.second_height);
-  trace.first = expand(on_side<Real>(a), terms + 2);
+  trace.first = expand(on_side<Real>(a), bits);
   const Real q = sum_of<Real>(trace.first);
   if (q == 0 || !(b > 0)) return result;
   trace.first_side = start.place;

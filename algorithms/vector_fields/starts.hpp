@@ -18,18 +18,31 @@ Start start_at_vertex(const Domain& domain, const Fan& fan, bool forward);
 /// The direction of a ray of a saddle inside a triangle, if two doubles hold it exactly.
 std::optional<Vec2> exact_direction(const Domain& domain, const Start& ray);
 
-/// A number as a sum of doubles, of at most so many; exactly, if it has no more bits and no double
-/// underflows.
+/// A number as a sum of doubles, rounded to `bits` binary digits.
 template <class Real>
-Expansion expand(Real x, std::size_t most = 40) {
+Expansion expand(Real x, int bits) {
   Expansion sum;
-  while (x != 0 && sum.size() < most) {
-    const double next = static_cast<double>(x);
+  int last = 0;  // the exponent of the last digit
+  while (x != 0) {
+    double next = static_cast<double>(x);
     if (next == 0 || !std::isfinite(next)) break;
+    if (sum.empty()) last = std::ilogb(next) - bits + 1;
+    if (std::ilogb(next) - 52 < last)
+      next = std::ldexp(std::nearbyint(std::ldexp(next, -last)), last);
+    if (next == 0) break;
     sum.push_back(next);
     x -= next;
+    if (std::ilogb(next) - 52 <= last) break;
   }
   if (sum.empty()) sum.push_back(0);
+  return sum;
+}
+
+/// The number that a sum of doubles is, if Real holds it.
+template <class Real>
+Real sum_of(const Expansion& x) {
+  Real sum = 0;
+  for (std::size_t i = x.size(); i-- > 0;) sum += x[i];
   return sum;
 }
 

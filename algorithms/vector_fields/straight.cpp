@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/vector_fields/straight.hpp"
 
-#include <algorithm>
-
 #include "algorithms/vector_fields/exact.hpp"
 #include "algorithms/vector_fields/starts.hpp"
+#include "algorithms/vector_fields/walls.hpp"
 
 namespace crest::vector_fields {
 
@@ -55,8 +54,7 @@ class Walk {
     const Exact u = velocity(domain_.from(3 * t)), v = velocity(domain_.from(3 * t + 1)),
                 w = velocity(domain_.from(3 * t + 2));
     const Rational l0 = cross(v, w), l1 = cross(w, u), l2 = cross(u, v), sum = l0 + l1 + l2;
-    for (std::size_t i = 0; i < 2; ++i)
-      x_[i] = (l0 * a[i] + l1 * b[i] + l2 * c[i]) / sum;
+    for (std::size_t i = 0; i < 2; ++i) x_[i] = (l0 * a[i] + l1 * b[i] + l2 * c[i]) / sum;
     return through(t, kNone);
   }
 
@@ -104,13 +102,12 @@ class Walk {
   /// The velocity at the new place: a zero there, or one that was passed on the way, is the end.
   void look_at(const Exact& w, Index t) {
     if (dot(w, d_) > 0) return;
-    for (Index i = 0; i < around_.zeros.size(); ++i) {
-      const auto& triangles = around_.zeros[i].triangles;
-      if (!std::binary_search(triangles.begin(), triangles.end(), t)) continue;
-      trace_.end = EndKind::critical_point;
-      trace_.target = i;
-      return;
-    }
+    const auto zero = zero_of_triangle(around_, t);
+    if (!zero) return;
+    const ZeroPlace where = around_.zeros[*zero].item.where;
+    const bool wall = where == ZeroPlace::line || where == ZeroPlace::region;
+    trace_.end = wall ? EndKind::zero_flow : EndKind::critical_point;
+    trace_.target = *zero;
   }
 
   bool from_vertex() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Lines that are straight, exactly: where the velocity stays parallel to a direction. They run along
-// edges and through vertices, where no corridor gets.
+// Lines that are straight, exactly: where the velocity stays parallel to a direction. They run
+// along edges and through vertices, where no corridor gets.
 #include "algorithms/vector_fields/trace.hpp"
 
 namespace crest::vector_fields {

@@ -7,6 +7,7 @@
 #include "algorithms/vector_fields/reals.hpp"
 #include "algorithms/vector_fields/starts.hpp"
 #include "algorithms/vector_fields/straight.hpp"
+#include "algorithms/vector_fields/walls.hpp"
 
 namespace crest::vector_fields {
 
@@ -15,6 +16,7 @@ namespace {
 constexpr BarrierSetting kDoubles{53, 36, 12, 0};
 constexpr std::size_t kMostCrossings = 200'000;
 constexpr std::size_t kMostTurns = 20'000;  ///< cells of an annulus
+constexpr std::size_t kMostFruitless = 12;  ///< returns to the same place without an annulus
 constexpr double kSettled = 0x1p-40;  ///< of a side: a line that came back so near is at its limit
 
 /// From the tail, in doubles: to look, not to decide.
@@ -60,12 +62,16 @@ class Follower {
       triangle = gate.side / 3;
       trace.line.push_back(middle(gate));
       trace.width = width(gate);
-      if (in_annulus(trace, gate)) return true;
+      if (in_annulus(trace, gate) || at_wall(trace, gate)) return true;
       if (trace.turns.size() > kMostCrossings) {
         trace.reason = OpenReason::budget;
         return false;
       }
       if (spirals(trace, gate)) return true;
+      if (fruitless_ > kMostFruitless) {
+        trace.reason = OpenReason::weak_focus;
+        return false;
+      }
       cell = cross_cell(maker_, start.forward, gate, trap_in(triangle, start.forward));
       note(trace, cell);
     }
@@ -121,11 +127,29 @@ class Follower {
 
   bool fail(Trace& trace, const CellResult<Real>& cell, Index triangle) {
     trace.reason = OpenReason::vertex_hit;
-    if (cell.divided)
-      for (const ZeroComponent& z : around_.zeros)
-        if (z.item.kind == ZeroKind::saddle && z.triangles.front() == triangle)
-          trace.reason = OpenReason::saddle_connection;
+    const Domain& d = around_.domain;
+    // A line that creeps up to a zero corner does so at any precision.
+    for (HalfEdge h = 3 * triangle; h < 3 * triangle + 3; ++h)
+      trace.creeps = trace.creeps || (!cell.divided && d.is_zero(d.from(h)));
+    if (const auto zero = zero_of_triangle(around_, triangle); zero && cell.divided)
+      if (around_.zeros[*zero].item.kind == ZeroKind::saddle)
+        trace.reason = OpenReason::saddle_connection;
     return false;
+  }
+
+  bool at_wall(Trace& trace, const Gate<Real>& gate) {
+    const Domain& d = around_.domain;
+    int zeros = 0;
+    for (HalfEdge h = 3 * (gate.side / 3); h < 3 * (gate.side / 3) + 3; ++h)
+      zeros += d.is_zero(d.from(h)) ? 1 : 0;
+    if (zeros != 2) return false;
+    const auto wall = wall_ahead(around_, trace.start.forward, gate.side,
+                                 expand(gate.left, maker_.setting().bits + 2),
+                                 expand(gate.right, maker_.setting().bits + 2));
+    if (!wall) return false;
+    trace.end = EndKind::zero_flow;
+    trace.target = *wall;
+    return true;
   }
 
   bool in_annulus(Trace& trace, const Gate<Real>& gate) {
@@ -157,6 +181,7 @@ class Follower {
     for (const double reach : {1.0, 4.0, 0.25})
       if (try_annulus(trace, gate, ahead, settled ? 1024 * reach : reach * 0x1p-4, reach))
         return in_annulus(trace, gate);
+    if (settled) ++fruitless_;
     return false;
   }
 
@@ -207,12 +232,13 @@ class Follower {
     std::size_t turns;
   };
   std::unordered_map<HalfEdge, std::vector<Visit>> visits_;
-  std::size_t next_try_ = 0;
+  std::size_t next_try_ = 0, fruitless_ = 0;
 };
 
 }  // namespace
 
-/// At one precision after the other, until one suffices. `straight`: the line's first part, or none.
+/// At one precision after the other, until one suffices. `straight`: the line's first part, or
+/// none.
 template <class Real>
 bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
                const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
@@ -226,11 +252,16 @@ Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>
   Trace result, straight;
   result.start = start;
   result.reason = OpenReason::vertex_hit;
-  if (start.kind != StartKind::none && Follower<double>(around, kDoubles, annuli).follow(start, result))
+  // Lines that do not settle down, or return to where they were, do so at any precision.
+  const auto final = [&](bool found) {
+    return found || result.creeps || result.reason == OpenReason::budget ||
+           result.reason == OpenReason::weak_focus;
+  };
+  if (start.kind != StartKind::none &&
+      final(Follower<double>(around, kDoubles, annuli).follow(start, result)))
     return result;
   Start exact_start = start;
-  if (start.kind == StartKind::ray)
-    exact_start.direction = exact_direction(around.domain, start);
+  if (start.kind == StartKind::ray) exact_start.direction = exact_direction(around.domain, start);
   if (exact_start.direction) {
     walk_straight(around, exact_start, straight);
     if (straight.end != EndKind::undecided) return straight;
@@ -238,7 +269,7 @@ Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>
   }
   if (start.kind == StartKind::none && !straight.straight) return result;
   const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
-    return follow_at<Real>(around, setting, start, straight, annuli, result);
+    return final(follow_at<Real>(around, setting, start, straight, annuli, result));
   };
   (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
       at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});

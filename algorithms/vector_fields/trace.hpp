@@ -22,11 +22,11 @@ struct Start {
   bool forward = true;
   bool from_switch_point = false;
   Index origin = 0;
-  /// ray of a saddle in a triangle: 3 t; fan_ray: the side that it meets. point: the half-edge that leaves the vertex with the line at
-  /// its left. along: the side at which it starts.
+  /// ray of a saddle in a triangle: 3 t; fan_ray: the side that it meets. point: the half-edge that
+  /// leaves the vertex with the line at its left. along: the side at which it starts.
   HalfEdge place = kNone;
-  int sense = 1;  ///< ray: which of the two; along: 1 towards the head, -1 towards the tail
-  int at = 0;     ///< along: 0 inside the side, -1 at its tail, 1 at its head
+  int sense = 1;     ///< ray: which of the two; along: 1 towards the head, -1 towards the tail
+  int at = 0;        ///< along: 0 inside the side, -1 at its tail, 1 at its head
   double share = 0;  ///< fan_ray: where on the side, nearly; 0 at its tail, 1 at its head
   /// Where the line is straight at first, its direction, and a half-edge that leaves its vertex.
   std::optional<Vec2> direction = {};
@@ -54,6 +54,7 @@ struct Trace {
   EndKind end = EndKind::undecided;
   Index target = 0;
   OpenReason reason = OpenReason::none;
+  bool creeps = false;  ///< undecided next to a zero corner, where it may end
   double width = 0;
   std::vector<Vec2> line;
 };

@@ -45,7 +45,7 @@ PlaneGrid read_particle_image_text(const std::string& path, const VectorRequest&
                                    PlanarFieldFile& file) {
   const FileBytes bytes = load(path);
   const std::string_view text = bytes;
-  const Dialect dialect = text.substr(0, 6) == "#DaVis"  ? Dialect::davis
+  const Dialect dialect = text.substr(0, 6) == "#DaVis"   ? Dialect::davis
                           : text.substr(0, 6) == "TITLE=" ? Dialect::insight
                                                           : Dialect::openpiv;
   std::vector<std::array<double, 4>> points;

@@ -204,8 +204,8 @@ PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& 
   PlanarFieldFile file;
   read_named(path, [&] {
     const std::string end = lower_extension(path);
-    const bool grid = end == ".vti" || end == ".vtr" || end == ".vts" ||
-                      (end == ".vtk" && is_legacy_grid(path));
+    const bool grid =
+        end == ".vti" || end == ".vtr" || end == ".vts" || (end == ".vtk" && is_legacy_grid(path));
     if (grid) return add_triangles(read_vtk_grid(path, request, file), request.diagonal, file);
     if (end == ".json") return add_triangles(read_wind_json(path, file), request.diagonal, file);
     if (end == ".txt" || end == ".vec")

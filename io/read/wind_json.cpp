@@ -27,9 +27,14 @@ WindRecord record_of(const json& j) {
   if (!j.is_object() || !j.contains("header") || !j.contains("data") || !j["data"].is_array())
     fail("record", "has no header or no data", "write the file by grib2json");
   const json& h = j["header"];
-  WindRecord r{number(h, "nx"),  number(h, "ny"),  number(h, "lo1"),
-               number(h, "lo2"), number(h, "la1"), number(h, "la2"),
-               number(h, "parameterNumber"), &j["data"]};
+  WindRecord r{number(h, "nx"),
+               number(h, "ny"),
+               number(h, "lo1"),
+               number(h, "lo2"),
+               number(h, "la1"),
+               number(h, "la2"),
+               number(h, "parameterNumber"),
+               &j["data"]};
   const bool whole = r.nx >= 2 && r.ny >= 2 && r.nx <= 1e6 && r.ny <= 1e6 &&
                      r.nx == std::floor(r.nx) && r.ny == std::floor(r.ny);
   if (!whole || r.data->size() != static_cast<std::size_t>(r.nx * r.ny))

@@ -9,11 +9,13 @@ namespace {
 
 using kernel::Vec2;
 
-/// Unit velocities in samples; zero outside and where there is no flow.
+constexpr int kReach = 14;  ///< steps of a pixel to either side
+
+/// Unit velocities in pixels; zero outside and where there is no flow.
 class Raster {
  public:
-  Raster(const vector_fields::PlanarField& field, const Camera& camera, int samples)
-      : width_(camera.width * samples), height_(camera.height * samples) {
+  Raster(const vector_fields::PlanarField& field, const Camera& camera)
+      : width_(camera.width), height_(camera.height) {
     flow_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), {0, 0});
     inside_.resize(flow_.size(), 0);
     for (const auto& t : field.triangles) {
@@ -21,7 +23,7 @@ class Raster {
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec2& x = field.points[t[k]];
         const kernel::Vec3 pixel = camera.project({x[0], x[1], 0});
-        p[k] = {samples * pixel[0], samples * pixel[1]};
+        p[k] = {pixel[0], pixel[1]};
         v[k] = {field.vectors[t[k]][0], -field.vectors[t[k]][1]};
       }
       fill(p, v);
@@ -47,8 +49,8 @@ class Raster {
     };
     const auto [x0, x1] = bounds(0, width_);
     const auto [y0, y1] = bounds(1, height_);
-    const double area = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) -
-                        (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+    const double area =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const double u = x + 0.5 - p[0][0], w = y + 0.5 - p[0][1];
@@ -69,7 +71,7 @@ class Raster {
   std::vector<std::uint8_t> inside_;
 };
 
-/// White noise by the sample's place.
+/// White noise by the pixel's place.
 double noise(int x, int y) {
   std::uint64_t h = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) |
                     static_cast<std::uint32_t>(x);
@@ -78,38 +80,37 @@ double noise(int x, int y) {
   return static_cast<double>((h ^ (h >> 32)) >> 11) * 0x1p-53;
 }
 
-/// The mean noise along the stream line through a sample, by its distance from a half.
-double mean_along(const Raster& raster, int x, int y, int reach, int grain) {
-  double sum = noise(x / grain, y / grain);
+/// The mean noise along the stream line through a pixel, by its distance from a half.
+double mean_along(const Raster& raster, int x, int y) {
+  double sum = noise(x, y);
   int count = 1;
   for (const double sense : {1.0, -1.0}) {
     double u = x + 0.5, w = y + 0.5;
-    for (int step = 0; step < reach; ++step) {
+    for (int step = 0; step < kReach; ++step) {
       const Vec2& f = raster.flow(static_cast<int>(u), static_cast<int>(w));
       u += sense * f[0];
       w += sense * f[1];
       const int i = static_cast<int>(std::floor(u)), k = static_cast<int>(std::floor(w));
       if (!raster.inside(i, k)) break;
-      sum += noise(i / grain, k / grain);
+      sum += noise(i, k);
       ++count;
     }
   }
-  return (sum / count - 0.5) * std::sqrt(static_cast<double>(count) / grain);
+  return (sum / count - 0.5) * std::sqrt(static_cast<double>(count));
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> convolve(const vector_fields::PlanarField& field, const Camera& camera,
-                                   int samples) {
-  const Raster raster(field, camera, samples);
+std::vector<std::uint8_t> convolve(const vector_fields::PlanarField& field, const Camera& camera) {
+  const Raster raster(field, camera);
   std::vector<std::uint8_t> dark;
-  dark.reserve(static_cast<std::size_t>(raster.width()) * static_cast<std::size_t>(raster.height()));
-  const int reach = 14 * samples, grain = samples;
+  dark.reserve(static_cast<std::size_t>(raster.width()) *
+               static_cast<std::size_t>(raster.height()));
   for (int y = 0; y < raster.height(); ++y)
     for (int x = 0; x < raster.width(); ++x) {
       double share = 0;
       if (raster.inside(x, y))
-        share = std::clamp(0.34 + 0.42 * mean_along(raster, x, y, reach, grain), 0.06, 0.7);
+        share = std::clamp(0.34 + 0.42 * mean_along(raster, x, y), 0.06, 0.7);
       dark.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
     }
   return dark;

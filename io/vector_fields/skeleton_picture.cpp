@@ -87,7 +87,8 @@ void add_dots(const Camera& camera, const Skeleton& s, Drawing& drawing) {
     if (c.where == ZeroPlace::region || c.where == ZeroPlace::line) continue;
     const Rgb colour = colour_of(c);
     drawing.dots.push_back({pixel(camera, c.point), colour});
-    for (Kind& k : kinds) k.seen = k.seen || (k.colour.red == colour.red && k.colour.blue == colour.blue);
+    for (Kind& k : kinds)
+      k.seen = k.seen || (k.colour.red == colour.red && k.colour.blue == colour.blue);
   }
   for (const SwitchPoint& p : s.switch_points)
     drawing.dots.push_back({pixel(camera, p.point), kYellow, Mark::diamond, p.inside ? 1.0 : 0.7});
@@ -103,7 +104,11 @@ void write_skeleton_picture(const std::string& path, const SkeletonScene& scene)
   check_picture_path(path);
   const Camera camera = plane_camera(*scene.field);
   Canvas canvas(camera.width, camera.height);
-  const auto dark = convolve(*scene.field, camera, kSamples);
+  const auto pixels = convolve(*scene.field, camera);
+  std::vector<std::uint8_t> dark;
+  for (int y = 0; y < canvas.sample_height(); ++y)
+    for (int x = 0; x < canvas.sample_width(); ++x)
+      dark.push_back(pixels[static_cast<std::size_t>(y / kSamples * camera.width + x / kSamples)]);
   canvas.stamp(0, 0,
                {dark.data(), canvas.sample_width(), canvas.sample_height(), canvas.sample_width()},
                {40, 44, 54});
