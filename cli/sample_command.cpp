@@ -33,9 +33,10 @@ struct SampleOptions {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("SURFACE", o.common.input, "one of the surfaces below")->required();
-  app.add_option("-o,--output", o.common.output,
-                 "the mesh (.off .obj .ply .vtp; of blocks and plane fields .vtu, volumes .nrrd .vti,\n"
-                 "points .xyz .pwn)")
+  app.add_option(
+         "-o,--output", o.common.output,
+         "the mesh (.off .obj .ply .vtp; of blocks and plane fields .vtu, volumes .nrrd .vti,\n"
+         "points .xyz .pwn)")
       ->required()
       ->type_name("FILE");
   app.add_option("--parameters", o.parameters, "the surface's parameters, separated by commas")

@@ -23,8 +23,8 @@ using MpModel4 = kernel::MpTaylorModel<4>;
 using MpModel5 = kernel::MpTaylorModel<5>;
 /// Models over MPFR intervals.
 template <class M>
-concept MpModel = std::is_same_v<M, MpModel3> || std::is_same_v<M, MpModel4> ||
-                  std::is_same_v<M, MpModel5>;
+concept MpModel =
+    std::is_same_v<M, MpModel3> || std::is_same_v<M, MpModel4> || std::is_same_v<M, MpModel5>;
 
 /// Vectors p, q, m of exact doubles.
 using Frame = std::array<std::array<double, 3>, 3>;
