@@ -195,7 +195,8 @@ void add_volume_options(CLI::App& app, ExtremalOptions& o) {
       ->check(finite_number(0))
       ->type_name("K")
       ->group(group);
-  app.add_option("--refine", o.refine, "split cells that are not proven, D times (default 0)")
+  app.add_option("--refine", o.refine,
+                 "split cells that are not proven, D times (default 0; more is not built yet)")
       ->check(CLI::Range(0, 8))
       ->type_name("D")
       ->group(group);
