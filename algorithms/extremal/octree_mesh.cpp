@@ -316,6 +316,7 @@ class OctreeMesher {
   }
 
   void make_edges() {
+    std::size_t first = 0;  // Of the face's edges of the mesh.
     for (std::size_t i = 0, end; i < uses_.size(); i = end) {
       for (end = i; end < uses_.size() && same_edge(uses_[i], uses_[end]);) ++end;
       SheetEdge edge;
@@ -325,11 +326,12 @@ class OctreeMesher {
       edge.valence = static_cast<std::uint8_t>(end - i);
       edge.reason = end - i == 2 ? 0 : u.reason;
       const auto number = static_cast<Index>(mesh_.edges.size());
+      if (i == 0 || uses_[i - 1].face != u.face) first = number;
       for (std::size_t k = i; k < end; ++k) {
         mesh_.polygons[uses_[k].polygon].sides[uses_[k].side] = number;
         edge.middle = edge.middle + (1.0 / double(end - i)) * mesh_.polygons[uses_[k].polygon].zero;
       }
-      if (i > 0 && uses_[i - 1].face == u.face) mark_twin(mesh_.edges.back(), edge);
+      for (std::size_t k = first; k < mesh_.edges.size(); ++k) mark_twin(mesh_.edges[k], edge);
       mesh_.edges.push_back(edge);
     }
   }

@@ -260,7 +260,7 @@ class EdgeMaker {
     edge.valence = static_cast<std::uint8_t>(m.count);
     const std::size_t group = local(f, polygons_.all[p].edge);
     edge.reason = reason(f, group, m.count);
-    if (f.ambiguous()) mark_twin(edge, f, group, m);
+    if (f.critical > 1) mark_twin(edge, f, group, m);
     for (std::size_t k = 0; k < m.count; ++k) {
       SheetPolygon& q = polygons_.all[m.polygons[k]];
       q.sides[side_in(q, f)] = static_cast<Index>(made_.size());
@@ -273,17 +273,19 @@ class EdgeMaker {
     while (polygons_.dual.edges_of(polygons_.dual.side_at(q.edge, s)) != f.edges) ++s;
     return s;
   }
-  /// Does the face's other arc join the same vertices?
+  /// Does another group of the face join the same vertices? Of an ambiguous face its other arc; of
+  /// one with an edge that is not tested each critical edge is a group.
   void mark_twin(SheetEdge& edge, const Face& f, std::size_t group,
                  const Polygons::Members& m) const {
-    std::size_t other = 0;
-    while (f.group[other] == f.group[group]) ++other;
-    const auto o = polygons_.members(f, other);
-    if (o.count == 0) return;
-    const SheetPolygon& q = polygons_.all[o.polygons[0]];
-    const std::size_t s = side_in(q, f);
-    const Index a = q.corners[s], b = q.corners[(s + 1) % 4];
-    edge.twin = std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
+    for (std::size_t other = 0; other < 4; ++other) {
+      if (f.group[other] < 0 || f.group[other] == f.group[group]) continue;
+      const auto o = polygons_.members(f, other);
+      if (o.count == 0) continue;
+      const SheetPolygon& q = polygons_.all[o.polygons[0]];
+      const std::size_t s = side_in(q, f);
+      const Index a = q.corners[s], b = q.corners[(s + 1) % 4];
+      edge.twin = edge.twin || std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
+    }
     if (!edge.twin) return;
     for (std::size_t k = 0; k < m.count; ++k)
       edge.middle = edge.middle + (1.0 / double(m.count)) * polygons_.all[m.polygons[k]].zero;
