@@ -42,7 +42,7 @@ void read_grid(ByteReader& reader, ExtremalData& data) {
 
 void read_weights(ByteReader& reader, std::vector<double>& weights) {
   const std::size_t count = reader.integer<std::uint32_t>();
-  require_form(count >= 1 && count <= 1025, "data section: neither 1 to 1025 weights");
+  require_form(count >= 1 && count <= 1025, "data section: not 1 to 1025 weights");
   reader.words(weights, count);
   for (const double w : weights)
     require_plain(is_plain(std::bit_cast<std::uint64_t>(w)), "weights");

@@ -128,6 +128,22 @@ TEST_CASE("extremal: a plane through nodes, where g is exactly zero") {
   CHECK(c.valences.one == std::array<std::uint32_t, 5>{0, 0, 0, 28, 0});
 }
 
+TEST_CASE("extremal: a polygon whose middle alone is dropped keeps a ring") {
+  const auto plane = [](double, double, double z) { return sheet(z, 0.5); };
+  auto c = reference_extremal(with_level(sampled({9, 9, 9}, plane), 0.75));
+  require_accepted(c);
+  REQUIRE(c.fan_points.size() == 49);
+  c.fan_points[24] = c.fan_points[24] < 32768 ? 65535 : 0;
+  CHECK_FALSE(is_accepted(c));
+  const auto anew = reference_of(c);
+  c.valences = anew.valences;
+  c.components = anew.components;
+  require_accepted(c);
+  CHECK(c.components.at(0).euler_characteristic == 0);
+  CHECK(c.components.at(0).loops == 2);
+  CHECK(c.valences.one[2] == 4);
+}
+
 TEST_CASE("extremal: curves of images") {
   const auto ring = reference_extremal(with_level(sampled({32, 32, 1}, sphere(0.6, 0.3)), 0.4));
   require_accepted(ring);
