@@ -110,15 +110,16 @@ std::string extremal_summary(const Result& r) {
     one_sided += k.orientable ? 0 : 1;
   }
   if (r.dimension == 2)
-    return fmt::format("{} segments, {} curves, {} ends\n", r.polygons(), r.components.size(),
-                       ends);
+    return fmt::format("{}, {}, {}\n", plural(r.polygons(), "segment"),
+                       plural(r.components.size(), "curve"), plural(ends, "end"));
   const std::size_t tested = c.empty + c.regular + c.cone;
   return fmt::format(
-      "{} polygons, {} components ({} one-sided), Euler characteristic {}, {} boundary loops\n"
-      "{} components isotopic to those of the field; {} of {} active cells empty or regular\n"
+      "{}, {} ({} one-sided), Euler characteristic {}, {}\n"
+      "{} isotopic to one of the field; {} of {} active cells empty or regular\n"
       "edges of valence 1: {}, 2: {}, 3: {}, more: {}\n",
-      r.polygons(), r.components.size(), one_sided, euler, loops, isotopic, c.empty + c.regular,
-      tested, c.valence[0], c.valence[1], c.valence[2], c.valence[3]);
+      plural(r.polygons(), "polygon"), plural(r.components.size(), "component"), one_sided, euler,
+      plural(loops, "boundary loop"), plural(isotopic, "component"), c.empty + c.regular, tested,
+      c.valence[0], c.valence[1], c.valence[2], c.valence[3]);
 }
 
 }  // namespace crest::cli

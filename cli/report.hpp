@@ -12,6 +12,11 @@
 
 namespace crest::cli {
 
+/// "1 loop", "2 loops".
+inline std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 /// The counts of `cleanup`.
 Json to_json(const io::CleanUp& done);
 

@@ -101,10 +101,6 @@ void fill_certificate(Json& json, const SmoothRidgesRun& run) {
       static_cast<double>(run.certificate_bytes) / static_cast<double>(result.faces.size());
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string count_lines(const SmoothRidges& result) {
   const auto count = [&](auto&& has) {
     return std::count_if(result.umbilics.begin(), result.umbilics.end(), has);

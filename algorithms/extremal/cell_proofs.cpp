@@ -151,13 +151,13 @@ class RegularTest {
     size_ = std::sqrt(square);
   }
 
-  /// Empty unless proven.
-  bool regular(const GradientBounds& g, Short3& axis) const {
+  /// Is grad g in one cone? Sets its axis, and whether the box test holds.
+  bool regular(const GradientBounds& g, CellProof& proof) const {
     Vec3 sum{};
     for (std::size_t i = 0; i < 64; ++i) sum = sum + Vec3{h_[0][i], h_[1][i], h_[2][i]};
     if (!(kernel::norm(sum) > 0)) return false;
-    axis = shortened(sum);
-    const Vec3 a = unit(axis);
+    proof.gradient = shortened(sum);
+    const Vec3 a = unit(proof.gradient);
     double room = HUGE_VAL;
     for (std::size_t i = 0; i < 64; ++i) {
       const Vec3 h = {h_[0][i], h_[1][i], h_[2][i]};
@@ -169,6 +169,7 @@ class RegularTest {
     const double largest = std::max(std::fabs(g.low), std::fabs(g.high));
     const double e =
         2 * std::sin(theta_ / 2) * size_ + turn() * (g.across + std::sin(theta_) * largest);
+    proof.boxed = boxed(e + kMargin * size_ + slack_);
     return room > std::sqrt(2.0) * e + kMargin * size_ + slack_;
   }
 
@@ -188,6 +189,17 @@ class RegularTest {
   }
 
  private:
+  /// Do any two vectors with coordinates in the ranges of h, widened by e, have a positive product?
+  bool boxed(double e) const {
+    double sum = 0, square = 0;
+    for (int k = 0; k < fields_.grid().dimension(); ++k) {
+      const Controls& h = h_[static_cast<std::size_t>(k)];
+      const double low = least(h) - e, high = largest(h) + e;
+      sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
+      square += std::max(low * low, high * high);
+    }
+    return sum > kMargin * square;
+  }
   static constexpr std::size_t entry(std::size_t a, std::size_t b) {
     return a == b ? a : a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
   }
@@ -253,7 +265,7 @@ CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, 
     return r;
   }
   const RegularTest test(fields, v, w, gap, theta, nets.gradient_size);
-  if (!test.regular(g, r.gradient)) return r;
+  if (!test.regular(g, r)) return r;
   r.state = test.extremal() ? CellState::regular_extremal : CellState::regular;
   return r;
 }

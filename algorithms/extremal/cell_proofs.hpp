@@ -16,6 +16,7 @@ struct CellProof {
   CellState state = CellState::open;
   Short3 direction{};  ///< w
   Short3 gradient{};   ///< a, of a regular cell: of grad g, in units in which the cell is a cube
+  bool boxed = false;  ///< a regular cell passes the box test
 };
 
 /// Proves of the cell at v, whose nets are given, what it can; `guess` is near n.

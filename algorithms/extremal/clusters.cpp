@@ -16,7 +16,8 @@ Clusters::Clusters(const Fields& fields, const Cells& cells, const Edges& edges,
   kernel::DisjointSets sets(static_cast<Index>(members_.size()));
   std::vector<bool> bad(members_.size());
   for (Index m = 0; m < members_.size(); ++m)
-    bad[m] = !join_neighbours(cells, m, sets) || several_sheets(edges, faces, members_[m]);
+    bad[m] = !cells.proof(members_[m]).boxed || !join_neighbours(cells, m, sets) ||
+             several_sheets(edges, faces, members_[m]);
   cluster_.resize(members_.size());
   bad_.assign(members_.size(), false);
   mixed_.assign(members_.size(), false);
