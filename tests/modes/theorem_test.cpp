@@ -49,10 +49,11 @@ Level level_of(std::int64_t thousandths) {
   return {thousandths / divisor, 1000 / divisor};
 }
 
+/// Entries of many digits: small ones make tangencies, and singular curves at infinity.
 Rows random_rows(Random& random) {
   Rows rows(4);
   for (auto& row : rows)
-    for (int& x : row) x = static_cast<int>(random() % 13) - 6;
+    for (int& x : row) x = static_cast<int>(random() % 20001) - 10000;
   return rows;
 }
 
