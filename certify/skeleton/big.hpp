@@ -5,6 +5,7 @@
 // thread's at the time they are made.
 #include <mpfr.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,18 @@ class Big {
   friend Big operator-(const Big& a, const Big& b) { return made(mpfr_sub, a, b); }
   friend Big operator*(const Big& a, const Big& b) { return made(mpfr_mul, a, b); }
   friend Big operator/(const Big& a, const Big& b) { return made(mpfr_div, a, b); }
+  Big& operator+=(const Big& b) {
+    mpfr_add(x_, x_, b.x_, MPFR_RNDN);
+    return *this;
+  }
+  /// *this += a b + c d, with room for the products: no memory is taken.
+  void add_products(const Big& a, const Big& b, const Big& c, const Big& d,
+                    std::array<Big, 2>& room) {
+    mpfr_mul(room[0].x_, a.x_, b.x_, MPFR_RNDN);
+    mpfr_mul(room[1].x_, c.x_, d.x_, MPFR_RNDN);
+    mpfr_add(room[0].x_, room[0].x_, room[1].x_, MPFR_RNDN);
+    mpfr_add(x_, x_, room[0].x_, MPFR_RNDN);
+  }
   Big operator-() const { return Big(0.0) - *this; }
   friend bool operator<(const Big& a, const Big& b) { return mpfr_less_p(a.x_, b.x_) != 0; }
   friend bool operator>(const Big& a, const Big& b) { return b < a; }

@@ -115,8 +115,10 @@ class PieceMaker {
     for (std::size_t k = 1; k <= n; ++k)
       control_[k] = {control_[k].a / binomials_.degree[k], control_[k].b / binomials_.degree[k]};
     for (std::size_t i = 1; i <= n; ++i)
-      for (std::size_t j = n; j >= i; --j)
-        control_[j] = {control_[j].a + control_[j - 1].a, control_[j].b + control_[j - 1].b};
+      for (std::size_t j = n; j >= i; --j) {
+        control_[j].a += control_[j - 1].a;
+        control_[j].b += control_[j - 1].b;
+      }
   }
   /// Exactly: 1 - a is a number for a multiple a of 2^(1 - bits).
   void put_on_side(int exit) {

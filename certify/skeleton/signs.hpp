@@ -49,7 +49,10 @@ class Products {
       const Number da = binomials.derivative[k] * (control[k + 1].a - control[k].a),
                    db = binomials.derivative[k] * (control[k + 1].b - control[k].b);
       for (std::size_t j = 0; j <= n; ++j)
-        sums_[k + j] = sums_[k + j] + (da * first_[j] + db * second_[j]);
+        if constexpr (std::is_same_v<Number, Big>)
+          sums_[k + j].add_products(da, first_[j], db, second_[j], room_);
+        else
+          sums_[k + j] += da * first_[j] + db * second_[j];
     }
   }
   const std::vector<Number>& sums() const { return sums_; }
@@ -59,6 +62,7 @@ class Products {
     return f[0] + (a * (f[1] - f[0]) + b * (f[2] - f[0]));
   }
   std::vector<Number> sums_, first_, second_;
+  std::array<Number, 2> room_;
 };
 
 /// Whether all Bernstein coefficients of a form have the wanted sign; a point's a, b >= 0,
