@@ -7,6 +7,7 @@
 #include "certify/container/parallel.hpp"
 #include "certify/container/prove.hpp"
 #include "certify/skeleton/decode.hpp"
+#include "certify/skeleton/embedding.hpp"
 #include "certify/skeleton/lines.hpp"
 #include "certify/surface/input_tie.hpp"
 
@@ -131,8 +132,10 @@ void verify_skeleton(std::span<const std::uint8_t> data, std::span<const std::ui
   const Field field(c);
   SignLadder sign(options.arithmetic);
   const Domain domain = build_domain(field, sign);
+  check_embedding(field, sign);
   prove(verdict,
-        "data: a flat surface of {} positive triangles, {} of them with no flow; digests match",
+        "data: a domain in the plane of {} positive triangles, {} of them with no flow; digests "
+        "match",
         field.triangles(), domain.dead);
   if (options.input) {
     std::vector<std::array<double, 3>> flat;

@@ -151,6 +151,34 @@ TEST_CASE("hostile: what a surface must be") {
     twice.triangles.push_back({0, i + 1, (i + 1) % n + 1});
   }
   CHECK(reason(reference_points(twice)).find("go round 2 times") != std::string::npos);
+  // Flat and once around every vertex, but two ends lie over one another: a spiral staircase.
+  PlaneField spiral;
+  for (std::uint32_t i = 0; i <= 12; ++i) {
+    const double angle = 2 * M_PI * i / 10;
+    for (const double radius : {1.0, 2.0}) {
+      spiral.positions.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      spiral.vectors.push_back({3, 1});
+    }
+    if (i == 12) break;
+    const std::uint32_t a = 2 * i;
+    spiral.triangles.push_back({a, a + 1, a + 3});
+    spiral.triangles.push_back({a, a + 3, a + 2});
+  }
+  CHECK(reason(reference_points(spiral)).find("boundary sides") == 0);
+  // Two components, one inside the other; a triangle whose side passes through a vertex.
+  PlaneField two{{{0, 0}, {9, 0}, {0, 9}, {1, 1}, {2, 1}, {1, 2}},
+                 {{0, 1, 2}, {3, 4, 5}},
+                 std::vector<std::array<double, 2>>(6, {3, 1})};
+  CHECK(reason(reference_points(two)).find("lie over one another") != std::string::npos);
+  for (const std::size_t i : {3U, 4U, 5U}) two.positions[i][0] += 20;
+  CHECK(reason(reference_points(two)).empty());
+  two.positions[3] = {4.5, 4.5};
+  CHECK(reason(reference_points(two)).find("meet") != std::string::npos);
+  // The same at a common vertex: from there on one lies over the other.
+  const PlaneField pinch{{{0, 0}, {9, 0}, {0, 9}, {4, 1}, {1, 4}},
+                         {{0, 1, 2}, {0, 3, 4}},
+                         std::vector<std::array<double, 2>>(5, {3, 1})};
+  CHECK(reason(reference_points(pinch)).find("lie over one another") != std::string::npos);
   // All vectors zero: no domain, nothing to claim, and nothing is.
   SkeletonCertificate still;
   still.positions = square;
