@@ -149,6 +149,44 @@ bool BarrierMaker<Real>::control_points(Piece& p, int entry, int exit) {
   return true;
 }
 
+/// Taylor coefficients of a piece from its velocity; returns its end.
+template <class Real>
+std::array<Real, 2> BarrierMaker<Real>::series(const Piece& piece, const Real& u, const Real& v,
+                                               const std::array<Real, 2>& p,
+                                               const std::array<Real, 2>& q) {
+  c_[1] = {piece.h * u, piece.h * v};
+  std::array<Real, 2> end = {piece.x + c_[1][0], piece.y + c_[1][1]};
+  for (int k = 1; k < setting_.degree; ++k) {
+    const auto& c = c_[static_cast<std::size_t>(k)];
+    const Real f = piece.h / (k + 1);
+    auto& next = c_[static_cast<std::size_t>(k) + 1];
+    next = {f * (p[0] * c[0] + q[0] * c[1]), f * (p[1] * c[0] + q[1] * c[1])};
+    end[0] += next[0];
+    end[1] += next[1];
+  }
+  return end;
+}
+
+/// The corner whose coordinate falls to zero first, and where; -1: none does.
+template <class Real>
+std::pair<int, Real> BarrierMaker<Real>::exit_of(const Piece& piece, const std::array<Real, 2>& end,
+                                                 int entry) const {
+  int exit = -1;
+  Real s = 2;
+  const bool outside[3] = {end[0] + end[1] >= 1, end[0] <= 0, end[1] <= 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!outside[axis]) continue;
+    const int corner = (piece.origin + axis) % 3;
+    const bool from_zero = corner == entry || (entry == 3 && axis != 0);
+    const Real r = root(piece, corner, from_zero);
+    if (r < s) {
+      s = r;
+      exit = corner;
+    }
+  }
+  return {exit, s};
+}
+
 template <class Real>
 std::optional<ArcEnd<Real>> BarrierMaker<Real>::leave(const TriangleFrame<Real>& frame,
                                                       const Real& x, const Real& y,
@@ -197,31 +235,9 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
     piece.m = largest(u, v);
     if (!(piece.m > 0)) return std::nullopt;
     piece.h = shrink / (2 * piece.norm + piece.m / 2);
-    c_[1] = {piece.h * u, piece.h * v};
-    Real at_end[2] = {piece.x + c_[1][0], piece.y + c_[1][1]};
-    for (int k = 1; k < d; ++k) {
-      const auto& c = c_[static_cast<std::size_t>(k)];
-      const Real f = piece.h / (k + 1);
-      auto& next = c_[static_cast<std::size_t>(k) + 1];
-      next = {f * (p[0] * c[0] + q[0] * c[1]), f * (p[1] * c[0] + q[1] * c[1])};
-      at_end[0] += next[0];
-      at_end[1] += next[1];
-    }
+    const auto at_end = series(piece, u, v, p, q);
     if (!one_way(piece)) return std::nullopt;
-    // The first side on which the piece ends, if any.
-    int exit = -1;
-    Real s = 2;
-    const bool outside[3] = {at_end[0] + at_end[1] >= 1, at_end[0] <= 0, at_end[1] <= 0};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!outside[axis]) continue;
-      const int corner = (frame.origin + axis) % 3;
-      const bool from_zero = pieces == 0 && (corner == entry || (entry == 3 && axis != 0));
-      const Real r = root(piece, corner, from_zero);
-      if (r < s) {
-        s = r;
-        exit = corner;
-      }
-    }
+    const auto [exit, s] = exit_of(piece, at_end, pieces == 0 ? entry : -1);
     if (exit >= 0) {
       Real power = s;
       for (int k = 1; k <= d; ++k, power *= s) {

@@ -134,6 +134,9 @@ class BarrierMaker {
  private:
   struct Piece;
   Real rounding(const Piece& piece) const;
+  std::array<Real, 2> series(const Piece& piece, const Real& u, const Real& v,
+                             const std::array<Real, 2>& p, const std::array<Real, 2>& q);
+  std::pair<int, Real> exit_of(const Piece& piece, const std::array<Real, 2>& end, int entry) const;
   bool one_way(Piece& piece) const;
   bool control_points(Piece& piece, int entry, int exit);
   Real root(const Piece& piece, int corner, bool divided) const;

@@ -41,12 +41,11 @@ struct EdgeEnd {
   bool zero = false;  ///< the vector is
 };
 
-/// Walks around one loop.
-class LoopWalk {
+/// The signs along one loop.
+class LoopSigns {
  public:
-  LoopWalk(const Domain& domain, const std::vector<HalfEdge>& loop, Index number, Boundary& result,
-           Index& regions)
-      : domain_(domain), loop_(loop), number_(number), result_(result), regions_(regions) {
+  LoopSigns(const Domain& domain, const std::vector<HalfEdge>& loop)
+      : domain_(domain), loop_(loop) {
     for (const HalfEdge h : loop) {
       const Vec2 &p = domain.point(domain.from(h)), &q = domain.point(domain.to(h));
       for (const Index v : {domain.from(h), domain.to(h)})
@@ -57,28 +56,79 @@ class LoopWalk {
       zero_inside_.push_back(turn == Sign::zero && opposite(ends_.size() / 2 - 1));
     }
   }
+  std::size_t size() const { return ends_.size(); }
+  const EdgeEnd& end(std::size_t i) const { return ends_[i % ends_.size()]; }
+  bool zero_inside(std::size_t edge) const { return zero_inside_[edge]; }
+
+  /// The sign of the flow along the edge at one of its ends.
+  Sign along(std::size_t end) const {
+    const HalfEdge h = loop_[end / 2];
+    return kernel::flow_along(domain_.point(domain_.from(h)), domain_.point(domain_.to(h)),
+                              domain_.vector(end % 2 == 0 ? domain_.from(h) : domain_.to(h)));
+  }
+  /// How the loop turns from edge i to edge j, which follows it.
+  Sign corner(std::size_t i, std::size_t j) const {
+    return kernel::orientation(domain_.point(domain_.from(loop_[i])),
+                               domain_.point(domain_.to(loop_[i])),
+                               domain_.point(domain_.to(loop_[j])));
+  }
+  /// None if a zero lies on the loop.
+  std::optional<int> winding() const {
+    int sum = 0;
+    for (std::size_t i = 0; i < loop_.size(); ++i) {
+      if (zero_inside_[i] || ends_[2 * i].zero) return std::nullopt;
+      sum += axis_crossing(domain_.vector(domain_.from(loop_[i])),
+                           domain_.vector(domain_.to(loop_[i])));
+    }
+    return sum;
+  }
+
+ private:
+  bool opposite(std::size_t i) const {
+    return ends_[2 * i].across * ends_[2 * i + 1].across == Sign::negative ||
+           (ends_[2 * i].across == Sign::zero && !ends_[2 * i].zero && !ends_[2 * i + 1].zero &&
+            along(2 * i) != along(2 * i + 1));
+  }
+
+  const Domain& domain_;
+  const std::vector<HalfEdge>& loop_;
+  std::vector<EdgeEnd> ends_;
+  std::vector<bool> zero_inside_;
+};
+
+/// Walks around one loop.
+class LoopWalk {
+ public:
+  LoopWalk(const Domain& domain, const std::vector<HalfEdge>& loop, Index number, Boundary& result,
+           Index& regions)
+      : domain_(domain),
+        loop_(loop),
+        signs_(domain, loop),
+        number_(number),
+        result_(result),
+        regions_(regions) {}
 
   BoundaryLoop walk() {
     out_.length = static_cast<Index>(loop_.size());
     out_.turning = turning_of(domain_, loop_);
-    winding();
-    const std::size_t n = ends_.size();
+    out_.winding = signs_.winding();
+    const std::size_t n = signs_.size();
     std::size_t start = 0;
-    while (start < n && ends_[start].across == Sign::zero) ++start;
+    while (start < n && signs_.end(start).across == Sign::zero) ++start;
     if (start == n) {
       bool wall = false;
-      for (const EdgeEnd& e : ends_) wall = wall || e.zero;
+      for (std::size_t i = 0; i < n; ++i) wall = wall || signs_.end(i).zero;
       ++(wall ? out_.zero : out_.tangent);
       ++regions_;
       return out_;
     }
     const std::size_t first_switch = result_.switch_points.size();
     Index events = 0;
-    count_region(ends_[start].across, 1);
+    count_region(signs_.end(start).across, 1);
     std::vector<std::pair<std::size_t, Index>> events_before = {{start, 0}};
     std::size_t last = start;
     for (std::size_t at = start + 1; at < start + n; ++at) {
-      const Sign across = ends_[at % n].across;
+      const Sign across = signs_.end(at).across;
       if (across == Sign::zero) continue;
       if (separates(last, at)) {
         ++events;
@@ -91,7 +141,7 @@ class LoopWalk {
     if (separates(last, start + n))
       ++events;
     else if (events > 0)
-      count_region(ends_[start].across, -1);
+      count_region(signs_.end(start).across, -1);
     // Region r follows event r; the loop's start lies in the last one.
     const Index count = std::max<Index>(events, 1);
     for (const auto& [end, before] : events_before)
@@ -105,26 +155,6 @@ class LoopWalk {
   }
 
  private:
-  bool opposite(std::size_t i) const {
-    return ends_[2 * i].across * ends_[2 * i + 1].across == Sign::negative ||
-           (ends_[2 * i].across == Sign::zero && !ends_[2 * i].zero && !ends_[2 * i + 1].zero &&
-            along(2 * i) != along(2 * i + 1));
-  }
-  /// The sign of the flow along the edge at one of its ends.
-  Sign along(std::size_t end) const {
-    const HalfEdge h = loop_[end / 2];
-    return kernel::flow_along(domain_.point(domain_.from(h)), domain_.point(domain_.to(h)),
-                              domain_.vector(end % 2 == 0 ? domain_.from(h) : domain_.to(h)));
-  }
-  void winding() {
-    int sum = 0;
-    for (std::size_t i = 0; i < loop_.size(); ++i) {
-      if (zero_inside_[i] || ends_[2 * i].zero) return;
-      sum += axis_crossing(domain_.vector(domain_.from(loop_[i])),
-                           domain_.vector(domain_.to(loop_[i])));
-    }
-    out_.winding = sum;
-  }
   void count_region(Sign s, int by) { (s == Sign::positive ? out_.inflow : out_.outflow) += by; }
   void set_region(std::size_t end, Index region) {
     EdgeRegions& r = result_.regions[loop_[end / 2]];
@@ -133,13 +163,13 @@ class LoopWalk {
   /// Looks between two ends whose flow across is not zero, all between them being zero: whether a
   /// region ends there; a switch point is added. Ends count on around the loop.
   bool separates(std::size_t a, std::size_t b) {
-    const std::size_t n = ends_.size();
-    const auto end = [&](std::size_t i) -> const EdgeEnd& { return ends_[i % n]; };
+    const std::size_t n = signs_.size();
+    const auto end = [&](std::size_t i) -> const EdgeEnd& { return signs_.end(i); };
     const Sign before = end(a).across, after = end(b).across;
     bool zero = false;
     for (std::size_t i = a; i <= b; ++i) {
       zero = zero || end(i).zero;
-      if (i % 2 == 0 && i < b) zero = zero || zero_inside_[i % n / 2];
+      if (i % 2 == 0 && i < b) zero = zero || signs_.zero_inside(i % n / 2);
     }
     if (zero) {
       ++out_.zero;
@@ -183,21 +213,16 @@ class LoopWalk {
       s.point[k] += t * (domain_.point(b)[k] - domain_.point(a)[k]);
     note(s);
   }
-  Sign corner(std::size_t i, std::size_t j) const {
-    return kernel::orientation(domain_.point(domain_.from(loop_[i])),
-                               domain_.point(domain_.to(loop_[i])),
-                               domain_.point(domain_.to(loop_[j])));
-  }
   void add_corner(std::size_t i, std::size_t j, Sign after) {
     SwitchPoint& s = add(loop_[j], after);
     s.last_edge = s.side = loop_[i];
     s.at_vertex = s.corner = true;
-    s.inside = corner(i, j) == Sign::negative;
+    s.inside = signs_.corner(i, j) == Sign::negative;
     note(s);
   }
   /// Ends `first` to `last` are tangent.
   void add_run(std::size_t first, std::size_t last, Sign after) {
-    const std::size_t n = ends_.size(), edges = loop_.size();
+    const std::size_t n = signs_.size(), edges = loop_.size();
     // The edges whose ends these are; its first vertex is left by the next edge if the run begins
     // at an edge's end.
     const std::size_t i = (first + 1) / 2 % edges, j = (last + 1) / 2 % edges;
@@ -205,9 +230,9 @@ class LoopWalk {
     s.last_edge = loop_[(j + edges - 1) % edges];
     s.side = loop_[(first - 1) % n / 2];
     s.at_vertex = s.tangent = true;
-    s.corner = corner((i + edges - 1) % edges, i) != Sign::zero ||
-               corner((j + edges - 1) % edges, j) != Sign::zero;
-    s.inside = along(first % n) == after;
+    s.corner = signs_.corner((i + edges - 1) % edges, i) != Sign::zero ||
+               signs_.corner((j + edges - 1) % edges, j) != Sign::zero;
+    s.inside = signs_.along(first % n) == after;
     note(s);
   }
   std::size_t place_of(const SwitchPoint& s) const {
@@ -217,12 +242,11 @@ class LoopWalk {
 
   const Domain& domain_;
   const std::vector<HalfEdge>& loop_;
+  const LoopSigns signs_;
   const Index number_;
   Boundary& result_;
   Index& regions_;
   BoundaryLoop out_;
-  std::vector<EdgeEnd> ends_;
-  std::vector<bool> zero_inside_;
 };
 
 }  // namespace

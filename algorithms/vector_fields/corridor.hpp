@@ -67,6 +67,12 @@ bool strictly_inside(const Gate<Real>& inner, const Gate<Other>& outer) {
          nearer_to_tail(inner.right, Real(outer.right));
 }
 
+/// A point between the ends, nearly the middle: to look, not to decide.
+template <class Real>
+Real near_middle(const Gate<Real>& g) {
+  return (g.left > 0) == (g.right > 0) ? Real((g.left + g.right) / 2) : g.left;
+}
+
 /// The place of a point of a side, in doubles.
 template <class Real>
 Vec2 place_on(const Domain& domain, HalfEdge side, const Real& t) {

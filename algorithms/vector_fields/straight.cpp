@@ -16,6 +16,38 @@ namespace {
 
 constexpr Index kMostElements = 100'000;
 
+void end_in_region(Index region, Trace& trace) {
+  if (region == kNone) return;
+  trace.end = EndKind::boundary;
+  trace.target = region;
+}
+
+/// Out of the domain through the inside of a side; v: the velocity at its tail.
+void leave_on_side(const Surroundings& around, HalfEdge side, const Exact& v, Trace& trace) {
+  const EdgeRegions& r = around.boundary.regions.at(side);
+  if (r.at_from == r.at_to) return end_in_region(r.at_from, trace);
+  const Domain& d = around.domain;
+  const Exact e = exact(d.point(d.to(side))) - exact(d.point(d.from(side)));
+  // Outward: the end of the edge that flows out, too.
+  end_in_region(cross(e, v) < 0 ? r.at_from : r.at_to, trace);
+}
+
+void leave_at_vertex(const Surroundings& around, const Fan& fan, Trace& trace) {
+  const Domain& d = around.domain;
+  const HalfEdge after = fan.leaving.front(), before = Domain::previous(fan.leaving.back());
+  const Index v = d.from(after);
+  for (Index i = 0; i < around.boundary.switch_points.size(); ++i) {
+    const SwitchPoint& s = around.boundary.switch_points[i];
+    if (!s.at_vertex || (s.edge != after && s.last_edge != before)) continue;
+    if (d.from(s.edge) != v && d.to(s.last_edge) != v) continue;
+    trace.end = EndKind::switch_point;
+    trace.target = i;
+    return;
+  }
+  const Index r = around.boundary.regions.at(after).at_from;
+  end_in_region(r != kNone ? r : around.boundary.regions.at(before).at_to, trace);
+}
+
 class Walk {
  public:
   Walk(const Surroundings& around, const Start& start, Trace& trace)
@@ -123,7 +155,7 @@ class Walk {
         return go_on(fan);
       }
     }
-    leave_at_vertex(fan);
+    leave_at_vertex(around_, fan, trace_);
     return true;
   }
   /// Along an edge to `head`, which the half-edge leaves.
@@ -137,7 +169,7 @@ class Walk {
   bool from_side() {
     const HalfEdge twin = domain_.twin(side_);
     if (twin == kNone) {
-      leave_on_side();
+      leave_on_side(around_, side_, velocity(domain_.from(side_)), trace_);
       return true;
     }
     return through(twin / 3, twin);
@@ -148,33 +180,6 @@ class Walk {
     if (domain_.is_zero(domain_.from(vertex_)) || trace_.straight->elements == 0) return false;
     trace_.leg = start_at_vertex(domain_, fan, start_.forward);
     return false;
-  }
-
-  void set_boundary(Index region) {
-    if (region == kNone) return;
-    trace_.end = EndKind::boundary;
-    trace_.target = region;
-  }
-  void leave_on_side() {
-    const EdgeRegions& r = around_.boundary.regions.at(side_);
-    if (r.at_from == r.at_to) return set_boundary(r.at_from);
-    const Exact e = at(domain_.to(side_)) - at(domain_.from(side_));
-    // Outward: the end of the edge that flows out, too.
-    set_boundary(cross(e, velocity(domain_.from(side_))) < 0 ? r.at_from : r.at_to);
-  }
-  void leave_at_vertex(const Fan& fan) {
-    const Index v = domain_.from(vertex_);
-    const HalfEdge after = fan.leaving.front(), before = Domain::previous(fan.leaving.back());
-    for (Index i = 0; i < around_.boundary.switch_points.size(); ++i) {
-      const SwitchPoint& s = around_.boundary.switch_points[i];
-      if (!s.at_vertex || (s.edge != after && s.last_edge != before)) continue;
-      if (domain_.from(s.edge) != v && domain_.to(s.last_edge) != v) continue;
-      trace_.end = EndKind::switch_point;
-      trace_.target = i;
-      return;
-    }
-    const Index r = around_.boundary.regions.at(after).at_from;
-    set_boundary(r != kNone ? r : around_.boundary.regions.at(before).at_to);
   }
 
   const Surroundings& around_;

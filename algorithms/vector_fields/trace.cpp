@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algorithms/vector_fields/corridor.hpp"
+#include "algorithms/vector_fields/annulus.hpp"
 #include "algorithms/vector_fields/reals.hpp"
 #include "algorithms/vector_fields/starts.hpp"
 #include "algorithms/vector_fields/straight.hpp"
@@ -13,11 +13,7 @@ namespace crest::vector_fields {
 
 namespace {
 
-constexpr BarrierSetting kDoubles{53, 36, 12, 0};
 constexpr std::size_t kMostCrossings = 200'000;
-constexpr std::size_t kMostTurns = 20'000;  ///< cells of an annulus
-constexpr std::size_t kMostFruitless = 12;  ///< returns to the same place without an annulus
-constexpr double kSettled = 0x1p-40;  ///< of a side: a line that came back so near is at its limit
 
 /// From the tail, in doubles: to look, not to decide.
 template <class Real>
@@ -31,10 +27,7 @@ template <class Real>
 class Follower {
  public:
   Follower(const Surroundings& around, const BarrierSetting& setting, std::vector<Annulus>& annuli)
-      : around_(around),
-        maker_(around.domain, setting),
-        doubles_(around.domain, kDoubles),
-        annuli_(annuli) {}
+      : around_(around), maker_(around.domain, setting), search_(around, annuli) {}
 
   /// Whether it ends by name.
   bool follow(const Start& line, Trace& trace) {
@@ -46,7 +39,8 @@ class Follower {
   bool follow_leg(Trace& trace) {
     const Start start = trace.leg;
     trace.setting = maker_.setting();
-    CellResult<Real> cell = begin(maker_, start, trace, trap_in(start.place / 3, start.forward));
+    CellResult<Real> cell =
+        begin(maker_, start, trace, around_.trap_in(start.place / 3, start.forward));
     // Of rays the first triangle is not crossed, but left.
     if (start.kind == StartKind::along || start.kind == StartKind::point) note(trace, cell);
     Index triangle = start.place / 3;
@@ -67,12 +61,14 @@ class Follower {
         trace.reason = OpenReason::budget;
         return false;
       }
-      if (spirals(trace, gate)) return true;
-      if (fruitless_ > kMostFruitless) {
+      const bool found =
+          search_.visit(start.forward, gate.side, from_tail(near_middle(gate)), trace.turns.size());
+      if (found && in_annulus(trace, gate)) return true;
+      if (search_.hopeless()) {
         trace.reason = OpenReason::weak_focus;
         return false;
       }
-      cell = cross_cell(maker_, start.forward, gate, trap_in(triangle, start.forward));
+      cell = cross_cell(maker_, start.forward, gate, around_.trap_in(triangle, start.forward));
       note(trace, cell);
     }
   }
@@ -83,16 +79,6 @@ class Follower {
       trace.special.push_back({static_cast<Index>(trace.turns.size()), cell.setting});
     if (cell.end == CellEnd::crossed || cell.end == CellEnd::left_domain)
       trace.turns.push_back(cell.turn);
-  }
-  const Ellipse* trap_in(Index t, bool forward) const {
-    const auto at = around_.traps.find(t);
-    return at != around_.traps.end() && at->second.ellipse.attracting == forward
-               ? &at->second.ellipse
-               : nullptr;
-  }
-  template <class Number>
-  static Number near_middle(const Gate<Number>& g) {
-    return (g.left > 0) == (g.right > 0) ? Number((g.left + g.right) / 2) : g.left;
   }
   Vec2 middle(const Gate<Real>& g) const {
     return place_on<Real>(around_.domain, g.side, near_middle(g));
@@ -153,86 +139,16 @@ class Follower {
   }
 
   bool in_annulus(Trace& trace, const Gate<Real>& gate) {
-    for (Index i = 0; i < annuli_.size(); ++i) {
-      const Annulus& a = annuli_[i];
-      if (a.side != gate.side || a.forward != trace.start.forward) continue;
-      const Gate<double> door{a.side, a.left, a.right};
-      if (!strictly_inside(gate, door)) continue;
-      trace.end = EndKind::closed_orbit;
-      trace.target = i;
-      return true;
-    }
-    return false;
-  }
-
-  /// Whether the line comes back to a side ever closer to where an annulus is then found.
-  bool spirals(Trace& trace, const Gate<Real>& gate) {
-    std::vector<Visit>& seen = visits_[gate.side];
-    seen.push_back({from_tail(near_middle(gate)), trace.turns.size()});
-    const std::size_t n = seen.size();
-    if (n < 3 || trace.turns.size() < next_try_) return false;
-    const double a = seen[n - 2].place - seen[n - 3].place;
-    const double b = seen[n - 1].place - seen[n - 2].place;
-    const bool settled = std::fabs(b) < kSettled;
-    if (!settled && !(b / a > 0 && b / a < 1)) return false;
-    next_try_ = trace.turns.size() + (seen[n - 1].turns - seen[n - 2].turns) / 4 + 1;
-    // Geometric convergence tells the limit; at rounding's scale it is here.
-    const double ahead = settled ? kSettled : b * (b / a) / (1 - b / a);
-    for (const double reach : {1.0, 4.0, 0.25})
-      if (try_annulus(trace, gate, ahead, settled ? 1024 * reach : reach * 0x1p-4, reach))
-        return in_annulus(trace, gate);
-    if (settled) ++fruitless_;
-    return false;
-  }
-
-  /// An annulus from a share `behind` of the way to the limit behind the gate to as much `beyond`
-  /// it.
-  bool try_annulus(Trace& trace, const Gate<Real>& gate, double ahead, double behind,
-                   double beyond) {
-    const double here = from_tail(near_middle(gate));
-    const double far = here + ahead * (1 + beyond), near = here - ahead * behind;
-    const double low = std::min(near, far), high = std::max(near, far);
-    if (!(low > 0 && high < 1 && low < high)) return false;
-    const auto coordinate = [](double x) { return x <= 0.5 ? x : x - 1; };
-    const Gate<double> door{gate.side, coordinate(low), coordinate(high)};
-    Annulus found;
-    found.setting = doubles_.setting();
-    found.forward = trace.start.forward;
-    found.side = gate.side;
-    found.left = door.left;
-    found.right = door.right;
-    Gate<double> at = door;
-    while (found.turns.size() < kMostTurns) {
-      found.line.push_back(place_on(around_.domain, at.side, near_middle(at)));
-      const auto cell =
-          cross_cell(doubles_, found.forward, at, trap_in(at.side / 3, found.forward));
-      if (cell.end != CellEnd::crossed) return false;
-      if (cell.special)
-        found.special.push_back({static_cast<Index>(found.turns.size()), cell.setting});
-      found.turns.push_back(cell.turn);
-      at = cell.gate;
-      if (at.side != door.side) continue;
-      if (strictly_inside(at, door)) break;
-      if (overlaps(at, door)) return false;
-    }
-    if (found.turns.size() >= kMostTurns) return false;
-    annuli_.push_back(std::move(found));
+    const auto found = search_.holding(trace.start.forward, gate);
+    if (!found) return false;
+    trace.end = EndKind::closed_orbit;
+    trace.target = *found;
     return true;
-  }
-  static bool overlaps(const Gate<double>& a, const Gate<double>& b) {
-    return nearer_to_tail(a.left, b.right) && nearer_to_tail(b.left, a.right);
   }
 
   const Surroundings& around_;
   BarrierMaker<Real> maker_;
-  BarrierMaker<double> doubles_;  ///< annuli need no more
-  std::vector<Annulus>& annuli_;
-  struct Visit {
-    double place;
-    std::size_t turns;
-  };
-  std::unordered_map<HalfEdge, std::vector<Visit>> visits_;
-  std::size_t next_try_ = 0, fruitless_ = 0;
+  AnnulusSearch search_;
 };
 
 }  // namespace

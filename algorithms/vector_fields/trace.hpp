@@ -40,6 +40,9 @@ struct StraightPart {
   Index elements = 0;
 };
 
+/// Of corridors in doubles.
+inline constexpr BarrierSetting kDoubles{53, 36, 12, 0};
+
 /// One separatrix as it was proven.
 struct Trace {
   Start start;
@@ -84,6 +87,13 @@ struct Surroundings {
   const Boundary& boundary;
   const std::vector<ZeroComponent>& zeros;
   const std::unordered_map<Index, Trap>& traps;
+
+  /// The ellipse in a triangle that lines forward, or backward, only enter; or none.
+  const Ellipse* trap_in(Index t, bool forward) const {
+    const auto at = traps.find(t);
+    return at != traps.end() && at->second.ellipse.attracting == forward ? &at->second.ellipse
+                                                                         : nullptr;
+  }
 };
 
 /// Follows a start at rising precision; annuli that are found join the others.

@@ -22,7 +22,7 @@ Sign exact_vector_turn(const Vec2& a, const Vec2& b) {
   return exact_stage(VectorTurn{a, b});
 }
 
-Sign symbolic_vector_turn(Index i, const Vec2& a, Index j, const Vec2& b) {
+Sign symbolic_vector_turn(std::uint32_t i, const Vec2& a, std::uint32_t j, const Vec2& b) {
   if (i > j) return -symbolic_vector_turn(j, b, i, a);
   if (const Sign s = vector_turn(a, b); s != Sign::zero) return s;
   for (const double x : {-b[0], b[1], a[0]})

@@ -13,7 +13,6 @@
 // - 4 det. (5) flow_across(p, q, v) = -flow_across(q, p, v). Not true: that the perturbed index of
 // a zero on the boundary is independent of the frame.
 #include "kernel/arithmetic/vec3.hpp"
-#include "kernel/geometry/index.hpp"
 #include "kernel/predicates/ladder.hpp"
 
 namespace crest::kernel {
@@ -45,7 +44,7 @@ inline Sign vector_turn(const Vec2& a, const Vec2& b) {
 
 /// The turn where zero is resolved by Simulation of Simplicity: vector i is displaced by powers of
 /// an infinitesimal that fall with i. Requires: i != j. Guarantees: not zero.
-Sign symbolic_vector_turn(Index i, const Vec2& a, Index j, const Vec2& b);
+Sign symbolic_vector_turn(std::uint32_t i, const Vec2& a, std::uint32_t j, const Vec2& b);
 
 /// Corners and vectors of a triangle.
 struct FieldOnTriangle {

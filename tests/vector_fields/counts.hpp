@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 #include <ostream>
-#include <random>
 
 #include "algorithms/sampling/planar_fields.hpp"
 #include "algorithms/vector_fields/skeleton_result.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -54,7 +54,7 @@ inline vector_fields::PlanarField field_of(sampling::PlanarSample sample) {
 /// The same field with vertices, triangles and corners numbered anew.
 inline vector_fields::PlanarField renumbered(const vector_fields::PlanarField& field,
                                              std::uint64_t seed) {
-  std::mt19937_64 random(seed);
+  Random random(seed);
   std::vector<kernel::Index> to(field.points.size());
   std::iota(to.begin(), to.end(), 0U);
   std::shuffle(to.begin(), to.end(), random);
