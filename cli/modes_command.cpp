@@ -107,8 +107,8 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
   return file;
 }
 
-/// Writes claim 7 if its checker accepts it: at multiple points next to a face's rim it proves less
-/// than the extraction decides. Returns whether it did.
+/// Writes claim 7 if its checker accepts it: where it finds a place special that the extraction
+/// decided, nothing is stated. Returns whether it did.
 bool certify_curves(Run& run, const modes::ModeField& field, const modes::DegenerateCurves& curves,
                     io::ModeScene& scene) {
   return run.step("certificate", "writing the certificate", [&] {

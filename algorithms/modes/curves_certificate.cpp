@@ -18,17 +18,20 @@ std::array<FaceCorners, 4> faces_of(TetCorners k) {
   return {{{k[1], k[2], k[3]}, {k[0], k[2], k[3]}, {k[0], k[1], k[3]}, {k[0], k[1], k[2]}}};
 }
 
-/// What is special, undecided or beyond the claim, and the tets with such a face.
+/// What is special or undecided, and the tets with such a face.
 void add_special(const DegenerateCurves& curves, certify::ModesCurvesCertificate& c) {
-  std::set<FaceCorners> faces(curves.multiple_faces.begin(), curves.multiple_faces.end());
-  for (const SpecialFace& f : curves.special_faces) faces.insert(f.face);
+  std::set<FaceCorners> faces, planes;
+  for (const SpecialFace& f : curves.special_faces) {
+    faces.insert(f.face);
+    if (f.reason == SpecialReason::zero_quartic) planes.insert(f.face);
+  }
   std::set<std::uint32_t> tets(curves.undecided.begin(), curves.undecided.end());
-  tets.insert(curves.singular_tets.begin(), curves.singular_tets.end());
   for (const SpecialTet& t : curves.special_tets) tets.insert(t.tet);
   for (std::uint32_t t = 0; t < c.tets.size(); ++t)
     for (const FaceCorners& f : faces_of(c.tets[t]))
       if (faces.contains(f)) tets.insert(t);
   c.special_faces.assign(faces.begin(), faces.end());
+  c.plane_faces.assign(planes.begin(), planes.end());
   c.special_tets.assign(tets.begin(), tets.end());
 }
 

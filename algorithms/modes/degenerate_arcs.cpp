@@ -225,12 +225,7 @@ class TetConic {
 TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<Vec3, 4>& positions,
                  std::span<const TetPoint> points) {
   TetArcs result;
-  if (points.empty()) {
-    const auto forms = triage_forms<4>(corners);
-    const MaybeSign s = forms ? certain_sign(forms->vanishing[0].det()) : std::nullopt;
-    result.singular = (!s || *s == Sign::zero) && exact_forms_of(corners).special;
-    return result;
-  }
+  if (points.empty()) return result;
   const auto joined = [&](const TetForms& f) {
     for (const double turn : {0.0, 0.7, 1.9, 2.6}) {
       TetConic conic(f, positions, turn);

@@ -30,7 +30,6 @@ struct TetArc {
 struct TetArcs {
   std::vector<TetArc> arcs;
   std::optional<SpecialReason> special;  ///< dependent or line_pair
-  bool singular = false;  ///< has no points, and dependent tensors or a pair of lines as conic
   bool decided = true;
 };
 

@@ -205,7 +205,6 @@ class Extraction {
          : r.stage == FaceStage::triage ? counts.triage_faces
                                         : counts.exact_faces);
       if (r.special) result_.special_faces.push_back({faces_[i], *r.special});
-      if (r.multiple && !r.special) result_.multiple_faces.push_back(faces_[i]);
       first_point_[i] = static_cast<std::uint32_t>(result_.points.size());
       if (r.count) result_.faces.push_back(faces_[i]);
       for (std::size_t k = 0; k < r.count; ++k) add_point(faces_[i], r.root[k]);
@@ -248,7 +247,6 @@ class Extraction {
           for (std::uint32_t k = 0; k < roots_[f].count; ++k)
             at_special_[first_point_[f] + k] = true;
       if (found[i].special) result_.special_tets.push_back({active_[i], *found[i].special});
-      if (found[i].singular) result_.singular_tets.push_back(active_[i]);
       if (!found[i].decided) result_.undecided.push_back(active_[i]);
       for (TetArc& arc : found[i].arcs) {
         result_.arcs.push_back({active_[i], arc.ends});

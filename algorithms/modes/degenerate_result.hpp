@@ -75,10 +75,6 @@ struct DegenerateCurves {
   std::vector<SpecialFace> special_faces;
   std::vector<SpecialTet> special_tets;
   std::vector<std::uint32_t> undecided;  ///< tets; none of their arcs is listed
-  /// Decided, but beyond claim 7: faces whose conics have multiple common points that are not in
-  /// the face, tets without points that have dependent tensors or a pair of lines.
-  std::vector<FaceCorners> multiple_faces;
-  std::vector<std::uint32_t> singular_tets;
 
   /// Where the work went.
   struct Counts {
