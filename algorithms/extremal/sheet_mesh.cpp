@@ -15,8 +15,9 @@ namespace {
 
 constexpr double kUnits = 65536;
 
+/// Inside the edge: at a node the fans of several edges would meet.
 std::uint16_t snapped(double x) {
-  return static_cast<std::uint16_t>(std::clamp(std::round(x * kUnits), 0.0, kUnits - 1));
+  return static_cast<std::uint16_t>(std::clamp(std::round(x * kUnits), 1.0, kUnits - 1));
 }
 
 Vec3 as_vector(const Node& v) {

@@ -4,10 +4,10 @@
 // The cone test and what follows from it (SPEC.md, lemma 9), in doubles with one slack a quantity.
 //
 // Slack. Every number below is a sum of products of control values, of size at most A and with
-// error at most 2^-46 A (nets.hpp, edge_net.hpp, trim.cpp), and of entries of unit vectors that err
-// by some u; at most 64 roundings. So it errs by less than (9 + 1) 2^-46 A < 2^-42 A, with A times
-// 1 / d where it is divided by spacings; slack() is 2^-40 A. Numbers that are not polynomials in
-// the controls (angles) get a factor 1 +- 2^-40.
+// error at most 2^-46 A (nets.hpp; halved 28 times edge_net.hpp; trim.cpp), and of entries of unit
+// vectors that err by some u; at most 64 roundings. So it errs by less than (4 + 1) 2^-46 A < 2^-43
+// A, with A times 1 / d where it is divided by spacings; slack() is 2^-40 A. Numbers that are not
+// polynomials in the controls (angles) get a factor 1 +- 2^-40.
 #include <algorithm>
 #include <array>
 #include <cmath>

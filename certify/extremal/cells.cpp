@@ -229,8 +229,8 @@ template <unsigned dimension>
 void check_unlisted(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
   const Grid& grid = fields.grid;
   const double level = c.data.min_value;
-  float below = static_cast<float>(level);  // at most the level
-  if (static_cast<double>(below) > level) below = std::nextafter(below, -HUGE_VALF);
+  float above = static_cast<float>(level);  // floats below it are below the level
+  if (static_cast<double>(above) < level) above = std::nextafter(above, HUGE_VALF);
   const u32 row = grid.nodes[0];
   parallel_for(
       grid.count / row, [&] { return std::make_unique<CellProver<dimension>>(fields); },
@@ -240,7 +240,7 @@ void check_unlisted(const ExtremalCertificate& c, const Fields& fields, const Ce
         for (u32 cell = first; cell + 1 < first + row; ++cell) {
           if (cells.code[cell] != Cells::kUnlisted) continue;
           require(c.data.has_min_value, "cell {}: it is not listed", cell);
-          require(is_low(fields, cell, below) || prover->is_below(cell, level) ||
+          require(is_low(fields, cell, above) || prover->is_below(cell, level) ||
                       is_below_exactly(fields, cell, level),
                   "cell {}: it is not listed, but L may reach the least value", cell);
         }
@@ -261,9 +261,10 @@ bool is_below_exactly(const Fields& fields, u32 cell, double level) {
     Rational value = 0, weights = 0;
     for (u32 n = 0; n < 64; ++n) {
       const u32 x = n % 4, y = n / 4 % 4, z = n / 16;
-      const Rational weight = kTable[i][x] * kTable[j][y] * kTable[k][z];
+      const int weight = kTable[i][x] * kTable[j][y] * kTable[k][z];
+      if (weight == 0) continue;
       weights += weight;
-      value += weight * static_cast<double>(fields.l[at(0, x) + at(1, y) + at(2, z)]);
+      value += Rational(weight) * static_cast<double>(fields.l[at(0, x) + at(1, y) + at(2, z)]);
     }
     if (value >= weights * Rational(level)) return false;
   }

@@ -126,6 +126,12 @@ void find_isotopic(const ExtremalCertificate& c, const Grid& grid, const Cells& 
       if (of != kNothing) components.list[of].isotopic = false;
     }
   }
+  for (size_t p = 0; p < c.fan_points.size(); ++p)
+    if (c.fan_points[p] == 0)  // the node: fans of two edges might meet
+      for (u32 i = 0; i < mesh.corners; ++i) {
+        const u32 of = components.of_vertex[mesh.vertex[mesh.corners * p + i]];
+        if (of != kNothing) components.list[of].isotopic = false;
+      }
   Clusters clusters(grid, cells, edges, squares);
   for (u32 i = 0; i < mesh.vertex_cells.size(); ++i) {
     if (components.of_vertex[i] == kNothing) continue;

@@ -21,7 +21,9 @@ void read_samples(const ExtremalData& data, Buffer<double>& out) {
     const auto sample = std::bit_cast<Sample>(reader.integer<Bits>());
     x = static_cast<double>(sample);
     if constexpr (sizeof(Sample) == 8 && std::is_integral_v<Sample>)
-      require(std::fabs(x) <= 0x1p53, "samples: an integer is larger than 2^53");
+      require(std::cmp_less_equal(sample, std::int64_t{1} << 53) &&
+                  std::cmp_greater_equal(sample, -(std::int64_t{1} << 53)),
+              "samples: an integer is larger than 2^53");
   }
 }
 
@@ -158,9 +160,9 @@ std::vector<Interval> enclose_weights(const Interval& variance, size_t count) {
 
 /// SPEC.md, "Weights". Relative error 2^-40: exp differs in its last digits from machine to
 /// machine.
-void check_weights(const std::vector<double>& weights, double sigma, double ratio) {
+void check_weights(const std::vector<double>& weights, double sigma, double least, double spacing) {
   const kernel::RoundUpward guard;
-  const Interval scaled = Interval(sigma) * Interval(ratio);
+  const Interval scaled = Interval(sigma) * Interval(least) / Interval(spacing);
   const Interval variance = scaled * scaled - Interval(1.0) / Interval(3.0);
   if (weights.size() == 1) {
     require(weights[0] == 1 && variance.inf() <= 0x1p-40, "weights: smoothing is missing");
@@ -190,19 +192,19 @@ void check_weights(const ExtremalData& data) {
   double least = data.spacing[0];
   for (unsigned k = 1; k < data.dimension; ++k) least = std::min(least, data.spacing[k]);
   for (unsigned k = 0; k < data.dimension; ++k) {
-    const double ratio = least / data.spacing[k];
-    check_weights(data.weights[k], data.sigma, ratio);
+    check_weights(data.weights[k], data.sigma, least, data.spacing[k]);
     if (data.hessian)
       require(data.tensor_weights[k] == std::vector<double>{1}, "weights: of no tensor field");
     else
-      check_weights(data.tensor_weights[k], data.tensor_sigma, ratio);
+      check_weights(data.tensor_weights[k], data.tensor_sigma, least, data.spacing[k]);
   }
 }
 
 Fields make_fields(const ExtremalData& data) {
   Fields fields{Grid(data), data.hessian, data.valley, data.spacing, {}, {}, {}};
   const Grid& grid = fields.grid;
-  for (unsigned k = 0; k < 3; ++k) fields.inverse_spacing[k] = 1 / data.spacing[k];
+  for (unsigned k = 0; k < 3; ++k)
+    fields.inverse_spacing[k] = k < data.dimension ? 1 / data.spacing[k] : 0;
   Buffer<double> samples = read_samples(data, grid.count);
   if (!data.hessian) {
     Buffer<double> product(samples.size());

@@ -45,7 +45,7 @@ inline constexpr unsigned kComponent[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 struct Fields {
   Grid grid;
   bool hessian, valley;
-  Vec spacing, inverse_spacing;
+  Vec spacing, inverse_spacing;  ///< of an image the third inverse is 0
   Buffer<float> l;
   std::array<Buffer<float>, 6> t;  ///< empty with `hessian`; components without z with an image
   double most_l = 0, most_t = 0;   ///< of the coefficients' sizes

@@ -141,6 +141,19 @@ TEST_CASE("extremal, referee 5: isotopic vertices are strictly inside their cell
       }
 }
 
+TEST_CASE("extremal: an isotopic fan does not reach the ends of its edges") {
+  // Two polygons around edges with a common node, both with their point there, would overlap.
+  const auto& c = closed_ring();
+  REQUIRE_FALSE(c.fan_points.empty());
+  for (std::size_t i = 0; i < c.fan_points.size(); i += 5)
+    for (const std::uint16_t place : {0, 1, 65535}) {
+      auto moved = c;
+      moved.fan_points[i] = place;
+      CAPTURE(i, place);
+      CHECK(is_accepted(moved) == (place > 0));
+    }
+}
+
 TEST_CASE("extremal, referee 6: gradients in units in which cells are cubes") {
   // A sheet whose slope turns from 0.3 to -0.3 within a cell of length 10: (1, 0, +-3) by index.
   const Vec spacing{1, 1, 10};
