@@ -228,7 +228,7 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
   piece.norm = std::max<Real>(fabs(p[0]) + fabs(q[0]), fabs(p[1]) + fabs(q[1]));
   const int d = setting_.degree;
   exhausted_ = false;
-  const int most = trap || setting_.shrink < 0 ? kMostPieces : kFewPieces;
+  const int most = !quick_ && (trap || setting_.shrink < 0) ? kMostPieces : kFewPieces;
   for (int pieces = 0; pieces < most; ++pieces) {
     const Real u = w[0] + p[0] * piece.x + q[0] * piece.y;
     const Real v = w[1] + p[1] * piece.x + q[1] * piece.y;
