@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "algorithms/vector_fields/certificate.hpp"
 #include "certify/certificate.hpp"
+#include "certify/verify.hpp"
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "io/read/planar_field_reader.hpp"
@@ -38,6 +40,9 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
+      // The checker shares no code with the extraction: what it refuses is a bug on either side.
+      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
       scene.data_digest = certify::hex(certify::data_digest(bytes));
       run.write_certificate("skeleton", bytes, undecided_count(skeleton));
     });

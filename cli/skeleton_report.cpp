@@ -166,14 +166,14 @@ std::string skeleton_summary(const Skeleton& s) {
       "{} critical points: {} saddles, {} sources, {} sinks, {} others; indices sum to {}, "
       "windings to {}\n"
       "{} switch points, {} of them touched from inside, on {} boundary loops\n"
-      "{} separatrices: {} end at critical points, {} at the boundary, {} in closed orbits; {} "
-      "are undecided\n",
+      "{} separatrices: {} end at critical points, {} at the boundary, {} in closed orbits, {} at "
+      "walls; {} are undecided\n",
       s.critical_points.size(), count(s, ZeroKind::saddle), count(s, ZeroKind::source),
       count(s, ZeroKind::sink),
       count(s, ZeroKind::centre) + count(s, ZeroKind::higher_order) + count(s, ZeroKind::undecided),
       s.index_sum, s.winding_sum, s.switch_points.size(), inside, s.loops.size(),
       s.separatrices.size(), count(s, EndKind::critical_point), count(s, EndKind::boundary),
-      count(s, EndKind::closed_orbit), undecided_count(s));
+      count(s, EndKind::closed_orbit), count(s, EndKind::zero_flow), undecided_count(s));
 }
 
 }  // namespace crest::cli

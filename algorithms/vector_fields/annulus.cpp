@@ -8,7 +8,6 @@ namespace crest::vector_fields {
 
 namespace {
 
-constexpr std::size_t kMostTurns = 20'000;  ///< cells of an annulus
 constexpr std::size_t kMostFruitless = 12;  ///< returns to the same place without an annulus
 constexpr double kSettled = 0x1p-40;        ///< of a side: so near is the same place
 
@@ -31,7 +30,9 @@ bool AnnulusSearch::visit(bool forward, HalfEdge side, double place, std::size_t
   const double b = seen[n - 1].place - seen[n - 2].place;
   const bool settled = std::fabs(b) < kSettled;
   if (!settled && !(b / a > 0 && b / a < 1)) return false;
-  next_try_ = turns + (seen[n - 1].turns - seen[n - 2].turns) / 4 + 1;
+  const std::size_t period = seen[n - 1].turns - seen[n - 2].turns;
+  next_try_ = turns + period / 4 + 1;
+  most_turns_ = 2 * period + 16;
   if (settled) {
     for (const double radius : {0x1p-24, 0x1p-17, 0x1p-30, 0x1p-10})
       if (try_between(forward, side, place - radius, place + radius)) return true;
@@ -59,7 +60,7 @@ bool AnnulusSearch::try_between(bool forward, HalfEdge side, double low, double 
   found.left = door.left;
   found.right = door.right;
   Gate<double> at = door;
-  while (found.turns.size() < kMostTurns) {
+  while (found.turns.size() < most_turns_) {
     found.line.push_back(place_on(around_.domain, at.side, near_middle(at)));
     const auto cell = cross_cell(maker_, forward, at, around_.trap_in(at.side / 3, forward));
     if (cell.end != CellEnd::crossed) return false;

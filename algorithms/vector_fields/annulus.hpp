@@ -15,7 +15,9 @@ namespace crest::vector_fields {
 class AnnulusSearch {
  public:
   AnnulusSearch(const Surroundings& around, std::vector<Annulus>& annuli)
-      : around_(around), maker_(around.domain, kDoubles), annuli_(annuli) {}
+      : around_(around), maker_(around.domain, kDoubles), annuli_(annuli) {
+    maker_.be_quick();
+  }
 
   /// The line enters a side's triangle at a share of the side from its tail, after so many turns.
   /// Whether an annulus was found and added.
@@ -47,6 +49,7 @@ class AnnulusSearch {
   std::vector<Annulus>& annuli_;
   std::unordered_map<HalfEdge, std::vector<Visit>> visits_;
   std::size_t next_try_ = 0, fruitless_ = 0;
+  std::size_t most_turns_ = 0;  ///< cells of a trial: twice around
 };
 
 }  // namespace crest::vector_fields

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/vector_fields/barrier.hpp"
 
+#include <algorithm>
+
 #include "algorithms/vector_fields/reals.hpp"
 
 namespace crest::vector_fields {
@@ -228,7 +230,9 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
   piece.norm = std::max<Real>(fabs(p[0]) + fabs(q[0]), fabs(p[1]) + fabs(q[1]));
   const int d = setting_.degree;
   exhausted_ = false;
-  const int most = trap || setting_.shrink < 0 ? kMostPieces : kFewPieces;
+  const int share = std::max(1, setting_.bits / 60);  // pieces of many bits are dear
+  const int most = std::max(
+      16, (!quick_ && (trap || setting_.shrink < 0) ? kMostPieces : kFewPieces) / share / share);
   for (int pieces = 0; pieces < most; ++pieces) {
     const Real u = w[0] + p[0] * piece.x + q[0] * piece.y;
     const Real v = w[1] + p[1] * piece.x + q[1] * piece.y;

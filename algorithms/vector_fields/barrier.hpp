@@ -120,6 +120,9 @@ class BarrierMaker {
   const BarrierSetting& setting() const { return setting_; }
   /// Other pieces and angles than the precision's own.
   void set(int angle, int shrink);
+  /// Gives up early: for trials.
+  void be_quick() { quick_ = true; }
+  bool quick() const { return quick_; }
   /// Whether the last arc failed for its number of pieces.
   bool exhausted() const { return exhausted_; }
 
@@ -147,7 +150,7 @@ class BarrierMaker {
   const Domain& domain_;
   BarrierSetting setting_;
   Real unit_, theta_;
-  bool exhausted_ = false;
+  bool exhausted_ = false, quick_ = false;
   std::vector<Real> inverse_binomial_;           ///< of degree over k
   std::vector<std::array<Real, 2>> c_, points_;  ///< of the piece at hand
 };

@@ -14,6 +14,7 @@ struct Variant {
   int angle, shrink;
 };
 constexpr Variant kVariants[] = {{0, 0}, {-6, 0}, {-6, 1}, {-6, 2}, {-6, 3}, {-10, 0}, {-10, 2}};
+constexpr std::size_t kQuickVariants = 3;
 /// Where the line creeps: next to a saddle whose matrix is far from normal.
 constexpr Variant kLongPieces[] = {{0, 0}, {-6, -4}, {-6, -3}, {-6, -2}, {-6, -1}};
 
@@ -46,10 +47,12 @@ CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, Index t, in
   CellResult<Real> result;
   const BarrierSetting own = maker.setting();
   std::span<const Variant> variants = kVariants;
+  if (maker.quick()) variants = variants.first(kQuickVariants);
   for (std::size_t i = 0; i < variants.size(); ++i) {
     maker.set(own.angle + variants[i].angle, variants[i].shrink);
     const auto ends = two_arcs(maker, forward, t, left, right, trap);
     if (!ends) {
+      if (maker.exhausted() && maker.quick()) break;
       if (variants.data() == kVariants && maker.exhausted()) {
         variants = kLongPieces;
         i = 0;

@@ -13,7 +13,10 @@ namespace crest::vector_fields {
 
 namespace {
 
-constexpr std::size_t kMostCrossings = 200'000;
+/// Crossings after which a line is given up, and says so; at high precisions each is dear.
+std::size_t most_crossings(int bits) {
+  return bits == 53 ? 200'000 : static_cast<std::size_t>(2.5e8 / bits / bits);
+}
 
 /// From the tail, in doubles: to look, not to decide.
 template <class Real>
@@ -57,7 +60,7 @@ class Follower {
       trace.line.push_back(middle(gate));
       trace.width = width(gate);
       if (in_annulus(trace, gate) || at_wall(trace, gate)) return true;
-      if (trace.turns.size() > kMostCrossings) {
+      if (trace.turns.size() > most_crossings(trace.setting.bits)) {
         trace.reason = OpenReason::budget;
         return false;
       }
