@@ -40,7 +40,8 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
-      // The checker shares no code with the extraction: what it refuses is a bug on either side.
+      // The checker shares no code with the extraction: what it refuses is a bug on either
+      // side.
       if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
         throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
       scene.data_digest = certify::hex(certify::data_digest(bytes));
