@@ -18,9 +18,9 @@ std::array<FaceCorners, 4> faces_of(TetCorners k) {
   return {{{k[1], k[2], k[3]}, {k[0], k[2], k[3]}, {k[0], k[1], k[3]}, {k[0], k[1], k[2]}}};
 }
 
-/// What is special or undecided, and the tets with such a face.
+/// What is special, undecided or beyond the claim, and the tets with such a face.
 void add_special(const DegenerateCurves& curves, certify::ModesCurvesCertificate& c) {
-  std::set<FaceCorners> faces, planes;
+  std::set<FaceCorners> faces(curves.multiple_faces.begin(), curves.multiple_faces.end()), planes;
   for (const SpecialFace& f : curves.special_faces) {
     faces.insert(f.face);
     if (f.reason == SpecialReason::zero_quartic) planes.insert(f.face);

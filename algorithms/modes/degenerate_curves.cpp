@@ -205,6 +205,7 @@ class Extraction {
          : r.stage == FaceStage::triage ? counts.triage_faces
                                         : counts.exact_faces);
       if (r.special) result_.special_faces.push_back({faces_[i], *r.special});
+      if (r.multiple && !r.special) result_.multiple_faces.push_back(faces_[i]);
       first_point_[i] = static_cast<std::uint32_t>(result_.points.size());
       if (r.count) result_.faces.push_back(faces_[i]);
       for (std::size_t k = 0; k < r.count; ++k) add_point(faces_[i], r.root[k]);

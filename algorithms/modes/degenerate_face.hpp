@@ -52,6 +52,9 @@ struct FaceRoots {
   std::size_t count = 0;
   FaceStage stage = FaceStage::exact;
   std::optional<SpecialReason> special;
+  /// The two conics have a multiple common point (or all in common), maybe a complex one or one
+  /// outside the face.
+  bool multiple = false;
 };
 
 /// Requires: finite tensors, in the order of the corners' numbers: both tets of a face see the

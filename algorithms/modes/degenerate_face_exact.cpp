@@ -241,6 +241,7 @@ FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
   }
   // A view in which all roots are simple, or the one with the fewest multiple roots.
   const bool simple = all_simple(forms->vanishing[0], forms->vanishing[1]);
+  result.multiple = !simple;
   std::optional<Seen> best;
   RealRoots roots;
   int fewest = 5;

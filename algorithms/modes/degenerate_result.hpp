@@ -75,6 +75,9 @@ struct DegenerateCurves {
   std::vector<SpecialFace> special_faces;
   std::vector<SpecialTet> special_tets;
   std::vector<std::uint32_t> undecided;  ///< tets; none of their arcs is listed
+  /// Decided, but not always by claim 7's checker: faces whose conics have multiple common points
+  /// that are not in the face.
+  std::vector<FaceCorners> multiple_faces;
 
   /// Where the work went.
   struct Counts {

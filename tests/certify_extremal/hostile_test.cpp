@@ -74,10 +74,10 @@ TEST_CASE("extremal: numbers that are none are refused") {
 }
 
 TEST_CASE("extremal: integers that no double holds are refused") {
-  for (const std::uint8_t type : {6, 7})  // signed, unsigned
+  for (const int type : {6, 7})  // signed, unsigned
     for (const std::int64_t beyond : {(std::int64_t{1} << 53) + 1, -(std::int64_t{1} << 53) - 1}) {
       auto c = small();
-      c.data.type = type;
+      c.data.type = static_cast<std::uint8_t>(type);
       c.data.samples.assign(c.data.samples.size() * 2, 0);
       std::memcpy(c.data.samples.data() + 40, &beyond, 8);
       require_rejected(c, "an integer is larger than 2^53");

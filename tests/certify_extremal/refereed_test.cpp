@@ -146,9 +146,9 @@ TEST_CASE("extremal: an isotopic fan does not reach the ends of its edges") {
   const auto& c = closed_ring();
   REQUIRE_FALSE(c.fan_points.empty());
   for (std::size_t i = 0; i < c.fan_points.size(); i += 5)
-    for (const std::uint16_t place : {0, 1, 65535}) {
+    for (const int place : {0, 1, 65535}) {
       auto moved = c;
-      moved.fan_points[i] = place;
+      moved.fan_points[i] = static_cast<std::uint16_t>(place);
       CAPTURE(i, place);
       CHECK(is_accepted(moved) == (place > 0));
     }

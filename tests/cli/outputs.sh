@@ -36,6 +36,8 @@ sample plane --vertices 200 -o plane.off
 sample moebius-sheet --nodes 24 -o moebius.nrrd --report moebius.json
 sample sphere-shell --nodes 24 -o shell.vti
 sample hemisphere-points --vertices 500 --noise 0.01 -o points.xyz
+sample block-twist --vertices 700 -o twist.vtu --report twist.json
+sample lattice --seed 5 --parameters 16,1 -o lattice.vtu --report lattice.json
 
 run 0 crest ridges ellipsoid.off -o r1.vtp --picture r1.svg --certificate r1.crest --report r1.json --cite
 run 0 crest ridges noisy.obj --scale auto -o r2.obj --certificate r2.crest --report r2.json
@@ -76,6 +78,14 @@ run 0 crest extremal moebius.nrrd --ridge --min-value 0.4 -o e1.vtp --picture e1
   --report e1.json --cite
 run 0 crest extremal shell.vti --valley --definition hessian --critical -o e2.ply --picture e2.png --report e2.json
 run 0 crest extremal shell.vti --ridge --sigma 1.5 --min-value 0.3 -o e3.obj --report e3.json
+
+run 0 crest extremal points.xyz --surface --radius 0.25 --depth 5 -o e4.vtp --picture e4.png --report e4.json
+
+run 0 crest modes twist.vtu --mode 0.6 --neutral -o m1.vtp --picture m1.png --certificate m1.crest \
+  --report m1.json --cite
+run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --report m2.json
+
+run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
 
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"
