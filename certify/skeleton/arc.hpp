@@ -26,7 +26,8 @@ class ArcMaker {
     maker_.prepare(task, frame_);
     Point<Number> at = task.start;
     for (int pieces = 0; pieces < 4096; ++pieces) {
-      if (pieces >= 64 && extra_.fetch_sub(std::is_same_v<Number, double> ? 1 : 64) < 64) break;
+      constexpr std::int64_t weight = std::is_same_v<Number, double> ? 1 : 64;
+      if (pieces >= 64 && extra_.fetch_sub(weight) < weight) break;
       const bool last = maker_.make(task, at);
       if (!inside(last ? task.exit : -1)) return "a barrier is not inside the triangle";
       if (!has_sign(

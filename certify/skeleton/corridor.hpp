@@ -83,7 +83,9 @@ Sign normal_sign(const Field& field, u32 side, const Number& t, SignLadder& sign
   const Pair &p = field.position(side), &q = field.position(head);
   const Sign at_tail = inflow_sign(sign, p, q, field.vector(side)),
              at_head = inflow_sign(sign, p, q, field.vector(head));
-  if (at_tail == at_head) return at_tail;
+  // v.N is linear, t inside the side.
+  if (at_tail == at_head || at_head == Sign::zero) return at_tail;
+  if (at_tail == Sign::zero) return at_head;
   const Rational s = tail_distance(t);
   const Plane<Rational> e = exact(q) - exact(p);
   return kernel::sign_of(Rational((1 - s) * det(e, exact(field.vector(side))) +

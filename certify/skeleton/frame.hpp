@@ -41,9 +41,10 @@ Frame<Number> make_frame(const Field& field, u32 corner, bool backward) {
   Frame<Number> f;
   f.corner = corner;
   const auto bounded = [](double& magnitude, const auto& e, double x, double y) {
-    if constexpr (!std::is_same_v<Number, Rational>)
-      magnitude =
-          std::max(magnitude, std::fabs(to_double(e.x)) * x + std::fabs(to_double(e.y)) * y);
+    if constexpr (!std::is_same_v<Number, Rational>) {
+      const double m = std::fabs(to_double(e.x)) * x + std::fabs(to_double(e.y)) * y;
+      if (!(m <= magnitude)) magnitude = std::isnan(m) ? HUGE_VAL : m;
+    }
   };
   for (std::size_t k = 0; k < 3; ++k) {
     Pair v = field.vector(corners[k]);

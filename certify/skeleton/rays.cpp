@@ -117,6 +117,8 @@ void check_group(const Context& context, const Group& g) {
     return;
   }
   const Component& zero = context.zeros.components[g.from];
+  require(std::adjacent_find(g.known.begin(), g.known.end()) == g.known.end(),
+          "zero {}: a line twice", g.from);
   if (zero.stated.index == kNoIndex) return;
   std::size_t expected = 0;
   if (zero.stated.place == ZeroPlace::triangle) {
@@ -131,8 +133,6 @@ void check_group(const Context& context, const Group& g) {
   }
   require(count == expected, "zero {}: {} lines {} stated, {} found", g.from, count, time,
           expected);
-  require(std::adjacent_find(g.known.begin(), g.known.end()) == g.known.end(),
-          "zero {}: a line twice", g.from);
 }
 
 }  // namespace

@@ -70,7 +70,9 @@ class Products {
 /// u is half a unit: e1, e2 round once, a form's value at a corner is within 4 u M, M its
 /// magnitude; at a control point all terms are below 5 M and the value within 40 u M; da within u
 /// |da|; n <= 128 products a sum, each rounded thrice with its binomials: below (128 + 16 n) u S
-/// C(2n-1, m). The last term covers underflow (below 2^-1074 an operation).
+/// C(2n-1, m). The last term covers underflow (below 2^-1074 an operation); da and db, which may
+/// be lost as doubles, have one of their own. Where something overflows nothing is certain: no sum
+/// or product makes a finite number of an infinite one.
 enum class Answer { no, open, yes };
 template <class Number>
 Answer have_sign(const std::vector<Point<Number>>& control, const LinearForms<Number>& forms,
@@ -79,8 +81,8 @@ Answer have_sign(const std::vector<Point<Number>>& control, const LinearForms<Nu
   const std::size_t n = control.size() - 1;
   double da = 0, db = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    da = std::max(da, std::fabs(to_double(control[k + 1].a - control[k].a)));
-    db = std::max(db, std::fabs(to_double(control[k + 1].b - control[k].b)));
+    da = std::max(da, std::fabs(to_double(control[k + 1].a - control[k].a)) + 0x1p-1074);
+    db = std::max(db, std::fabs(to_double(control[k + 1].b - control[k].b)) + 0x1p-1074);
   }
   const double unit = static_cast<double>(128 + 16 * n) * unit_roundoff<Number>() *
                           (da * forms.magnitude_first + db * forms.magnitude_second) +
@@ -89,8 +91,9 @@ Answer have_sign(const std::vector<Point<Number>>& control, const LinearForms<Nu
   const auto& sums = products.sums();
   for (std::size_t m = 0; m < sums.size(); ++m) {
     const double bound = unit * binomials.product[m], value = wanted * to_double(sums[m]);
-    if (value < -bound) return Answer::no;
-    certain = certain && value > bound;
+    const bool finite = std::isfinite(value) && std::isfinite(bound);
+    if (finite && value < -bound) return Answer::no;
+    certain = certain && finite && value > bound;
   }
   return certain ? Answer::yes : Answer::open;
 }

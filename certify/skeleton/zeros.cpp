@@ -47,8 +47,8 @@ std::vector<Place> join_places(const Field& field, const Domain& domain, SignLad
   for (u32 t = 0; t < field.triangles(); ++t)
     if (domain.live[t] != 0) places_of(field, domain, t, sign, places);
   for (const Place& p : places) {
-    if (p.kind == ZeroPlace::vertex)
-      for (const u32 c : domain.corners_of(p.number)) classes.join(p.triangle, c / 3);
+    if (p.kind == ZeroPlace::vertex)  // every triangle of the fan has this place
+      classes.join(p.triangle, domain.corners_of(p.number).front() / 3);
     if (p.kind == ZeroPlace::edge) {
       classes.join(p.triangle, p.number / 3);
       if (domain.twin[p.number] != kNone) classes.join(p.triangle, domain.twin[p.number] / 3);

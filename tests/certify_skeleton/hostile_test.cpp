@@ -7,6 +7,7 @@
 
 #include "certify/container/container.hpp"
 #include "certify/skeleton/encode.hpp"
+#include "certify/skeleton/signs.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
 #include "tests/support/random.hpp"
@@ -96,6 +97,26 @@ TEST_CASE("hostile: extreme magnitudes are decided or refused, never believed") 
     CHECK(time < 20);
   }
   CHECK(accepted < 72);
+}
+
+TEST_CASE("hostile: a sum that overflows has no certain sign") {
+  using namespace crest::certify::skeleton;
+  // Ends of the wanted sign; in the middle binomials times a form overflow, the exact sums are
+  // negative, the computed ones are plus infinity.
+  const std::vector<Point<double>> control = {{0, 0}, {0.35, 0}, {0.36, 0.64}};
+  LinearForms<double> forms;
+  forms.first = {0.9e308, 0.9e308, 0.9e308};
+  forms.second = {-1.2e308, 0.5e308, 0.5e308};
+  forms.magnitude_first = 0.9e308;
+  forms.magnitude_second = 1.2e308;
+  Products<double> products;
+  CHECK(have_sign(control, forms, Binomials<double>(2), products, 1) == Answer::open);
+  LinearForms<crest::kernel::Rational> exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    exact.first[k] = forms.first[k];
+    exact.second[k] = forms.second[k];
+  }
+  CHECK_FALSE(ExactSigns().have(control, exact, 1));
 }
 
 TEST_CASE("hostile: truncated anywhere, counts of any size") {
