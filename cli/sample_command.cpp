@@ -248,6 +248,7 @@ const Command sample_command = {
      "crest sample block-twist --vertices 2000 -o stress.vtu",
      "crest sample moebius-sheet --nodes 48 -o moebius.nrrd",
      "crest sample moebius-points --vertices 3000 -o strip.xyz",
-     "crest sample lattice --seed 5 -o lattice.vtu"}};
+     "crest sample lattice --seed 5 -o lattice.vtu",
+     "crest sample twin-bodden -o twin-bodden.vtu"}};
 
 }  // namespace crest::cli
