@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs every command with default options and every format of its outputs on a dozen meshes and prints
+# Runs every command with default options and every format of its outputs on a dozen meshes, and on
+# volumes, points, tensors and plane fields where there is ../shared, and prints
 # a table: command, file, exit code, processor time, bytes of what was written; the sum of the times last.
 #   scripts/matrix.sh [FILE...]     default: meshes of ../shared/data, or of `crest sample` without it
 #   CREST=PROGRAM scripts/matrix.sh        default: build/cli/crest
@@ -99,6 +100,38 @@ done
 for format in vtp obj ply; do
   run "$format" ridges --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box=-3,3 -o ridges.$format \
     --mesh mesh.$format --picture p.svg --certificate c.crest --report r.json
+done
+
+# Other inputs: made by `crest sample`, and of the shared data.
+inputs() {  # FOLDER FILE...: those that are there
+  for name in "${@:2}"; do
+    [ ! -e "../shared/data/$1/$name" ] || realpath "../shared/data/$1/$name"
+  done
+}
+made() {  # SURFACE FILE
+  "$crest" sample "$1" -o "$folder/$2" --quiet
+  echo "$folder/$2"
+}
+for path in $(made moebius-sheet sheet.nrrd) \
+  $(inputs volumes EMD-3001.map neghip.nrrd hydrogen_64.vti HeadMRVolume.mhd nut.nrrd bucky_32.nrrd ironProt.vtk); do
+  for format in vtp obj ply; do
+    run "$path" extremal "$path" --ridge -o extremal.$format --picture p.png --certificate c.crest --report r.json
+  done
+done
+for path in $(made hemisphere-points hemisphere.xyz) $(inputs points sphere_1k.xyz); do
+  for format in vtp obj ply; do
+    run "$path" extremal "$path" --surface -o extremal.$format --picture p.png --report r.json
+  done
+done
+for path in $(made block-twist twist.vtu) $(inputs tensors bunny_stress.vtk notch_stress_fixed.vtk); do
+  for format in vtp obj ply; do
+    run "$path" modes "$path" --mode 0.9 --neutral -o modes.$format --picture p.png --certificate c.crest --report r.json
+  done
+  run "$path" modes "$path" --degenerate -o curves.vtp --certificate c.crest --report r.json
+done
+for path in $(made lattice lattice.vtu) $(inputs vectorfields cylinder_Re35.vtk wind_gfs_2014-11-30.json \
+  cylinder_slice_513x65.vti piv_insight_run1.vec piv_challenge_B00001.txt water_gbr.json); do
+  run "$path" skeleton "$path" -o skeleton.vtp --picture p.png --certificate c.crest --report r.json
 done
 echo "processor time of all runs: $total s"
 [ $failures -eq 0 ] || { echo "$failures failures"; exit 1; }

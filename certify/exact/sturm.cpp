@@ -42,7 +42,10 @@ Place place(double x) {
   const Integer mantissa = static_cast<long long>(std::ldexp(fraction, 53));
   exponent -= 53;
   if (exponent >= 0) return {mantissa << static_cast<unsigned>(exponent), 0};
-  return {mantissa, static_cast<unsigned>(-exponent)};
+  if (mantissa == 0) return {mantissa, 0};
+  const unsigned zeros = std::min(static_cast<unsigned>(lsb(Integer(abs(mantissa)))),
+                                  static_cast<unsigned>(-exponent));
+  return {mantissa >> zeros, static_cast<unsigned>(-exponent) - zeros};
 }
 
 Place between(const Place& a, const Place& b, unsigned k) {

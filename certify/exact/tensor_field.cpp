@@ -11,9 +11,12 @@ namespace {
 
 Field::Approximate with_largest(const Tensor<double>& entries, double error) {
   double most = 0;
-  for (const double x : entries) most = std::max(most, std::fabs(x));
-  if (!(most < std::numeric_limits<double>::infinity()) || !(error < most))
-    error = std::numeric_limits<double>::infinity();
+  bool known = true;  // NaN is not the most
+  for (const double x : entries) {
+    known = known && std::isfinite(x);
+    most = std::max(most, std::fabs(x));
+  }
+  if (!known || !(error < most)) error = std::numeric_limits<double>::infinity();
   return {entries, error, most};
 }
 

@@ -139,6 +139,9 @@ class PolylineList {
       const auto [first, second] = stated.arcs[arc];
       if (stated.roots[roots[first].root].level != level_) continue;
       Polyline<Number> line = {roots[first].root, roots[second].root, {place(first)}};
+      // Along a side: a segment without length, so not simple.
+      if (first_point_[arc] == first_point_[arc + 1] && roots[first].edge == roots[second].edge)
+        line.points.push_back(line.points.front());
       for (std::size_t i = first_point_[arc]; i < first_point_[arc + 1]; ++i) {
         const Number a(stated.points[i][0]), b(stated.points[i][1]), c(1 - a - b);
         Weights<Number> p;

@@ -28,7 +28,9 @@ double cosine_bound(const std::array<double, 6>& u) {
 
 }  // namespace
 
-/// The direction is wrong by kError at most, or is one itself.
+/// The direction is wrong by kError at most, or is one itself; or it is a mean of n whose product
+/// with each is above 0.86: then its length is above 0.86 n, and it is within 1.2 kError of a
+/// traceless one, which the 10 kError and 3 kError below cover.
 void Cones::normalise(Axis& axis) {
   double squares = 0;
   for (const double x : axis.direction) squares += x * x;

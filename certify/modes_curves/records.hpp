@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kModesCurves = 7, kModesCurvesVersion = 2;
 struct DegeneratePoint {
   std::uint32_t face;               ///< place in `faces`
   std::int8_t type;                 ///< +1 linear, -1 planar
-  std::array<double, 2> low, high;  ///< 0 <= low <= high <= 1
+  std::array<double, 2> low, high;  ///< low <= high; may reach outside the face
 };
 
 /// Two points of a tetrahedron's faces, joined by a curve inside it.

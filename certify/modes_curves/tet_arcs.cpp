@@ -64,7 +64,7 @@ class Order {
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin() + 1, order.end(),
-              [&](std::size_t a, std::size_t b) { return orientation(a, b) > 0; });
+              [&](std::size_t a, std::size_t b) { return a != b && orientation(a, b) > 0; });
     return order;
   }
 

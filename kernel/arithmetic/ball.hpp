@@ -46,7 +46,7 @@ struct Ball {
     const double low = std::fabs(b.mid) - b.rad;
     if (!(low > 0)) return {std::nan(""), std::nan("")};
     const double m = a.mid / b.mid;
-    const double r = (a.rad + (std::fabs(m) + kTiny) * b.rad) / low;
+    const double r = (a.rad + (std::fabs(m) + kTiny) * b.rad + kTiny) / low;
     return {m, (r * kSlack + kUnitRoundoff * std::fabs(m)) * kSlack + kTiny};
   }
 };
