@@ -118,11 +118,20 @@ class WholeCell {
     return p;
   }
 
+  static bool is_along_a_side(const Line& line) {
+    int corners = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      corners += line.points.front()[k] != 0 || line.points.back()[k] != 0 ? 1 : 0;
+    return line.points.size() == 2 && corners == 2;
+  }
   bool is_placed(int of, std::uint32_t pieces) const {
     std::vector<std::vector<Plane>> loops;
     std::vector<Line> left;
     for (const Line& line : lines_)
-      if (level_.roots[line.first].level == of) left.push_back(line);
+      if (level_.roots[line.first].level == of) {
+        if (is_along_a_side(line)) return false;
+        left.push_back(line);
+      }
     while (!left.empty()) {
       std::vector<Plane> loop;
       std::size_t from = left[0].first;
