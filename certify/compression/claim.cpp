@@ -3,9 +3,12 @@
 // (SPEC.md).
 #include "certify/compression/bijection.hpp"
 #include "certify/compression/decode.hpp"
+#include "certify/container/byte_writer.hpp"
 #include "certify/container/checker.hpp"
 #include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/container/sha256.hpp"
+#include "certify/skeleton/encode.hpp"
 
 namespace crest::certify {
 namespace {
@@ -21,6 +24,13 @@ const char* in_words(SkeletonNotion notion) {
 /// The lines of one field's proof, said to be its.
 void add_lines(const Verdict& from, const char* whose, Verdict& to) {
   for (const std::string& line : from.lines) prove(to, "{}, {}", whose, line);
+}
+
+/// Of a field's data section, as claim 9 has it.
+Digest digest_of(const SkeletonCertificate& c) {
+  ByteWriter out;
+  write_skeleton_data(out, c);
+  return sha256({std::span<const std::uint8_t>(out.result())});
 }
 
 void compare(const CompressionCertificate& c, Match& match, SignLadder& sign, Verdict& verdict) {
@@ -59,6 +69,7 @@ void verify_compression(std::span<const std::uint8_t> data, std::span<const std:
                         const VerifyOptions& options, Verdict& verdict) {
   const CompressionCertificate c = decode_compression(data, claims);
   if (options.input) throw TieUnavailable("a compression is tied to files by their fields");
+  verdict.fields = {digest_of(c.input), digest_of(c.output)};
   SignLadder sign(options.arithmetic);
   Proof in(c.input), out(c.output);
   Verdict before, after;

@@ -139,10 +139,10 @@ std::string objection(const std::string& file, const std::string& target) {
   if (from == "io" && to == "io") return room_objection(file, target);
   // The room of claim 4's witnesses searches with the checker's enclosures; claim 10 compares what
   // claim 9 has proven of two fields.
-  const bool witness = (claim_of(file) == "smooth_witness" && claim_of(target) == "ridges_smooth") ||
-                       (claim_of(file) == "compression" && claim_of(target) == "skeleton");
+  const bool guest = (claim_of(file) == "smooth_witness" && claim_of(target) == "ridges_smooth") ||
+                     (claim_of(file) == "compression" && claim_of(target) == "skeleton");
   if (from == "certify" && !claim_of(target).empty() && claim_of(target) != claim_of(file) &&
-      !witness)
+      !guest)
     return "only a claim's own room sees it";
   if (from == to) return "";
   if (has_prefix(from, "algorithms/")) {
