@@ -29,8 +29,7 @@ SkeletonOrbit orbit_between(u32 inner_ring, double left, double right) {
   orbit.side = 3 * 2 * 8 * inner_ring;
   orbit.left = left;
   orbit.right = right;
-  for (int i = 0; i < 8; ++i)
-    orbit.turns.insert(orbit.turns.end(), {Turn::left, Turn::right});
+  for (int i = 0; i < 8; ++i) orbit.turns.insert(orbit.turns.end(), {Turn::left, Turn::right});
   return orbit;
 }
 
@@ -122,8 +121,8 @@ TEST_CASE("compression: relaxed, zeros move with their separatrices") {
     };
     moved += at(c.input, c.input.zeros[k]) != at(c.output, c.output.zeros[c.zeros[k]]);
   }
-  std::cout << "compression: " << c.output.triangles.size() << " triangles left, " << moved << " of "
-            << c.zeros.size() << " zeros have moved\n";
+  std::cout << "compression: " << c.output.triangles.size() << " triangles left, " << moved
+            << " of " << c.zeros.size() << " zeros have moved\n";
   CHECK(moved > 0);
   auto wrong = c;
   wrong.notion = SkeletonNotion::original;
@@ -165,8 +164,7 @@ TEST_CASE("compression: a straight boundary may lose vertices, a bent one none")
     if (t != std::array<u32, 3>{6, 7, 12}) holed.push_back(t);
   CHECK(contains(after(holed), "boundary"));
   // A hole filled.
-  const PlaneField ring =
-      grid_field(4, 4, 1, flow, [](u32 i, u32 j) { return i == 1 && j == 1; });
+  const PlaneField ring = grid_field(4, 4, 1, flow, [](u32 i, u32 j) { return i == 1 && j == 1; });
   Triangles filled = ring.triangles;
   filled.push_back({6, 7, 12});
   filled.push_back({6, 12, 11});
@@ -176,8 +174,9 @@ TEST_CASE("compression: a straight boundary may lose vertices, a bent one none")
 
 TEST_CASE("compression: a slit of no width is refused") {
   // From (2, 2) to the right border: its upper side has vertices of its own.
-  PlaneField field =
-      grid_field(4, 4, 1, [](double x, double y) { return std::array{3 - 0.1 * y, 2 + 0.05 * x}; });
+  PlaneField field = grid_field(4, 4, 1, [](double x, double y) {
+    return std::array{3 - 0.1 * y, 2 + 0.05 * x};
+  });
   const u32 first = static_cast<u32>(field.positions.size());
   for (const u32 v : {13U, 14U}) {
     field.positions.push_back(field.positions[v]);

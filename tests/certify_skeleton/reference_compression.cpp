@@ -123,8 +123,7 @@ void map_moved(CompressionCertificate& c) {
       const auto& b = c.output.separatrices[j];
       if (taken[j] || b.origin != a.origin || b.backward != a.backward ||
           b.from != (a.origin == SkeletonOrigin::zero ? c.zeros[a.from] : a.from) ||
-          (ends && (b.end != a.end ||
-                    b.to != (a.end == SkeletonEnd::zero ? c.zeros[a.to] : a.to))))
+          (ends && (b.end != a.end || b.to != (a.end == SkeletonEnd::zero ? c.zeros[a.to] : a.to))))
         continue;
       taken[j] = true;
       return j;
@@ -133,8 +132,7 @@ void map_moved(CompressionCertificate& c) {
   };
   for (const bool ends : {true, false})
     for (u32 i = 0; i < c.separatrices.size(); ++i)
-      if (c.separatrices[i] == kNotStated)
-        c.separatrices[i] = find(c.input.separatrices[i], ends);
+      if (c.separatrices[i] == kNotStated) c.separatrices[i] = find(c.input.separatrices[i], ends);
 }
 
 }  // namespace
@@ -183,11 +181,12 @@ CompressionCertificate claim_of(const PlaneField& field, const SkeletonCertifica
   c.output = reference_skeleton(small);
   const Names in(c.input, {}), out(c.output, c.vertices);
   using Name = std::function<std::vector<u32>(u32)>;
-  c.zeros = map_by<Name>(c.input.zeros.size(), c.output.zeros.size(),
-                         [&](u32 k) { return in.zero(k); }, [&](u32 k) { return out.zero(k); });
-  c.separatrices = map_by<Name>(c.input.separatrices.size(), c.output.separatrices.size(),
-                                [&](u32 i) { return in.line(i); },
-                                [&](u32 i) { return out.line(i); });
+  c.zeros = map_by<Name>(
+      c.input.zeros.size(), c.output.zeros.size(), [&](u32 k) { return in.zero(k); },
+      [&](u32 k) { return out.zero(k); });
+  c.separatrices = map_by<Name>(
+      c.input.separatrices.size(), c.output.separatrices.size(), [&](u32 i) { return in.line(i); },
+      [&](u32 i) { return out.line(i); });
   for (u32 i = 0; i < c.input.orbits.size(); ++i) c.orbits.push_back(i);
   if (notion == SkeletonNotion::relaxed) map_moved(c);
   return c;

@@ -86,7 +86,8 @@ TEST_CASE("planar fields: NRRD, with directions, spacings, layers", "[io]") {
   const TemporaryFolder folder;
   const auto wrong = [&](const std::string& header) {
     const std::string path = folder / "wrong.nrrd";
-    std::ofstream(path) << "NRRD0004\ntype: double\nencoding: text\n" << header << "\n\n1 2 3 4 5 6 7 8\n";
+    std::ofstream(path) << "NRRD0004\ntype: double\nencoding: text\n"
+                        << header << "\n\n1 2 3 4 5 6 7 8\n";
     return complaint(path);
   };
   CHECK(holds(wrong("dimension: 3\nsizes: 2 2 2"), "do not say that the first axis holds vectors"));
@@ -127,7 +128,7 @@ TEST_CASE("planar fields: NetCDF by the conventions, packed, with a missing vect
 TEST_CASE("planar fields: NetCDF at the centres of cells, triangulated", "[io]") {
   const auto file = read_planar_field(corpus("nc/icon.nc"), {});
   CHECK(file.points.size() == 7);
-  CHECK(file.triangles.size() == 6);  // a hexagon of six around the first
+  CHECK(file.triangles.size() == 6);                            // a hexagon of six around the first
   for (const auto& p : file.points) CHECK(std::abs(p[0]) < 6);  // degrees: 0.1 in the file
   CHECK(std::max_element(file.points.begin(), file.points.end())->at(0) > 5);
 }
