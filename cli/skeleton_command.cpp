@@ -62,8 +62,8 @@ std::function<int()> add(CLI::App& app) {
   SkeletonOptions& o = *options;
   add_common_options(
       app, o.common,
-      "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts, winds .json, "
-      "velocimetry .txt .vec)",
+      "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts .nrrd .nc, winds "
+      ".json, velocimetry .txt .vec)",
       "the skeleton (.vtp)");
   app.add_option("--vectors", o.vectors.field,
                  "the array (default: the only one of 2 or 3 numbers)")

@@ -52,6 +52,32 @@ TEST_CASE("crest skeleton: report, picture and an accepted certificate") {
   CHECK(verify.exit_code == 0);
 }
 
+TEST_CASE("crest-verify --input compares positions, triangles and vectors of a field") {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, const char* last) {
+    write_text(folder / name, two_triangles(kSquare, kCells, last));
+  };
+  write("a.vtk", "-1 -1 0");
+  write("b.vtk", "-1 -1.5 0");
+  const auto made = run_crest("crest skeleton a.vtk --certificate a.crest", folder.path());
+  INFO(made.err);
+  REQUIRE(made.exit_code == 0);
+  const auto same = run_crest("crest-verify a.crest --input a.vtk --vectors v", folder.path());
+  INFO(same.out << same.err);
+  CHECK(same.exit_code == 0);
+  CHECK(same.out.find("a.vtk holds the same positions, triangles and vectors") !=
+        std::string::npos);
+  const auto other = run_crest("crest-verify a.crest --input b.vtk", folder.path());
+  CHECK(other.exit_code == 1);
+  CHECK(other.out.find("REJECTED: b.vtk: another field") != std::string::npos);
+  const auto none = run_crest("crest-verify a.crest --input c.vtk", folder.path());
+  CHECK(none.exit_code == 3);
+  const auto output =
+      run_crest("crest-verify a.crest --input a.vtk --output b.vtk", folder.path());
+  CHECK(output.exit_code == 2);
+  CHECK(output.err.find("--output is for certificates of compression") != std::string::npos);
+}
+
 TEST_CASE("crest skeleton: winds and velocimetry") {
   const TemporaryFolder folder;
   const std::string header =
