@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "io/formats/files.hpp"
+#include "io/read/net_cdf_header.hpp"
 #include "io/read/plane_grid.hpp"
 
 namespace crest::io {
@@ -37,6 +38,11 @@ struct Variable {
 class NetCdf {
  public:
   explicit NetCdf(const std::string& path) {
+    const FileBytes bytes = load(path);
+    if (is_classic_net_cdf(bytes)) {
+      check_classic_net_cdf(bytes);
+      most_ = std::string_view(bytes).size();
+    }
     check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
     int count = 0;
     check(nc_inq_nvars(file_, &count), "file");
@@ -102,7 +108,8 @@ class NetCdf {
       const std::size_t n = length(v.axes[i]);
       if (i + axes >= v.axes.size()) {
         count[i] = n;
-        if (n == 0 || all > kMost / n) fail(v.name, "is empty or too large", "crop it");
+        if (n == 0 || all > most_ / n)
+          fail(v.name, "is empty, or larger than the file", "write the file again, or crop it");
         all *= n;
       } else {
         start[i] = layer % n;
@@ -139,6 +146,7 @@ class NetCdf {
   }
 
   int file_ = -1;
+  std::size_t most_ = kMost;  ///< numbers of a variable
   std::vector<Variable> variables_;
 };
 
@@ -295,7 +303,6 @@ void add_cells(const NetCdf& in, const Pair& uv, const Variable& lon, const Vari
 }  // namespace
 
 void read_net_cdf(const std::string& path, const VectorRequest& request, PlanarFieldFile& file) {
-  load(path);  // says what is wrong with the file itself
   const NetCdf in(path);
   const Pair uv = components(in, request.field);
   file.field = uv[0]->name + "," + uv[1]->name;

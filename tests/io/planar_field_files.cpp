@@ -158,7 +158,16 @@ TEST_CASE("planar fields: NetCDF that is no plane field", "[io]") {
   };
   write_net_cdf(path, {3, 3}, two);
   CHECK(holds(complaint(path), "there are several; the variables are u, v, uo, vo"));
-  std::ofstream(path) << "CDF\001";
+  // A header that announces more than the file holds: the library would allocate it.
+  std::string bytes = tests::contents(corpus("nc/icon.nc"));
+  bytes[132] = 0x20;  // the number of an attribute list
+  std::ofstream(path) << bytes;
+  CHECK(holds(complaint(path), "announces more than it holds"));
+  bytes[132] = 0;
+  bytes[29] = 1;  // 65543 cells
+  std::ofstream(path) << bytes;
+  CHECK(holds(complaint(path), "file: cannot be read"));
+  std::ofstream(path) << "CDF\003....";
   CHECK(holds(complaint(path), "file: cannot be read"));
   std::ofstream(path) << "";
   CHECK_FALSE(complaint(path).empty());
