@@ -38,6 +38,7 @@ class AnnulusSearch {
   }
 
  private:
+  bool known(bool forward, const Gate<double>& gate) const;
   bool try_between(bool forward, HalfEdge side, double low, double high);
 
   struct Visit {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/compression.hpp"
+
+#include <algorithm>
+
+#include "algorithms/vector_fields/collapser.hpp"
+#include "algorithms/vector_fields/skeleton_match.hpp"
+
+namespace crest::vector_fields {
+
+namespace {
+constexpr int kMostRounds = 20;
+}
+
+Compression compress(const PlanarField& field, const CompressionOptions& options) {
+  const Analysis input(field);
+  Compression result;
+  result.before = input.skeleton();
+  std::vector<bool> pinned(input.traces.size(), false);
+  for (int round = 1; round <= kMostRounds; ++round) {
+    SearchState state(input, pinned);
+    CompressionCounts counts;
+    Collapser(state, options).run(counts);
+    counts.rounds = round;
+    counts.pinned = static_cast<std::size_t>(std::count(pinned.begin(), pinned.end(), true));
+    result.field = state.mesh.field(result.vertex_of);
+    const Analysis output(result.field);
+    const SkeletonMatch match = match_skeletons(input, output, state);
+    counts.inherited += match.inherited;
+    result.counts = counts;
+    result.after = output.skeleton();
+    result.same_skeleton = match.same;
+    result.difference = match.difference;
+    if (match.same) break;
+    bool more = false;
+    for (const Index i : match.differing) {
+      more = more || !pinned[i];
+      pinned[i] = true;
+    }
+    if (!more) break;
+  }
+  result.counts.undecided = static_cast<std::size_t>(
+      std::count_if(input.traces.begin(), input.traces.end(),
+                    [](const Trace& t) { return t.end == EndKind::undecided; }));
+  return result;
+}
+
+}  // namespace crest::vector_fields

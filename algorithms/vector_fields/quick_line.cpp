@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/quick_line.hpp"
+
+#include <algorithm>
+
+#include "algorithms/vector_fields/starts.hpp"
+
+namespace crest::vector_fields {
+
+namespace {
+
+constexpr int kDegree = 14, kMostPieces = 512, kMostNewton = 60;
+
+using Series = std::array<double, kDegree + 1>;
+
+struct Values {
+  double value, slope;
+};
+Values evaluate(const Series& c, int first, double s) {
+  double value = 0, slope = 0;
+  for (int k = kDegree; k >= first; --k) {
+    slope = slope * s + value;
+    value = value * s + c[static_cast<std::size_t>(k)];
+  }
+  return {value, slope};
+}
+
+/// The root in (0, high], where the value is not positive while it is near 0.
+double root(const Series& c, int first, double high) {
+  double low = 0, s = high;
+  for (int i = 0; i < kMostNewton; ++i) {
+    const auto [value, slope] = evaluate(c, first, s);
+    if (value == 0) return s;
+    (value > 0 ? low : high) = s;
+    double next = slope < 0 ? s - value / slope : (low + high) / 2;
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    if (std::fabs(next - s) <= 0x1p-52 * s || !(low < next && next < high)) return next;
+    s = next;
+  }
+  return s;
+}
+
+/// Where the coordinate falls to zero first, 2: nowhere. `first`: its lowest coefficient that is
+/// not zero.
+double leaves(const Series& c, int first) {
+  const auto [end, slope] = evaluate(c, first, 1);
+  if (!(end > 0)) return root(c, first, 1);
+  if (!(c[static_cast<std::size_t>(first) + 1] < 0) || !(slope > 0)) return 2;
+  // It falls, then rises: its least value.
+  double low = 0, high = 1;
+  for (int i = 0; i < 40 && high - low > 0x1p-20; ++i) {
+    const double middle = (low + high) / 2;
+    const auto at = evaluate(c, first, middle);
+    if (!(at.value > 0)) return root(c, first, middle);
+    (at.slope < 0 ? low : high) = middle;
+  }
+  return 2;
+}
+
+class Crossing {
+ public:
+  Crossing(const kernel::FieldOnTriangle& data, int corner, bool forward)
+      : frame_(data, corner, forward, 0x1p-53) {
+    norm_ = std::max(std::fabs(frame_.a[0][0]) + std::fabs(frame_.a[0][1]),
+                     std::fabs(frame_.a[1][0]) + std::fabs(frame_.a[1][1]));
+  }
+
+  /// From the point `share` of the side that leaves the corner. Sides: 0 is that one.
+  QuickEnd run(double share, const Ellipse* trap, int& side, double& exit) {
+    double x = share, y = 0;
+    for (int piece = 0; piece < kMostPieces; ++piece) {
+      if (!expand(x, y) || (piece == 0 && !(b_[1] > 0))) return QuickEnd::lost;
+      // The side 0 is where b vanishes, side 1 where 1 - a - b does, side 2 where a does.
+      const double s0 = leaves(b_, piece == 0 ? 1 : 0), s1 = leaves(c_, 0), s2 = leaves(a_, 0);
+      const double s = std::min({s0, s1, s2});
+      if (s <= 1) {
+        const double a = evaluate(a_, 0, s).value, b = evaluate(b_, 0, s).value;
+        side = s == s0 ? 0 : s == s1 ? 1 : 2;
+        exit = side == 0 ? a : side == 1 ? b : 1 - b;
+        return exit > kNearVertex && exit < 1 - kNearVertex ? QuickEnd::crossed : QuickEnd::lost;
+      }
+      x = evaluate(a_, 0, 1).value;
+      y = evaluate(b_, 0, 1).value;
+      if (trap && holds(*trap, x, y)) return QuickEnd::trapped;
+    }
+    return QuickEnd::lost;
+  }
+
+ private:
+  bool expand(double x, double y) {
+    const double u = frame_.w[0] + frame_.a[0][0] * x + frame_.a[0][1] * y;
+    const double v = frame_.w[1] + frame_.a[1][0] * x + frame_.a[1][1] * y;
+    const double m = std::max(std::fabs(u), std::fabs(v));
+    if (!(m > 0)) return false;
+    const double h = 1 / (2 * norm_ + m / 2);
+    a_[0] = x;
+    b_[0] = y;
+    c_[0] = 1 - x - y;
+    a_[1] = h * u;
+    b_[1] = h * v;
+    c_[1] = -(a_[1] + b_[1]);
+    for (std::size_t k = 1; k < kDegree; ++k) {
+      const double f = h / static_cast<double>(k + 1);
+      a_[k + 1] = f * (frame_.a[0][0] * a_[k] + frame_.a[0][1] * b_[k]);
+      b_[k + 1] = f * (frame_.a[1][0] * a_[k] + frame_.a[1][1] * b_[k]);
+      c_[k + 1] = -(a_[k + 1] + b_[k + 1]);
+    }
+    return true;
+  }
+  /// The ellipse is in the frame of corner 0.
+  bool holds(const Ellipse& trap, double x, double y) const {
+    const double z = 1 - x - y;
+    if (frame_.origin == 0) return trap.holds(x, y);
+    return frame_.origin == 1 ? trap.holds(z, x) : trap.holds(y, z);
+  }
+
+  TriangleFrame<double> frame_;
+  double norm_;
+  Series a_, b_, c_;
+};
+
+/// A few triangles of the mesh as a domain of their own.
+struct Part {
+  Part(const CollapseMesh& mesh, const std::vector<Index>& numbers) : triangles(numbers) {
+    std::vector<Index> vertices;
+    for (const Index t : triangles) {
+      auto& corners = field.triangles.emplace_back();
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        const auto known = std::find(vertices.begin(), vertices.end(), mesh.from(h));
+        corners[h % 3] = static_cast<Index>(known - vertices.begin());
+        if (known == vertices.end()) {
+          vertices.push_back(mesh.from(h));
+          field.points.push_back(mesh.point(mesh.from(h)));
+          field.vectors.push_back(mesh.vector(mesh.from(h)));
+        }
+      }
+    }
+    domain.emplace(field);
+  }
+  HalfEdge here(HalfEdge h) const {
+    const auto at = std::find(triangles.begin(), triangles.end(), h / 3);
+    return 3 * static_cast<Index>(at - triangles.begin()) + h % 3;
+  }
+  HalfEdge there(HalfEdge h) const { return 3 * triangles[h / 3] + h % 3; }
+
+  std::vector<Index> triangles;
+  PlanarField field;
+  std::optional<Domain> domain;
+};
+
+}  // namespace
+
+QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+                       const Ellipse* trap, Step& step) {
+  const int corner = static_cast<int>(entry % 3);
+  Crossing crossing(mesh.data(entry / 3), corner, forward);
+  int side = 0;
+  const QuickEnd end = crossing.run(share, trap, side, step.share);
+  step.exit = 3 * (entry / 3) + static_cast<Index>((corner + side) % 3);
+  return end;
+}
+
+QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const Ellipse* trap,
+                       Step& step) {
+  const bool whole_fan = start.from_switch_point && start.vertex != kNone;
+  std::vector<Index> triangles;
+  if (whole_fan) {
+    std::vector<HalfEdge> fan;
+    mesh.fan(mesh.from(start.vertex), fan);
+    for (const HalfEdge h : fan) triangles.push_back(h / 3);
+  } else {
+    triangles = {start.place / 3};
+  }
+  const Part part(mesh, triangles);
+  Start local = start;
+  if (whole_fan)
+    local = start_at_vertex(*part.domain, part.domain->fan(part.here(start.vertex)), start.forward);
+  else
+    local.place = part.here(start.place);
+  if (local.kind == StartKind::none) return QuickEnd::lost;
+  BarrierMaker<double> maker(*part.domain, kDoubles);
+  Trace trace;
+  const CellResult<double> cell = begin(maker, local, trace, trap);
+  if (cell.end == CellEnd::trapped) return QuickEnd::trapped;
+  if (cell.end == CellEnd::open) return QuickEnd::lost;
+  HalfEdge side = cell.gate.side;
+  double t = near_middle(cell.gate);
+  if (cell.end == CellEnd::crossed) {
+    side = part.domain->twin(side);
+    t = from_other_side(t);
+  }
+  step = {part.there(side), t > 0 ? t : 1 + t};
+  return QuickEnd::crossed;
+}
+
+}  // namespace crest::vector_fields
