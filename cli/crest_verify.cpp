@@ -25,7 +25,8 @@ enum Exit { kAccepted = 0, kRejected = 1, kUsage = 2, kUnreadable = 3, kInternal
 struct Arguments {
   std::string certificate;
   VerifyOptions options;
-  std::string input, weld, tensor, order;
+  std::string input, output, weld, tensor, order, vectors, diagonal, slice;
+  bool cell_to_point = false, all = false;
   bool split = false, outward = false, quiet = false;
   std::vector<std::string> reseal, rebind;
 };
@@ -61,13 +62,12 @@ InputMesh read_input(const Arguments& arguments) {
   return crest::cli::input_mesh(arguments.input, words);
 }
 
-/// Whether a certificate is about tensors on tetrahedra.
-bool holds_tensors(std::span<const std::uint8_t> bytes) {
-  const std::string_view first = "modes", second = "modes-curves";
+/// Whether a certificate's claim is one of these.
+bool is_about(std::span<const std::uint8_t> bytes, std::initializer_list<std::string_view> names) {
   try {
     const auto number = open_container(bytes).claim;
     return std::ranges::any_of(known_claims(), [&](const ClaimChecker* claim) {
-      return claim->number == number && (claim->name == first || claim->name == second);
+      return claim->number == number && std::ranges::count(names, claim->name) > 0;
     });
   } catch (const Malformed&) {
     return false;
@@ -81,26 +81,68 @@ Digest read_tensors(const Arguments& arguments) {
   return crest::cli::input_tensors(arguments.input, words);
 }
 
-/// Such a claim's data section holds the field alone: equal digests say that it is the file's.
-void compare_tensors(const Digest& input, const std::string& file, Verdict& verdict) {
-  if (!verdict.accepted) return;
-  if (verdict.data == input) {
-    verdict.lines.push_back("input: " + file + " holds the same positions, tetrahedra and tensors");
-    return;
+Digest read_vectors(const std::string& file, const Arguments& arguments) {
+  std::vector<std::string> words;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--vectors", arguments.vectors);
+  add("--diagonal", arguments.diagonal);
+  add("--slice", arguments.slice);
+  if (arguments.cell_to_point) words.emplace_back("--cell-to-point");
+  if (arguments.all) words.emplace_back("--all");
+  return crest::cli::input_vectors(file, words);
+}
+
+/// A file's field, and what it is compared with.
+struct FieldTie {
+  std::string name, file, what;
+  Digest digest;
+};
+
+/// What the files hold, for claims whose data sections hold fields alone.
+std::vector<FieldTie> read_fields(std::span<const std::uint8_t> bytes,
+                                  const Arguments& arguments) {
+  std::vector<FieldTie> ties;
+  if (is_about(bytes, {"modes", "modes-curves"}))
+    ties.push_back({"input", arguments.input, "positions, tetrahedra and tensors",
+                    read_tensors(arguments)});
+  else if (is_about(bytes, {"skeleton", "compression"}))
+    ties.push_back({"input", arguments.input, "positions, triangles and vectors",
+                    read_vectors(arguments.input, arguments)});
+  if (!arguments.output.empty()) {
+    Arguments plain;
+    ties.push_back({"output", arguments.output, "positions, triangles and vectors",
+                    read_vectors(arguments.output, plain)});
   }
-  verdict.accepted = false;
-  verdict.reason = file + ": another field, its digest is " + hex(input);
+  return ties;
+}
+
+/// Equal digests say that a field is the file's.
+void compare_fields(const std::vector<FieldTie>& ties, Verdict& verdict) {
+  for (std::size_t i = 0; i < ties.size() && verdict.accepted; ++i) {
+    const FieldTie& tie = ties[i];
+    const Digest stated = i < verdict.fields.size() ? verdict.fields[i] : verdict.data.value();
+    if (stated == tie.digest) {
+      verdict.lines.push_back(tie.name + ": " + tie.file + " holds the same " + tie.what);
+      continue;
+    }
+    verdict.accepted = false;
+    verdict.reason = tie.file + ": another field, its digest is " + hex(tie.digest);
+  }
 }
 
 int check(Arguments& arguments) {
   Buffer<std::uint8_t> bytes;
-  std::optional<Digest> tensors;
+  std::vector<FieldTie> ties;
   try {
     bytes = read_buffer(arguments.certificate);
-    if (!arguments.input.empty() && holds_tensors(bytes))
-      tensors = read_tensors(arguments);
-    else if (!arguments.input.empty())
-      arguments.options.input = read_input(arguments);
+    if (!arguments.output.empty() && !is_about(bytes, {"compression"}))
+      return complain(kUsage, "--output is for certificates of compression");
+    if (!arguments.input.empty()) {
+      ties = read_fields(bytes, arguments);
+      if (ties.empty()) arguments.options.input = read_input(arguments);
+    }
   } catch (const crest::cli::InputUnreadable& problem) {
     // Without words: `crest` has said it.
     return *problem.what() == 0 ? kUnreadable : complain(kUnreadable, problem.what());
@@ -108,7 +150,7 @@ int check(Arguments& arguments) {
     return complain(kUnreadable, problem.what());
   }
   Verdict verdict = verify(bytes, arguments.options);
-  if (tensors) compare_tensors(*tensors, arguments.input, verdict);
+  compare_fields(ties, verdict);
   if (!arguments.quiet) {
     for (const auto& line : verdict.lines) std::printf("%s\n", line.c_str());
     if (verdict.data) std::printf("data digest: %s\n", hex(*verdict.data).c_str());
@@ -141,6 +183,17 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_flag("--outward", arguments.outward, "the same")->needs(input);
   app.add_option("--tensor", arguments.tensor, "the same")->type_name("NAME")->needs(input);
   app.add_option("--order", arguments.order, "the same")->type_name("WORDS")->needs(input);
+  app.add_option("--output", arguments.output,
+                 "for compression: the compressed file, compared in the same way")
+      ->type_name("FILE")
+      ->needs(input);
+  app.add_option("--vectors", arguments.vectors, "as for the command that wrote the certificate")
+      ->type_name("NAME")
+      ->needs(input);
+  app.add_option("--diagonal", arguments.diagonal, "the same")->type_name("WORD")->needs(input);
+  app.add_option("--slice", arguments.slice, "the same")->type_name("K")->needs(input);
+  app.add_flag("--cell-to-point", arguments.cell_to_point, "the same")->needs(input);
+  app.add_flag("--all", arguments.all, "the same")->needs(input);
   auto* const quiet = app.add_flag("--quiet", arguments.quiet, "print the verdict alone");
   auto* const reseal =
       app.add_option("--reseal", arguments.reseal, "IN OUT: copy with the seal recomputed")

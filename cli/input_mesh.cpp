@@ -116,16 +116,31 @@ certify::InputMesh input_mesh(const std::string& file, const std::vector<std::st
   return mesh;
 }
 
-certify::Digest input_tensors(const std::string& file, const std::vector<std::string>& arguments) {
+namespace {
+
+/// Of the data section of the certificate that a command makes of a file.
+certify::Digest digest_by(std::vector<std::string> words, const std::string& file,
+                          const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const std::string certificate = folder / "field.crest";
-  std::vector<std::string> words = {crest_program(), "modes", "--degenerate", "--quiet"};
+  words.insert(words.begin(), crest_program());
   words.insert(words.end(), arguments.begin(), arguments.end());
-  words.insert(words.end(), {"--certificate", certificate, "--", file});
+  words.insert(words.end(), {"--quiet", "--certificate", certificate, "--", file});
   require_there(run(words));
-  // Special places are no failure here: there is a certificate, of the same field.
+  // Special places or undecided lines are no failure here: there is a certificate, of the same
+  // field.
   if (!fs::exists(certificate)) throw InputUnreadable("");
   return certify::data_digest(certify::read_file(certificate));
+}
+
+}  // namespace
+
+certify::Digest input_tensors(const std::string& file, const std::vector<std::string>& arguments) {
+  return digest_by({"modes", "--degenerate"}, file, arguments);
+}
+
+certify::Digest input_vectors(const std::string& file, const std::vector<std::string>& arguments) {
+  return digest_by({"skeleton"}, file, arguments);
 }
 
 }  // namespace crest::cli

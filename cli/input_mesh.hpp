@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// `crest-verify --input`: the mesh of a file, or its tensors, from the program `crest`.
+// `crest-verify --input`: the mesh of a file, its tensors or vectors, from the program `crest`.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,5 +26,8 @@ certify::InputMesh input_mesh(const std::string& file, const std::vector<std::st
 /// The digest of the data section that `crest modes` makes of a file of tensors (claims modes and
 /// modes-curves, which have the same). Throws as input_mesh.
 certify::Digest input_tensors(const std::string& file, const std::vector<std::string>& arguments);
+
+/// The same of `crest skeleton` and a file of vectors (claims skeleton and compression).
+certify::Digest input_vectors(const std::string& file, const std::vector<std::string>& arguments);
 
 }  // namespace crest::cli

@@ -41,6 +41,7 @@ struct Verdict {
   std::vector<std::string> lines;  ///< one per claim proved, in order
   std::string reason;              ///< why not accepted; empty otherwise
   std::optional<Digest> data;      ///< digest of the data section, as recomputed
+  std::vector<Digest> fields;      ///< of each field, as a claim about it alone has it, if several
   SignCounts signs;
   AngleCounts angles;
 };

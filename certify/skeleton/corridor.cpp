@@ -10,12 +10,6 @@ int coordinate_of(u32 corner, u32 side) {
   return opposite == corner ? 0 : opposite == next_corner(corner) ? 1 : 2;
 }
 
-u32 exit_of(u32 entered, Turn turn) {
-  return turn == Turn::right  ? next_corner(entered)
-         : turn == Turn::left ? previous_corner(entered)
-                              : entered;
-}
-
 }  // namespace
 
 template <class Number>
@@ -65,8 +59,20 @@ void Corridor<Number>::arrive(u32 exit) {
 }
 
 template <class Number>
+void Corridor<Number>::note(const Start& left, const Start& right) {
+  const u32 zero = context_.zeros.of_triangle[left.corner / 3];
+  if (zero == kNone || context_.zeros.components[zero].stated.place != ZeroPlace::triangle) return;
+  // A path may start inside the triangle, but not both.
+  const bool inside = left.point.a > Number(0.0) && left.point.b > Number(0.0);
+  const Start& start = inside ? right : left;
+  passages_.push_back(
+      {cells_, start.corner, {to_rational(start.point.a), to_rational(start.point.b)}});
+}
+
+template <class Number>
 void Corridor<Number>::cross(const Start& left, const Start& right, u32 exit,
                              const SkeletonBarrier& barrier) {
+  note(left, right);
   ++cells_;
   const auto never = [](const auto&) { return false; };
   Point<Number> l{}, r{};

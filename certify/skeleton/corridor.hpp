@@ -33,6 +33,20 @@ struct Context {
   Budget& budget;
 };
 
+/// The side through which a turn leaves the triangle entered through another.
+inline u32 exit_of(u32 entered, Turn turn) {
+  return turn == Turn::right  ? next_corner(entered)
+         : turn == Turn::left ? previous_corner(entered)
+                              : entered;
+}
+
+/// Where a line enters a triangle that holds a zero: a point of its segment, in a corner's frame.
+struct Passage {
+  std::size_t turn;
+  u32 corner;
+  Point<Rational> at;
+};
+
 /// How much was done.
 struct Work {
   std::uint64_t cells = 0, pieces = 0, exact_pieces = 0;
@@ -123,6 +137,8 @@ class Corridor {
   void end_in_wall(u32 component) const;
 
   const Segment<Number>& at() const { return at_; }
+  /// Of the turns followed.
+  std::vector<Passage> passages() && { return std::move(passages_); }
   bool at_boundary() const { return at_boundary_; }
   Work work() const {
     return {cells_, left_.pieces() + right_.pieces(), left_.exact_pieces() + right_.exact_pieces()};
@@ -138,6 +154,7 @@ class Corridor {
   void cross(const Start& left, const Start& right, u32 exit, const SkeletonBarrier& barrier);
   Number side_point(u32 corner, const Point<Number>& p, u32 exit) const;
   void arrive(u32 exit);
+  void note(const Start& left, const Start& right);
   void require_out(u32 exit) const;
   void first_segment(const SkeletonLeg& leg, const Point<Number>& inner, const Rational& from,
                      int turn) const;
@@ -160,6 +177,7 @@ class Corridor {
   bool starting_ = false;  ///< the next cell starts at starts_
   std::array<Start, 2> starts_{};
   std::uint64_t cells_ = 0;
+  std::vector<Passage> passages_;
 };
 
 }  // namespace crest::certify::skeleton

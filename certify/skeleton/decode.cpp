@@ -133,11 +133,12 @@ void read(ByteReader& reader, SkeletonOrbit& orbit) {
   read_list(reader, orbit.exceptions, 10);
 }
 
-void read_data(std::span<const std::uint8_t> data, SkeletonCertificate& c) {
-  ByteReader reader(data);
+}  // namespace
+
+void read_skeleton_data(ByteReader& reader, SkeletonCertificate& c) {
   const std::uint64_t vertices = reader.integer<std::uint32_t>();
   const std::uint64_t triangles = reader.integer<std::uint32_t>();
-  if (vertices * 32 + triangles * 12 != reader.left())
+  if (vertices * 32 + triangles * 12 > reader.left())
     throw Malformed("data section: vertex and triangle counts do not fit its length");
   if (vertices < 3 || triangles < 1) throw Malformed("data section: no mesh");
   if (3 * triangles > 0xfffffffeU)
@@ -149,13 +150,7 @@ void read_data(std::span<const std::uint8_t> data, SkeletonCertificate& c) {
   require_plain_rows(c.vectors, "vectors");
 }
 
-}  // namespace
-
-SkeletonCertificate decode_skeleton(std::span<const std::uint8_t> data,
-                                    std::span<const std::uint8_t> claims) {
-  SkeletonCertificate c;
-  read_data(data, c);
-  ByteReader reader(claims);
+void read_skeleton_claims(ByteReader& reader, SkeletonCertificate& c) {
   read_list(reader, c.zeros, 19);
   read_list(reader, c.loops, 29);
   read_list(reader, c.switches, 6);
@@ -164,7 +159,18 @@ SkeletonCertificate decode_skeleton(std::span<const std::uint8_t> data,
   read_list(reader, c.separatrices, 15);
   c.index_sum = reader.integer<std::int32_t>();
   for (auto& n : c.ends) n = reader.integer<std::uint32_t>();
-  if (reader.left() != 0) throw Malformed("claim section: bytes left over");
+}
+
+SkeletonCertificate decode_skeleton(std::span<const std::uint8_t> data,
+                                    std::span<const std::uint8_t> claims) {
+  SkeletonCertificate c;
+  ByteReader reader(data);
+  read_skeleton_data(reader, c);
+  if (reader.left() != 0)
+    throw Malformed("data section: vertex and triangle counts do not fit its length");
+  ByteReader stated(claims);
+  read_skeleton_claims(stated, c);
+  if (stated.left() != 0) throw Malformed("claim section: bytes left over");
   return c;
 }
 

@@ -88,17 +88,12 @@ void check_angles(const Field& field, const Domain& d, SignLadder& sign) {
   }
 }
 
-/// The boundary side after this one: the first of the fan at its head.
-u32 next_side(const Domain& d, u32 side) {
-  return d.round[d.fan_start[d.fan[next_corner(side)]]];
-}
-
 void build_loops(Domain& d) {
   std::vector<u8> seen(d.twin.size(), 0);
   for (u32 c = 0; c < d.twin.size(); ++c) {
     if (d.live[c / 3] == 0 || d.twin[c] != kNone || seen[c] != 0) continue;
     auto& loop = d.loops.emplace_back();
-    for (u32 side = c; seen[side] == 0; side = next_side(d, side)) {
+    for (u32 side = c; seen[side] == 0; side = d.next_side(side)) {
       seen[side] = 1;
       loop.push_back(side);
     }

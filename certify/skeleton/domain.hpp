@@ -19,6 +19,8 @@ struct Domain {
   std::vector<std::vector<u32>> loops;  ///< sides, each from its least on, by their least
   std::size_t dead = 0;
 
+  /// The boundary side after this one: the first of the fan at its head.
+  u32 next_side(u32 side) const { return round[fan_start[fan[next_corner(side)]]]; }
   /// Counter-clockwise.
   std::span<const u32> corners_of(u32 f) const {
     return std::span<const u32>(round.data(), round.size())

@@ -107,7 +107,9 @@ void write(ByteWriter& out, const SkeletonOrbit& orbit) {
   write_list(out, orbit.exceptions);
 }
 
-void write_claims(ByteWriter& out, const SkeletonCertificate& c) {
+}  // namespace
+
+void write_skeleton_claims(ByteWriter& out, const SkeletonCertificate& c) {
   write_list(out, c.zeros);
   write_list(out, c.loops);
   write_list(out, c.switches);
@@ -118,21 +120,24 @@ void write_claims(ByteWriter& out, const SkeletonCertificate& c) {
   for (const auto n : c.ends) out.integer(n);
 }
 
-}  // namespace
+std::size_t skeleton_data_size(const SkeletonCertificate& c) {
+  return 8 + c.triangles.size() * 12 + c.positions.size() * 32;
+}
 
-Bytes encode(const SkeletonCertificate& c) {
+void write_skeleton_data(ByteWriter& out, const SkeletonCertificate& c) {
   if (c.vectors.size() != c.positions.size())
     throw std::invalid_argument("certificate: as many vectors as vertices are needed");
-  const std::size_t size = 8 + c.triangles.size() * 12 + c.positions.size() * 32;
-  const auto write_data = [&](ByteWriter& out) {
-    out.count(c.positions.size());
-    out.count(c.triangles.size());
-    out.rows(c.triangles);
-    out.rows(c.positions);
-    out.rows(c.vectors);
-  };
-  return compose({kSkeleton, kSkeletonVersion}, size, write_data,
-                 [&](ByteWriter& out) { write_claims(out, c); });
+  out.count(c.positions.size());
+  out.count(c.triangles.size());
+  out.rows(c.triangles);
+  out.rows(c.positions);
+  out.rows(c.vectors);
+}
+
+Bytes encode(const SkeletonCertificate& c) {
+  return compose({kSkeleton, kSkeletonVersion}, skeleton_data_size(c),
+                 [&](ByteWriter& out) { write_skeleton_data(out, c); },
+                 [&](ByteWriter& out) { write_skeleton_claims(out, c); });
 }
 
 }  // namespace crest::certify

@@ -11,4 +11,10 @@ namespace crest::certify {
 /// Cost: linear.
 Bytes encode(const SkeletonCertificate& certificate);
 
+class ByteWriter;
+/// Its sections, for claims about several skeletons. Throws as encode().
+std::size_t skeleton_data_size(const SkeletonCertificate& certificate);
+void write_skeleton_data(ByteWriter& out, const SkeletonCertificate& certificate);
+void write_skeleton_claims(ByteWriter& out, const SkeletonCertificate& certificate);
+
 }  // namespace crest::certify

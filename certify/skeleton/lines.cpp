@@ -103,9 +103,9 @@ class LineCheck {
         name_(fmt::format("separatrix {}", number)),
         backward_(line_.backward != 0) {}
 
-  Work run(Claimed& claimed) {
+  Work run(Claimed& claimed, Trace& trace) {
     check_origin();
-    claimed = {line_.origin, line_.from, backward_, !line_.legs.empty(), {0, 0, !backward_}};
+    claimed = {line_.origin, line_.from, backward_, !line_.legs.empty(), {kNone, 0, !backward_}};
     const bool open = line_.end == SkeletonEnd::undecided;
     require(open == (line_.reason != OpenReason::none) && (!open || line_.to == 0),
             "{}: an end and a reason for none", name_);
@@ -120,11 +120,12 @@ class LineCheck {
               "{}: no corner {}", name_, leg.corner);
     if (first.kind != LegKind::straight) {
       require(line_.legs.size() == 1, "{}: goes on where it is not known exactly", name_);
-      return corridor(first, nullptr, claimed);
+      return corridor(first, nullptr, claimed, trace);
     }
     StraightWalk walk(context_, backward_, name_);
     check_straight(first);
     walk.run(first, zero());
+    trace.straight = walk.passed();
     if (zero() != nullptr && zero()->stated.index != kNoIndex)
       claimed.ray = ray_name(context_, walk, *zero(), backward_);
     if (line_.legs.size() == 1) {
@@ -133,7 +134,7 @@ class LineCheck {
     }
     require(walk.spot().kind == Spot::at_vertex && !walk.at_zero(), "{}: goes on from no vertex",
             name_);
-    return corridor(line_.legs[1], &walk, claimed);
+    return corridor(line_.legs[1], &walk, claimed, trace);
   }
 
  private:
@@ -160,7 +161,8 @@ class LineCheck {
   }
 
   /// `before`: the straight part that it goes on from.
-  Work corridor(const SkeletonLeg& leg, const StraightWalk* before, Claimed& claimed) {
+  Work corridor(const SkeletonLeg& leg, const StraightWalk* before, Claimed& claimed,
+                Trace& trace) {
     require(leg.kind != LegKind::straight && leg.elements == 0, "{}: straight twice", name_);
     check_barriers(leg.barrier, leg.exceptions, leg.turns.size(), name_);
     return with_precision(leg.barrier.bits, [&](auto number) {
@@ -168,7 +170,9 @@ class LineCheck {
       start(line, leg, before, claimed);
       line.follow(leg.turns, leg.barrier, leg.exceptions);
       end(line, leg);
-      return line.work();
+      const Work work = line.work();
+      trace.passages = std::move(line).passages();
+      return work;
     });
   }
 
@@ -177,8 +181,7 @@ class LineCheck {
     if (leg.kind == LegKind::ray) {
       require(zero() != nullptr && before == nullptr, "{}: a ray of no zero", name_);
       const RaySigns signs = line.start_ray(leg, *zero());
-      if (zero()->stated.index != kNoIndex)
-        claimed.ray = ray_name(context_, leg, *zero(), signs, backward_);
+      claimed.ray = ray_name(context_, leg, *zero(), signs, backward_);
       return;
     }
     require(before != nullptr || zero() == nullptr, "{}: does not start at its zero", name_);
@@ -238,7 +241,7 @@ class LineCheck {
 
 }  // namespace
 
-Work check_orbit(const Context& context, u32 number, SignLadder& sign) {
+Work check_orbit(const Context& context, u32 number, SignLadder& sign, Trace& trace) {
   const SkeletonOrbit& orbit = context.stated.orbits[number];
   const std::string name = fmt::format("orbit {}", number);
   require(orbit.side < context.field.corners() && context.domain.live[orbit.side / 3] != 0 &&
@@ -257,13 +260,15 @@ Work check_orbit(const Context& context, u32 number, SignLadder& sign) {
     line.start_segment(segment);
     line.follow(orbit.turns, orbit.barrier, orbit.exceptions);
     line.end_in_segment(segment, true);
-    return line.work();
+    const Work work = line.work();
+    trace.passages = std::move(line).passages();
+    return work;
   });
 }
 
 Work check_line(const Context& context, const Traps& traps, u32 number, SignLadder& sign,
-                Claimed& claimed) {
-  return LineCheck(context, traps, number, sign).run(claimed);
+                Claimed& claimed, Trace& trace) {
+  return LineCheck(context, traps, number, sign).run(claimed, trace);
 }
 
 }  // namespace crest::certify::skeleton

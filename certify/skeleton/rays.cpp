@@ -61,7 +61,7 @@ RaySigns ray_signs(const Context& context, u32 side, const Component& zero, cons
 
 Ray ray_name(const Context& context, const SkeletonLeg& leg, const Component& zero,
              const RaySigns& signs, bool backward) {
-  if (zero.place == kNone) return {leg.corner, 0, !backward};
+  if (zero.stated.place == ZeroPlace::triangle) return {leg.corner, 0, !backward};
   const Quadratic q(context.field, leg.corner, zero_across(context, leg.corner, zero));
   return {leg.corner, q.number(signs.right), !backward};
 }
@@ -117,9 +117,9 @@ void check_group(const Context& context, const Group& g) {
     return;
   }
   const Component& zero = context.zeros.components[g.from];
+  if (zero.stated.index == kNoIndex) return;
   require(std::adjacent_find(g.known.begin(), g.known.end()) == g.known.end(),
           "zero {}: a line twice", g.from);
-  if (zero.stated.index == kNoIndex) return;
   std::size_t expected = 0;
   if (zero.stated.place == ZeroPlace::triangle) {
     expected = zero.stated.kind == ZeroClass::saddle ? 2 : 0;

@@ -18,7 +18,8 @@ Ray ray_name(const Context& context, const SkeletonLeg& leg, const Component& ze
 Ray ray_name(const Context& context, const StraightWalk& walk, const Component& zero,
              bool backward);
 
-/// What a line claims of its origin: known iff it has legs.
+/// What a line claims of its origin: known iff it has legs. A straight line of a zero without an
+/// index has no name: an exit of kNone.
 struct Claimed {
   SkeletonOrigin origin;
   u32 from;

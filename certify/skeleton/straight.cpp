@@ -131,7 +131,9 @@ void StraightWalk::run(const SkeletonLeg& leg, const Component* zero) {
     spend(1);
     const Element element = ahead();
     if (element.name == kNone) fail("goes on beyond the boundary");
+    passed_.push_back({element.through, element.name / 3, spot_, {}, x_});
     pass(element);
+    passed_.back().to = spot_;
     if (i == 0) first_ = spot_;
   }
 }

@@ -15,6 +15,14 @@ struct Spot {
 /// Walks from a zero or a vertex in a direction along which v is parallel to it.
 class StraightWalk {
  public:
+  /// A triangle crossed, or a side followed.
+  struct Passed {
+    bool through;
+    u32 triangle;
+    Spot from, to;
+    Plane<Rational> start;
+  };
+
   StraightWalk(const Context& context, bool backward, std::string name)
       : context_(context), backward_(backward), name_(std::move(name)) {}
 
@@ -27,6 +35,7 @@ class StraightWalk {
   const Plane<Rational>& direction() const { return d_; }
   bool at_zero() const { return at_zero_; }
   u32 triangle() const { return triangle_; }  ///< of the last element
+  const std::vector<Passed>& passed() const { return passed_; }
 
   /// Nothing of the domain lies ahead. Requires: not at a zero.
   bool leaves() const;
@@ -52,6 +61,7 @@ class StraightWalk {
   Spot spot_, first_;
   u32 triangle_ = kNone;
   bool at_zero_ = false;
+  std::vector<Passed> passed_;
 };
 
 }  // namespace crest::certify::skeleton

@@ -171,6 +171,14 @@ std::vector<kernel::Vec3> vectors_of(const NrrdHeader& header, const char* key) 
   return result;
 }
 
+/// Whether the first axis is none of space: of a vector's or tensor's components.
+bool holds_components(const NrrdHeader& header) {
+  const std::string kinds = header.value("kinds");
+  const std::string first = lower(kinds.substr(0, kinds.find_first_of(" \t")));
+  return first.find("vector") != first.npos || first.find("normal") != first.npos ||
+         first.find("matrix") != first.npos;
+}
+
 void place(const NrrdHeader& header, Volume& volume) {
   const std::size_t axes = volume.size.size();
   const auto check = [&](const char* key, std::size_t count) {
@@ -181,7 +189,8 @@ void place(const NrrdHeader& header, Volume& volume) {
   volume.steps.assign(axes, {});
   std::size_t k = 0;  // of the axes in space, of which vectors and the like are none
   for (std::size_t i = 0; i < axes; ++i)
-    if (volume.size[i] > 1 && k < 3) volume.steps[i][k++] = 1;
+    if (volume.size[i] > 1 && k < 3 && !(i == 0 && holds_components(header)))
+      volume.steps[i][k++] = 1;
   if (header.has("space directions")) {
     volume.steps = vectors_of(header, "space directions");
     check("space directions", volume.steps.size());

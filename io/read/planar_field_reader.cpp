@@ -8,6 +8,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/read/net_cdf.hpp"
 #include "io/read/plane_grid.hpp"
 #include "kernel/predicates/planar_field.hpp"
 
@@ -207,6 +208,9 @@ PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& 
     const bool grid =
         end == ".vti" || end == ".vtr" || end == ".vts" || (end == ".vtk" && is_legacy_grid(path));
     if (grid) return add_triangles(read_vtk_grid(path, request, file), request.diagonal, file);
+    if (end == ".nrrd" || end == ".nhdr")
+      return add_triangles(read_vector_nrrd(path, request, file), request.diagonal, file);
+    if (end == ".nc" || end == ".nc4" || end == ".cdf") return read_net_cdf(path, request, file);
     if (end == ".json") return add_triangles(read_wind_json(path, file), request.diagonal, file);
     if (end == ".txt" || end == ".vec")
       return add_triangles(read_particle_image_text(path, request, file), request.diagonal, file);

@@ -31,8 +31,9 @@ struct PlanarFieldFile {
 };
 
 /// Reads meshes (.vtu .vtp .vtk .msh .ply), whose quadrilaterals are split along the shorter
-/// diagonal, VTK's grids (.vti .vtr .vts .vtk), winds (.json, as grib2json writes them) and texts
-/// of particle image velocimetry (.txt .vec, by DaVis, Insight, OpenPIV). Points that no cell uses
+/// diagonal, VTK's grids (.vti .vtr .vts .vtk), NRRD (.nrrd .nhdr), NetCDF (.nc), winds (.json, as
+/// grib2json writes them) and texts of particle image velocimetry (.txt .vec, by DaVis, Insight,
+/// OpenPIV). Points that no cell uses
 /// are left out, cells of grids with missing vectors become holes. Throws: kernel::InputError
 /// "FILE: ELEMENT: PROBLEM; REMEDY", one line: no triangles, not in a plane z = constant, no such
 /// field (with those there are), a vector or a point that is not finite, a triangle without area.

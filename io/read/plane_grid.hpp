@@ -27,6 +27,8 @@ PlaneGrid grid_of_points(const std::vector<std::array<double, 4>>& points);
 PlaneGrid read_wind_json(const std::string& path, PlanarFieldFile& file);
 PlaneGrid read_particle_image_text(const std::string& path, const VectorRequest& request,
                                    PlanarFieldFile& file);
+PlaneGrid read_vector_nrrd(const std::string& path, const VectorRequest& request,
+                           PlanarFieldFile& file);
 PlaneGrid read_vtk_grid(const std::string& path, const VectorRequest& request,
                         PlanarFieldFile& file);
 

@@ -137,10 +137,12 @@ std::string objection(const std::string& file, const std::string& target) {
                                                                : "sees certify and kernel only";
   }
   if (from == "io" && to == "io") return room_objection(file, target);
-  // The room of claim 4's witnesses searches with the checker's enclosures.
-  const bool witness = claim_of(file) == "smooth_witness" && claim_of(target) == "ridges_smooth";
+  // The room of claim 4's witnesses searches with the checker's enclosures; claim 10 compares what
+  // claim 9 has proven of two fields.
+  const bool guest = (claim_of(file) == "smooth_witness" && claim_of(target) == "ridges_smooth") ||
+                     (claim_of(file) == "compression" && claim_of(target) == "skeleton");
   if (from == "certify" && !claim_of(target).empty() && claim_of(target) != claim_of(file) &&
-      !witness)
+      !guest)
     return "only a claim's own room sees it";
   if (from == to) return "";
   if (has_prefix(from, "algorithms/")) {
@@ -245,6 +247,8 @@ TEST_CASE("the include rules refuse the arrows that design forbids") {
   CHECK(objection("certify/a.hpp", "certify/reeb/records.hpp") != "");
   CHECK(objection("certify/ridges_smooth/a.cpp", "certify/smooth_witness/record.hpp") != "");
   CHECK(objection("algorithms/smooth_ridges/a.cpp", "certify/smooth_witness/parts.hpp") != "");
+  CHECK(objection("certify/skeleton/a.cpp", "certify/compression/records.hpp") != "");
+  CHECK(objection("certify/compression/a.cpp", "certify/modes/surface.hpp") != "");
   CHECK(objection("algorithms/ridges/a.cpp", "io/read/mesh_reader.hpp") != "");
   CHECK(objection("io/ridges/a.cpp", "algorithms/ridges/jet_fit.hpp") != "");
   CHECK(objection("io/ridges/a.cpp", "algorithms/smooth_ridges/smooth_ridges.hpp") != "");
@@ -271,6 +275,7 @@ TEST_CASE("the include rules refuse the arrows that design forbids") {
   CHECK(objection("certify/smooth_witness/a.cpp", "certify/ridges_smooth/patch.hpp") == "");
   CHECK(objection("algorithms/smooth_ridges/a.cpp", "certify/smooth_witness/record.hpp") == "");
   CHECK(objection("certify/reeb/a.cpp", "certify/surface/b.hpp") == "");
+  CHECK(objection("certify/compression/a.cpp", "certify/skeleton/proof.hpp") == "");
   CHECK(foreign_objection("kernel/geometry/a.cpp", "vtkPolyData.h") != "");
   CHECK(foreign_objection("io/a.cpp", "vtkPolyData.h") == "");
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// In which order lines arrive (SPEC.md, lemmas 15 to 17).
+#include <map>
+
+#include "certify/compression/orbits.hpp"
+
+namespace crest::certify::compression {
+
+/// Where lines arrive side by side.
+struct Place {
+  enum Kind : u8 { region, wall, zero, left_of_orbit, right_of_orbit } kind;
+  u32 number;         ///< of the region, zero or orbit
+  u32 loop = kNone;   ///< of a wall
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+/// Lines in order; those that have become one stand together.
+struct Arrivals {
+  bool cyclic = true;
+  std::vector<std::vector<u32>> lines;
+};
+
+struct ArrivalTable {
+  std::vector<Path> paths;            ///< of all separatrices
+  std::map<Place, Arrivals> orders;
+};
+
+/// Throws Reject where an order cannot be told.
+ArrivalTable find_arrivals(const Proof& proof, const std::vector<Orbit>& orbits, SignLadder& sign);
+
+}  // namespace crest::certify::compression
