@@ -21,7 +21,31 @@ struct Arrival {
   Index line = kNone, slot = 0;
   const std::vector<Step>* steps = nullptr;
   std::size_t last = 0;
+  /// Where it starts: at a zero, or on a side (a corner) of the boundary.
+  std::optional<Vec2> zero = {};
+  HalfEdge side = kNone;
 };
+
+template <class Mesh>
+Vec2 place_on(const Mesh& mesh, const Step& step) {
+  const Vec2 &p = mesh.point(mesh.from(step.exit)), &q = mesh.point(mesh.to(step.exit));
+  return {p[0] + step.share * (q[0] - p[0]), p[1] + step.share * (q[1] - p[1])};
+}
+
+/// The same of a line a that starts in a triangle and one that enters it; `exit`: how both leave.
+template <class Mesh>
+int left_of_passing(const Mesh& mesh, const Arrival& a, const Step& entry, HalfEdge exit) {
+  if (a.zero) {
+    // Its ray is on a line that nothing crosses.
+    using kernel::operator-;
+    const double turn = kernel::cross(place_on(mesh, a.steps->front()) - *a.zero,
+                                      place_on(mesh, entry) - *a.zero);
+    return turn > 0 ? -1 : turn < 0 ? 1 : 0;
+  }
+  const Index offset = (mesh.twin(entry.exit) % 3 + 3 - exit % 3) % 3;
+  if (a.side == kNone || offset == 0) return 0;
+  return offset == 1 ? -1 : 1;
+}
 
 /// Whether a is at the left of b (1), at its right (-1), or too near (0). Requires: the last steps
 /// leave by the same half-edge. `inherited` counts those that their last places do not decide.
@@ -35,7 +59,9 @@ int left_of(const Mesh& mesh, const Arrival& a, const Arrival& b, std::size_t& i
       inherited += first ? 0 : 1;
       return s.share > t.share ? 1 : -1;
     }
-    if (i == 0 || k == 0) return 0;
+    if (i == 0 && k == 0) return 0;
+    if (i == 0) return left_of_passing(mesh, a, (*b.steps)[k - 1], s.exit);
+    if (k == 0) return -left_of_passing(mesh, b, (*a.steps)[i - 1], s.exit);
     const Step &before_s = (*a.steps)[i - 1], &before_t = (*b.steps)[k - 1];
     if (before_s.exit == before_t.exit) continue;
     ++inherited;

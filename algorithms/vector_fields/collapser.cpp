@@ -79,7 +79,7 @@ Collapser::Answer Collapser::examine_zeros() {
     if (kind == ZeroKind::centre) return Answer::critical;
     const auto now = std::find_if(fresh.begin(), fresh.end(),
                                   [&](const NewZero& n) { return n.kind == kind; });
-    moved_zeros_.push_back({z, state_.zeros[z], {kind, now->triangle}});
+    moved_zeros_.push_back({z, state_.zeros[z], {kind, now->triangle, true}});
   }
   return Answer::yes;
 }
@@ -138,12 +138,14 @@ Collapser::Answer Collapser::examine_orbits() {
 Collapser::Answer Collapser::retrace(Index number, std::size_t from) {
   SearchLine& line = state_.lines[number];
   const auto begin = line.steps.begin() + static_cast<std::ptrdiff_t>(from);
-  retraced_.push_back({number, from, {begin, line.steps.end()}, line.start});
+  retraced_.push_back({number, from, {begin, line.steps.end()}, line.start, line.first});
   line.steps.erase(begin, line.steps.end());
+  if (from == 0) line.first.reset();
   EndKind end = EndKind::undecided;
   Index target = kNone;
   const std::size_t most = 4 * (from + retraced_.back().tail.size()) + 1000;
   if (state_.follow(line, most, end, target) == QuickEnd::lost) return Answer::open;
+  if (!line.steps.empty()) line.first = line.steps.front();
   return end == line.end && target == line.target ? Answer::yes : Answer::ends;
 }
 
@@ -188,13 +190,24 @@ Collapser::Answer Collapser::retrace_saddle(const MovedZero& saddle) {
     if (!same) continue;
     for (std::size_t k = 0; k < 4; ++k) {
       SearchLine& line = state_.lines[saddle.lines[k]];
-      retraced_.push_back({saddle.lines[k], 0, std::move(line.steps), line.start});
+      retraced_.push_back({saddle.lines[k], 0, std::move(line.steps), line.start, line.first});
       line.start = fresh[ray(k)].start;
       line.steps = std::move(fresh[ray(k)].steps);
+      line.first = line.steps.front();
     }
     return Answer::yes;
   }
   return Answer::ends;
+}
+
+bool Collapser::enters_moved_orbit(const SearchLine& line, std::size_t step) const {
+  if (line.end != EndKind::closed_orbit) return false;
+  return std::any_of(moved_orbits_.begin(), moved_orbits_.end(), [&](const auto& moved) {
+    const SearchOrbit& o = state_.orbits[moved.first];
+    const Step& s = line.steps[step];
+    return moved.first == line.target && s.exit == o.exits.front() && o.low.front() < s.share &&
+           s.share < o.high.front();
+  });
 }
 
 Collapser::Answer Collapser::examine_lines() {
@@ -211,7 +224,11 @@ Collapser::Answer Collapser::examine_lines() {
     const SearchLine& line = state_.lines[number];
     if (line.end == EndKind::undecided || done(number)) continue;
     std::size_t from = 0;
-    while (from < line.steps.size() && in_star_[line.steps[from].exit / 3] == 0) ++from;
+    while (from < line.steps.size() && in_star_[line.steps[from].exit / 3] == 0 &&
+           !enters_moved_orbit(line, from))
+      ++from;
+    // It ends at a segment that it passed before.
+    if (from < line.steps.size() && in_star_[line.steps[from].exit / 3] == 0) ++from;
     if (const Answer a = retrace(number, from); a != Answer::yes) return a;
   }
   return Answer::yes;
@@ -222,8 +239,10 @@ Collapser::Answer Collapser::examine_orders() {
   for (const Retraced& r : retraced_) ends.push_back(state_.end_of(r.line));
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (const Retraced& r : retraced_)
+    if (state_.lines[r.line].ordered && state_.end_of(r.line) == kNone) return Answer::open;
   for (const Index end : ends) {
-    if (end == kNone) return Answer::open;
+    if (end == kNone) continue;
     for (const Index line : state_.arrivals[end])
       if (state_.end_of(line) != end) return Answer::order;
     const auto order = state_.order_at(end);
@@ -266,6 +285,7 @@ void Collapser::commit() {
 void Collapser::take_back() {
   for (auto r = retraced_.rbegin(); r != retraced_.rend(); ++r) {
     state_.lines[r->line].start = r->start;
+    state_.lines[r->line].first = r->first;
     auto& steps = state_.lines[r->line].steps;
     steps.resize(r->from);
     steps.insert(steps.end(), r->tail.begin(), r->tail.end());

@@ -25,6 +25,7 @@ class Collapser {
     std::size_t from;        ///< the first step that is new
     std::vector<Step> tail;  ///< the old ones
     Start start;             ///< the old one
+    std::optional<Step> first;
   };
   struct MovedZero {
     Index zero;
@@ -46,6 +47,7 @@ class Collapser {
   void collect();
   Answer examine_orbits();
   Answer prove_orbit(Index orbit);
+  bool enters_moved_orbit(const SearchLine& line, std::size_t step) const;
   Answer examine_lines();
   Answer retrace(Index line, std::size_t from);
   bool note_rays(MovedZero& saddle) const;

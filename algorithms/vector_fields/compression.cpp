@@ -9,8 +9,26 @@
 namespace crest::vector_fields {
 
 namespace {
+
 constexpr int kMostRounds = 20;
+
+/// The orbits' segments in the numbers of the output.
+std::vector<AnnulusDoor> doors_of(const SearchState& state) {
+  std::vector<Index> number(state.mesh.triangle_count(), kNone);
+  Index count = 0;
+  for (Index t = 0; t < state.mesh.triangle_count(); ++t)
+    if (state.mesh.alive(t)) number[t] = count++;
+  std::vector<AnnulusDoor> doors;
+  for (const SearchOrbit& o : state.orbits) {
+    if (o.exits.empty()) continue;
+    const HalfEdge side = state.mesh.twin(o.exits.front());
+    doors.push_back(
+        {o.forward, 3 * number[side / 3] + side % 3, 1 - o.high.front(), 1 - o.low.front()});
+  }
+  return doors;
 }
+
+}  // namespace
 
 Compression compress(const PlanarField& field, const CompressionOptions& options) {
   const Analysis input(field);
@@ -24,7 +42,7 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
     counts.rounds = round;
     counts.pinned = static_cast<std::size_t>(std::count(pinned.begin(), pinned.end(), true));
     result.field = state.mesh.field(result.vertex_of);
-    const Analysis output(result.field);
+    const Analysis output(result.field, doors_of(state));
     const SkeletonMatch match = match_skeletons(input, output, state);
     counts.inherited += match.inherited;
     result.counts = counts;

@@ -9,7 +9,10 @@ namespace crest::vector_fields {
 
 namespace {
 
-constexpr int kDegree = 14, kMostPieces = 512, kMostNewton = 60;
+constexpr int kDegree = 14, kMostPieces = 4000, kMostNewton = 60;
+/// Lines that creep for so long are tried as corridors, too, of this half width.
+constexpr int kManyPieces = 48;
+constexpr double kHalfWidth = 0x1p-38;
 
 using Series = std::array<double, kDegree + 1>;
 
@@ -65,10 +68,13 @@ class Crossing {
                      std::fabs(frame_.a[1][0]) + std::fabs(frame_.a[1][1]));
   }
 
+  int piece = 0;  ///< pieces that it took
+
   /// From the point `share` of the side that leaves the corner. Sides: 0 is that one.
   QuickEnd run(double share, const Ellipse* trap, int& side, double& exit) {
     double x = share, y = 0;
-    for (int piece = 0; piece < kMostPieces; ++piece) {
+    if (trap) find_rays();
+    for (piece = 0; piece < kMostPieces; ++piece) {
       if (!expand(x, y) || (piece == 0 && !(b_[1] > 0))) return QuickEnd::lost;
       // The side 0 is where b vanishes, side 1 where 1 - a - b does, side 2 where a does.
       const double s0 = leaves(b_, piece == 0 ? 1 : 0), s1 = leaves(c_, 0), s2 = leaves(a_, 0);
@@ -81,12 +87,39 @@ class Crossing {
       }
       x = evaluate(a_, 0, 1).value;
       y = evaluate(b_, 0, 1).value;
-      if (trap && holds(*trap, x, y)) return QuickEnd::trapped;
+      if (trap && (holds(*trap, x, y) || between_rays(x, y))) return QuickEnd::trapped;
     }
     return QuickEnd::lost;
   }
 
  private:
+  /// Of a node: its zero and directions.
+  void find_rays() {
+    const double a = frame_.a[0][0], b = frame_.a[0][1], c = frame_.a[1][0], d = frame_.a[1][1];
+    const double half = (a + d) / 2, det = a * d - b * c, square = half * half - det;
+    if (!(det > 0) || !(square > 0x1p-20 * half * half)) return;
+    zero_ = {(frame_.w[1] * b - frame_.w[0] * d) / det, (frame_.w[0] * c - frame_.w[1] * a) / det};
+    const double root = half < 0 ? -std::sqrt(square) : std::sqrt(square);
+    const double fast = half + root, slow = det / fast;
+    std::size_t i = 0;
+    for (const double l : {fast, slow}) {
+      const bool second = std::fabs(c) + std::fabs(l - d) > std::fabs(b) + std::fabs(l - a);
+      rays_[i++] = second ? Vec2{l - d, c} : Vec2{b, l - a};
+    }
+    node_ = true;
+  }
+  /// At a node both components of a line shrink: it stays in the parallelogram that they span.
+  bool between_rays(double x, double y) const {
+    if (!node_) return false;
+    const Vec2 at = {x - zero_[0], y - zero_[1]};
+    const double whole = kernel::cross(rays_[0], rays_[1]);
+    const double s = kernel::cross(at, rays_[1]) / whole, t = kernel::cross(rays_[0], at) / whole;
+    const auto in = [&](double k, const Vec2& r) {
+      const double u = zero_[0] + k * r[0], v = zero_[1] + k * r[1];
+      return u > kNearVertex && v > kNearVertex && u + v < 1 - kNearVertex;
+    };
+    return in(s, rays_[0]) && in(t, rays_[1]);
+  }
   bool expand(double x, double y) {
     const double u = frame_.w[0] + frame_.a[0][0] * x + frame_.a[0][1] * y;
     const double v = frame_.w[1] + frame_.a[1][0] * x + frame_.a[1][1] * y;
@@ -116,6 +149,9 @@ class Crossing {
 
   TriangleFrame<double> frame_;
   double norm_;
+  bool node_ = false;
+  Vec2 zero_{};
+  std::array<Vec2, 2> rays_{};
   Series a_, b_, c_;
 };
 
@@ -150,12 +186,24 @@ struct Part {
 
 }  // namespace
 
+bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+              const Ellipse* trap) {
+  const Part part(mesh, {entry / 3});
+  BarrierMaker<double> maker(*part.domain, kDoubles);
+  const auto on_side = [](double t) { return t <= 0.5 ? t : t - 1; };
+  const Gate<double> gate{part.here(entry), on_side(share - kHalfWidth),
+                          on_side(share + kHalfWidth)};
+  return cross_cell(maker, forward, gate, trap).end != CellEnd::open;
+}
+
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
                        const Ellipse* trap, Step& step) {
   const int corner = static_cast<int>(entry % 3);
   Crossing crossing(mesh.data(entry / 3), corner, forward);
   int side = 0;
   const QuickEnd end = crossing.run(share, trap, side, step.share);
+  if (crossing.piece > kManyPieces && !provable(mesh, forward, entry, share, trap))
+    return QuickEnd::lost;
   step.exit = 3 * (entry / 3) + static_cast<Index>((corner + side) % 3);
   return end;
 }

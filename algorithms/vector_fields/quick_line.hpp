@@ -25,6 +25,10 @@ enum class QuickEnd : std::uint8_t { crossed, trapped, lost };
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
                        const Ellipse* trap, Step& step);
 
+/// Whether a corridor around the line gets through the triangle, or into the trap.
+bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+              const Ellipse* trap);
+
 /// The first step of a separatrix; `start.place` and `start.vertex` are half-edges of the mesh.
 QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const Ellipse* trap,
                        Step& step);

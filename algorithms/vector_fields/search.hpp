@@ -16,6 +16,8 @@ struct SearchLine {
   Index ordinal = kNone;  ///< of the boundary edge at which it starts
   EndKind end = EndKind::undecided;
   Index target = 0;
+  bool ordered = false;  ///< its place among the arrivals at its end is known
+  std::optional<Step> first = {};  ///< as long as its triangle stays
   std::vector<Step> steps;
 };
 
@@ -31,6 +33,7 @@ struct SearchOrbit {
 struct SearchZero {
   ZeroKind kind = ZeroKind::saddle;
   Index triangle = kNone;  ///< kNone: gone, or not inside a triangle
+  bool moved = false;
   std::optional<Ellipse> trap = {};
 };
 

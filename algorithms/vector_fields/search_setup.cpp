@@ -60,7 +60,7 @@ void SearchState::take_zeros() {
   for (Index z = 0; z < zeros.size(); ++z) {
     const CriticalPoint& item = input_.zeros[z].item;
     if (item.where == ZeroPlace::triangle) {
-      place_zero(z, {item.kind, item.simplex});
+      place_zero(z, {item.kind, item.simplex, false});
       continue;
     }
     for (const Index t : input_.zeros[z].triangles) frozen_[t] = 1;
@@ -120,6 +120,8 @@ void SearchState::take_lines(const std::vector<bool>& pinned) {
       line.ordinal = mesh.boundary_edge(edge).ordinal;
     }
     if (trace.end == EndKind::undecided) continue;
+    if (!trace.straight && (trace.first_side != kNone || !trace.turns.empty()))
+      line.first = steps_of(input_.domain, trace).front();
     EndKind end = EndKind::undecided;
     Index target = kNone;
     if (!trace.straight && !pinned[i] &&
@@ -158,7 +160,10 @@ void SearchState::note_arrivals() {
     arrivals[end].clear();
     // Where two are too near from their starts on, no order is asked for here.
     if (known)
-      for (const Arrival& a : all) arrivals[end].push_back(a.line);
+      for (const Arrival& a : all) {
+        arrivals[end].push_back(a.line);
+        lines[a.line].ordered = true;
+      }
   }
 }
 

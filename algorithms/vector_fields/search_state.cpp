@@ -74,6 +74,7 @@ Index SearchState::region_left(const Step& step, bool forward) const {
 
 QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, Index& target) {
   const bool forward = line.start.forward;
+  if (line.steps.empty() && line.first) line.steps.push_back(*line.first);
   if (line.steps.empty()) {
     Start start = line.start;
     if (line.ordinal != kNone)
@@ -113,6 +114,10 @@ QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, I
     const QuickEnd result = cross_quickly(mesh, forward, entry, 1 - last.share,
                                           trap_in(entry / 3, forward), step);
     if (result == QuickEnd::trapped) {
+      // Where it was, lines were proven to end.
+      if (zeros[zero_in[entry / 3]].moved &&
+          !provable(mesh, forward, entry, 1 - last.share, trap_in(entry / 3, forward)))
+        return QuickEnd::lost;
       end = EndKind::critical_point;
       target = zero_in[entry / 3];
     }
@@ -127,8 +132,7 @@ Vec2 SearchState::place_of(Index zero) const {
 }
 
 Vec2 SearchState::place(const Step& step) const {
-  const Vec2 &p = mesh.point(mesh.from(step.exit)), &q = mesh.point(mesh.to(step.exit));
-  return {p[0] + step.share * (q[0] - p[0]), p[1] + step.share * (q[1] - p[1])};
+  return place_on(mesh, step);
 }
 
 bool SearchState::close(const SearchOrbit& orbit, std::size_t k, double wider,
@@ -146,7 +150,7 @@ bool SearchState::close(const SearchOrbit& orbit, std::size_t k, double wider,
     for (const auto& [from, step] : {std::pair{result.low.back(), &l}, {result.high.back(), &h}})
       if (cross_quickly(mesh, orbit.forward, entry, 1 - from, nullptr, *step) != QuickEnd::crossed)
         return false;
-    if (l.exit != h.exit || !(l.share < h.share)) return false;
+    if (l.exit != h.exit || l.share > h.share) return false;
     result.low.push_back(l.share);
     result.high.push_back(h.share);
     if (l.exit == result.exits.front()) {
@@ -222,6 +226,8 @@ std::optional<Arrival> SearchState::arrival(Index line, Index end) const {
     return Arrival{line, mesh.edge_of_ordinal(l.ordinal) % 3, &l.steps, 0};
   }
   Arrival a{line, 0, &l.steps, l.steps.size() - 1};
+  if (!l.start.from_switch_point) a.zero = place_of(l.start.origin);
+  if (l.start.from_switch_point) a.side = l.start.place;
   const HalfEdge exit = l.steps.back().exit;
   if (l.end == EndKind::boundary) a.slot = slots_.slot(end, mesh.boundary_edge(exit).ordinal);
   if (l.end == EndKind::critical_point) a.slot = mesh.twin(exit) % 3;

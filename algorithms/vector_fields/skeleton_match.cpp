@@ -86,6 +86,10 @@ class Named {
       return Arrival{line, t.leg.place % 3, &steps, 0};
     }
     Arrival r{line, 0, &steps, steps.size() - 1};
+    if (t.start.from_switch_point)
+      r.side = t.start.place;
+    else
+      r.zero = a_.zeros[t.start.origin].item.point;
     if (t.end == EndKind::boundary) r.slot = slots_.slot(t.target, ordinals_.at(steps.back().exit));
     if (t.end == EndKind::critical_point) r.slot = a_.domain.twin(steps.back().exit) % 3;
     return r;
@@ -113,7 +117,10 @@ class Matcher {
   }
 
   SkeletonMatch run() {
-    if (zeros() && boundary() && orbits() && separatrices()) orders();
+    if (zeros() && boundary()) {
+      orbits();
+      if (separatrices()) orders();
+    }
     result_.same = result_.difference.empty();
     return std::move(result_);
   }
@@ -184,7 +191,7 @@ class Matcher {
     return true;
   }
 
-  bool orbits() {
+  void orbits() {
     std::vector<Index> same;
     for (Index z = 0; z < std::max(in_.zeros.size(), in_.boundary.loops.size()); ++z)
       same.push_back(z);
@@ -192,15 +199,16 @@ class Matcher {
     b_.emplace(out_, old_zero_, loop_names_);
     const auto a = a_->orbits(), b = b_->orbits();
     result_.orbits.assign(a.size(), kNone);
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-      if (a_->enclosed(a[i]) == b_->enclosed(b[i])) result_.orbits[a[i]] = b[i];
-    if (a.size() == b.size() &&
-        std::find(result_.orbits.begin(), result_.orbits.end(), kNone) == result_.orbits.end())
-      return true;
-    // Which lines are to blame: those that end in an orbit here or there.
-    for (Index i = 0; i < in_.traces.size(); ++i)
-      if (in_.traces[i].end == EndKind::closed_orbit) result_.differing.push_back(i);
-    return differ("other closed orbits");
+    std::size_t i = 0, k = 0;
+    while (i < a.size() && k < b.size()) {
+      const auto &x = a_->enclosed(a[i]), &y = b_->enclosed(b[k]);
+      if (x == y) result_.orbits[a[i]] = b[k];
+      i += x <= y ? 1 : 0;
+      k += y <= x ? 1 : 0;
+    }
+    if (a.size() != b.size() ||
+        std::find(result_.orbits.begin(), result_.orbits.end(), kNone) != result_.orbits.end())
+      differ("other closed orbits");
   }
 
   bool separatrices() {
@@ -232,11 +240,12 @@ class Matcher {
 
   void compare_end(Index i) {
     const Trace &s = in_.traces[i], &t = out_.traces[result_.separatrices[i]];
-    if ((s.end == EndKind::undecided) != (t.end == EndKind::undecided)) {
-      differ(i, "is undecided in one of the fields");
+    // Of an undecided line nothing is claimed.
+    if (s.end == EndKind::undecided) return;
+    if (t.end == EndKind::undecided) {
+      differ(i, "is undecided in the output");
       return;
     }
-    if (s.end == EndKind::undecided) return;
     Index target = s.target;
     if (s.end == EndKind::critical_point || s.end == EndKind::zero_flow)
       target = result_.zeros[s.target];
@@ -252,12 +261,13 @@ class Matcher {
   void orders() {
     std::map<std::array<Index, 3>, std::vector<Index>> groups;
     for (Index i = 0; i < in_.traces.size(); ++i) {
+      if (in_.traces[i].end == EndKind::undecided) continue;
       const auto a = a_->side(i), b = b_->side(result_.separatrices[i]);
+      if (!a || !b) continue;
       if (a != b) {
         differ(i, "comes to its orbit from the other side");
         continue;
       }
-      if (!a) continue;
       groups[{static_cast<Index>(in_.traces[i].end), in_.traces[i].target, *a}].push_back(i);
     }
     for (const auto& [end, lines] : groups)

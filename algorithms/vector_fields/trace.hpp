@@ -75,6 +75,13 @@ struct Annulus {
   std::vector<Vec2> line;
 };
 
+/// A side's segment, in shares from its tail, that may be an annulus' gate.
+struct AnnulusDoor {
+  bool forward = true;
+  HalfEdge side = kNone;
+  double low = 0, high = 0;
+};
+
 struct Trap {
   Index zero;
   Ellipse ellipse;
