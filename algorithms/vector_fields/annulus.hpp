@@ -25,7 +25,10 @@ class AnnulusSearch {
   /// Adds the annulus behind a door, if there is one.
   bool try_door(const AnnulusDoor& door) {
     most_turns_ = kMostTurns;
-    return try_between(door.forward, door.side, door.low, door.high);
+    maker_.be_quick(false);
+    const bool found = try_between(door.forward, door.side, door.low, door.high);
+    maker_.be_quick();
+    return found;
   }
   /// The line came back to the same places again and again, and no annulus was found.
   bool hopeless() const;

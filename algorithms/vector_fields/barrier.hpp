@@ -121,7 +121,7 @@ class BarrierMaker {
   /// Other pieces and angles than the precision's own.
   void set(int angle, int shrink);
   /// Gives up early: for trials.
-  void be_quick() { quick_ = true; }
+  void be_quick(bool quick = true) { quick_ = quick; }
   bool quick() const { return quick_; }
   /// Whether the last arc failed for its number of pieces.
   bool exhausted() const { return exhausted_; }

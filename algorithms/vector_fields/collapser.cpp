@@ -17,6 +17,8 @@ using kernel::operator-;
 
 namespace {
 
+constexpr std::size_t kMostDoors = 8;  ///< sides at which an orbit is proven anew
+
 /// Whether a closed triangle has a zero: outside of it all turns do not have one sign.
 bool has_zero(const kernel::FieldOnTriangle& f, Sign& turn) {
   const std::array<Sign, 3> turns = {kernel::vector_turn(f.v[0], f.v[1]),
@@ -104,17 +106,20 @@ void Collapser::collect() {
 
 Collapser::Answer Collapser::prove_orbit(Index number) {
   const SearchOrbit old = state_.orbits[number];
-  for (std::size_t k = 0; k < old.exits.size(); ++k) {
+  const std::size_t n = old.exits.size(), stride = std::max<std::size_t>(1, n / kMostDoors);
+  for (std::size_t k = 0; k < n; k += stride) {
     if (in_star_[old.exits[k] / 3] != 0) continue;
-    for (const double wider : {4.0, 1.0, 0.25}) {
+    for (const double wider : {4.0, 1.0, 16.0, 0.25}) {
       SearchOrbit now;
       if (!state_.close(old, k, wider, now)) continue;
+      const AnnulusDoor door{now.forward, state_.mesh.twin(now.exits.front()),
+                             1 - now.high.front(), 1 - now.low.front()};
+      if (!closes(state_.mesh, door, now.exits)) continue;
       if (state_.enclosed(now) != state_.enclosed(old)) return Answer::orbit;
       moved_orbits_.push_back({number, old});
       state_.orbits[number] = std::move(now);
       return Answer::yes;
     }
-    return Answer::orbit;
   }
   return Answer::orbit;
 }

@@ -31,6 +31,11 @@ std::vector<AnnulusDoor> doors_of(const SearchState& state) {
 }  // namespace
 
 Compression compress(const PlanarField& field, const CompressionOptions& options) {
+  return compress(field, options, [](const Analysis&, const Analysis&, const SkeletonMatch&) {});
+}
+
+Compression compress(const PlanarField& field, const CompressionOptions& options,
+                     const SkeletonProof& proof) {
   const Analysis input(field);
   Compression result;
   result.before = input.skeleton();
@@ -49,7 +54,10 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
     result.after = output.skeleton();
     result.same_skeleton = match.same;
     result.difference = match.difference;
-    if (match.same) break;
+    if (match.same) {
+      proof(input, output, match);
+      break;
+    }
     bool more = false;
     for (const Index i : match.differing) {
       more = more || !pinned[i];

@@ -196,6 +196,25 @@ bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double sha
   return cross_cell(maker, forward, gate, trap).end != CellEnd::open;
 }
 
+bool closes(const CollapseMesh& mesh, const AnnulusDoor& door,
+            const std::vector<HalfEdge>& exits) {
+  std::vector<Index> triangles;
+  for (const HalfEdge h : exits) triangles.push_back(h / 3);
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  const Part part(mesh, triangles);
+  BarrierMaker<double> maker(*part.domain, kDoubles);
+  const auto on_side = [](double t) { return t <= 0.5 ? t : t - 1; };
+  const Gate<double> first{part.here(door.side), on_side(door.low), on_side(door.high)};
+  Gate<double> at = first;
+  for (std::size_t k = 0; k < exits.size(); ++k) {
+    const auto cell = cross_cell(maker, door.forward, at, nullptr);
+    if (cell.end != CellEnd::crossed) return false;
+    at = cell.gate;
+  }
+  return at.side == first.side && strictly_inside(at, first);
+}
+
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
                        const Ellipse* trap, Step& step) {
   const int corner = static_cast<int>(entry % 3);

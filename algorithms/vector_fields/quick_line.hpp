@@ -29,6 +29,9 @@ QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, d
 bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
               const Ellipse* trap);
 
+/// Whether a chain of corridors leads from a side's segment, in shares of it, back into it.
+bool closes(const CollapseMesh& mesh, const AnnulusDoor& door, const std::vector<HalfEdge>& exits);
+
 /// The first step of a separatrix; `start.place` and `start.vertex` are half-edges of the mesh.
 QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const Ellipse* trap,
                        Step& step);

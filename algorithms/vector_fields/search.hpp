@@ -93,7 +93,7 @@ class SearchState {
   std::vector<Vec2> loop_points_;     ///< one of each loop of the boundary
 };
 
-/// The steps of a corridor that was proven. Requires: no straight part.
+/// The steps of a corridor that was proven; none if a part of it is straight.
 std::vector<Step> steps_of(const Domain& domain, const Trace& trace);
 
 }  // namespace crest::vector_fields

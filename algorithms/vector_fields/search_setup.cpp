@@ -20,6 +20,7 @@ double from_tail(double t) {
 
 std::vector<Step> steps_of(const Domain& domain, const Trace& trace) {
   std::vector<Step> steps;
+  if (trace.straight) return steps;
   const bool ray = trace.leg.kind == StartKind::ray || trace.leg.kind == StartKind::fan_ray;
   if (ray) steps.push_back({trace.first_side, 0});
   HalfEdge entry = ray ? domain.twin(trace.first_side) : trace.leg.place;
@@ -120,8 +121,8 @@ void SearchState::take_lines(const std::vector<bool>& pinned) {
       line.ordinal = mesh.boundary_edge(edge).ordinal;
     }
     if (trace.end == EndKind::undecided) continue;
-    if (!trace.straight && (trace.first_side != kNone || !trace.turns.empty()))
-      line.first = steps_of(input_.domain, trace).front();
+    if (const auto steps = steps_of(input_.domain, trace); !trace.straight && !steps.empty())
+      line.first = steps.front();
     EndKind end = EndKind::undecided;
     Index target = kNone;
     if (!trace.straight && !pinned[i] &&

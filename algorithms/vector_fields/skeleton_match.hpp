@@ -2,6 +2,7 @@
 #pragma once
 
 // Compares two proven skeletons: of a field, and of the same field on fewer triangles.
+#include <functional>
 #include <string>
 
 #include "algorithms/vector_fields/analysis.hpp"
@@ -21,5 +22,13 @@ struct SkeletonMatch {
 /// found: how the output's zeros, boundary and saddles' rays are named.
 SkeletonMatch match_skeletons(const Analysis& input, const Analysis& output,
                               const SearchState& found);
+
+/// What is done with two skeletons that are the same.
+using SkeletonProof =
+    std::function<void(const Analysis& input, const Analysis& output, const SkeletonMatch&)>;
+
+/// compress() of compression.hpp.
+Compression compress(const PlanarField& field, const CompressionOptions& options,
+                     const SkeletonProof& proof);
 
 }  // namespace crest::vector_fields
