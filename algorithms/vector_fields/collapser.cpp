@@ -100,6 +100,12 @@ void Collapser::collect() {
       else
         chains_.push_back(item - state_.line_count());
     }
+  lost_sides_.clear();
+  for (const Index t : plan_.star)
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
+      if (t == plan_.gone[0] || t == plan_.gone[1] || state_.mesh.from(h) == plan_.from ||
+          state_.mesh.to(h) == plan_.from)
+        lost_sides_.push_back(h);
   std::sort(lines_.begin(), lines_.end());
   std::sort(chains_.begin(), chains_.end());
 }
@@ -108,7 +114,8 @@ Collapser::Answer Collapser::prove_orbit(Index number) {
   const SearchOrbit old = state_.orbits[number];
   const std::size_t n = old.exits.size(), stride = std::max<std::size_t>(1, n / kMostDoors);
   for (std::size_t k = 0; k < n; k += stride) {
-    if (in_star_[old.exits[k] / 3] != 0) continue;
+    if (std::find(lost_sides_.begin(), lost_sides_.end(), old.exits[k]) != lost_sides_.end())
+      continue;
     for (const double wider : {4.0, 1.0, 16.0, 0.25}) {
       SearchOrbit now;
       if (!state_.close(old, k, wider, now)) continue;

@@ -64,6 +64,7 @@ class Collapser {
   std::vector<std::size_t> seen_;  ///< by line, then orbit: the last attempt it was met in
   std::size_t attempts_ = 0;
   std::vector<Index> lines_, chains_;  ///< through the star
+  std::vector<HalfEdge> lost_sides_;   ///< sides of the star that change
   std::vector<MovedZero> moved_zeros_;
   std::vector<std::pair<Index, SearchOrbit>> moved_orbits_;
   std::vector<Retraced> retraced_;

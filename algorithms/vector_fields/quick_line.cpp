@@ -68,7 +68,9 @@ class Crossing {
                      std::fabs(frame_.a[1][0]) + std::fabs(frame_.a[1][1]));
   }
 
-  int piece = 0;  ///< pieces that it took
+  int piece = 0;             ///< pieces that it took
+  std::vector<Vec2> points;  ///< if they are wanted, where pieces end, in the frame
+  bool keep_points = false;
 
   /// From the point `share` of the side that leaves the corner. Sides: 0 is that one.
   QuickEnd run(double share, const Ellipse* trap, int& side, double& exit) {
@@ -87,6 +89,7 @@ class Crossing {
       }
       x = evaluate(a_, 0, 1).value;
       y = evaluate(b_, 0, 1).value;
+      if (keep_points) points.push_back({x, y});
       if (trap && (holds(*trap, x, y) || between_rays(x, y))) return QuickEnd::trapped;
     }
     return QuickEnd::lost;
@@ -194,6 +197,40 @@ bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double sha
   const Gate<double> gate{part.here(entry), on_side(share - kHalfWidth),
                           on_side(share + kHalfWidth)};
   return cross_cell(maker, forward, gate, trap).end != CellEnd::open;
+}
+
+std::vector<Vec2> points_along(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+                               std::size_t triangles) {
+  std::vector<Vec2> result;
+  for (std::size_t k = 0; k < triangles && entry != kNone; ++k) {
+    const std::size_t c = entry % 3;
+    const auto data = mesh.data(entry / 3);
+    const Vec2 &o = data.p[c], &p = data.p[(c + 1) % 3], &q = data.p[(c + 2) % 3];
+    const auto place = [&](const Vec2& x) {
+      return Vec2{o[0] + x[0] * (p[0] - o[0]) + x[1] * (q[0] - o[0]),
+                  o[1] + x[0] * (p[1] - o[1]) + x[1] * (q[1] - o[1])};
+    };
+    result.push_back(place({share, 0}));
+    Crossing crossing(data, static_cast<int>(c), forward);
+    crossing.keep_points = true;
+    int side = 0;
+    if (crossing.run(share, nullptr, side, share) != QuickEnd::crossed) break;
+    for (const Vec2& x : crossing.points) result.push_back(place(x));
+    entry = mesh.twin(3 * (entry / 3) + static_cast<Index>((c + static_cast<std::size_t>(side)) % 3));
+    share = 1 - share;
+  }
+  return result;
+}
+
+bool inside(const std::vector<Vec2>& polygon, const Vec2& x) {
+  bool in = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    if ((p[1] > x[1]) != (q[1] > x[1]) &&
+        x[0] < p[0] + (x[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
+      in = !in;
+  }
+  return in;
 }
 
 bool closes(const CollapseMesh& mesh, const AnnulusDoor& door,

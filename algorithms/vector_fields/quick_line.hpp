@@ -25,6 +25,12 @@ enum class QuickEnd : std::uint8_t { crossed, trapped, lost };
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
                        const Ellipse* trap, Step& step);
 
+/// Points of the line that enters a side at a share, through so many triangles.
+std::vector<Vec2> points_along(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+                               std::size_t triangles);
+/// Whether a point lies in a polygon.
+bool inside(const std::vector<Vec2>& polygon, const Vec2& x);
+
 /// Whether a corridor around the line gets through the triangle, or into the trap.
 bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
               const Ellipse* trap);

@@ -162,27 +162,12 @@ bool SearchState::close(const SearchOrbit& orbit, std::size_t k, double wider,
   return false;
 }
 
-namespace {
-
-/// Whether a point lies in a polygon; nothing on its border is asked for.
-bool inside(const std::vector<Vec2>& polygon, const Vec2& x) {
-  bool in = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    if ((p[1] > x[1]) != (q[1] > x[1]) &&
-        x[0] < p[0] + (x[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
-      in = !in;
-  }
-  return in;
-}
-
-}  // namespace
-
 std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
-  std::vector<Vec2> polygon;
-  for (std::size_t k = 0; k < orbit.exits.size(); ++k) {
-    polygon.push_back(place({orbit.exits[k], (orbit.low[k] + orbit.high[k]) / 2}));
-  }
+  if (orbit.exits.empty()) return {};
+  // From the gate's return: near the orbit.
+  const auto polygon = points_along(mesh, orbit.forward, mesh.twin(orbit.exits.front()),
+                                    1 - (orbit.low.back() + orbit.high.back()) / 2,
+                                    orbit.exits.size());
   std::vector<Index> result;
   for (Index z = 0; z < zeros.size(); ++z) {
     if (inside(polygon, place_of(z))) result.push_back(z);

@@ -9,18 +9,6 @@ namespace crest::vector_fields {
 
 namespace {
 
-/// Whether a point lies in a polygon, by doubles.
-bool inside(const std::vector<Vec2>& polygon, const Vec2& x) {
-  bool in = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    if ((p[1] > x[1]) != (q[1] > x[1]) &&
-        x[0] < p[0] + (x[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
-      in = !in;
-  }
-  return in;
-}
-
 double area(const std::vector<Vec2>& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -31,8 +19,9 @@ double area(const std::vector<Vec2>& polygon) {
 /// One skeleton with what is needed to compare it, in the input's names.
 class Named {
  public:
-  Named(const Analysis& a, const std::vector<Index>& zero_names,
-        const std::vector<Index>& loop_names)
+  /// mesh: the same triangles, by the numbers in `triangles`.
+  Named(const Analysis& a, const CollapseMesh& mesh, const std::vector<Index>& triangles,
+        const std::vector<Index>& zero_names, const std::vector<Index>& loop_names)
       : a_(a), slots_(a.boundary) {
     Index ordinal = 0;
     for (const auto& loop : a.boundary.half_edges)
@@ -43,10 +32,14 @@ class Named {
     }
     for (const Annulus& o : a.annuli) {
       auto& around = enclosed_.emplace_back();
+      const auto from_tail = [](double x) { return x > 0 ? x : 1 + x; };
+      const auto& line = lines_.emplace_back(
+          points_along(mesh, o.forward, 3 * triangles[o.side / 3] + o.side % 3,
+                       (from_tail(o.back_left) + from_tail(o.back_right)) / 2, o.turns.size()));
       for (std::size_t z = 0; z < a.zeros.size(); ++z)
-        if (inside(o.line, a.zeros[z].item.point)) around.push_back(zero_names[z]);
+        if (inside(line, a.zeros[z].item.point)) around.push_back(zero_names[z]);
       for (std::size_t i = 0; i < a.boundary.half_edges.size(); ++i)
-        if (inside(o.line, a.domain.point(a.domain.from(a.boundary.half_edges[i].front()))))
+        if (inside(line, a.domain.point(a.domain.from(a.boundary.half_edges[i].front()))))
           around.push_back(static_cast<Index>(a.zeros.size()) + loop_names[i]);
       std::sort(around.begin(), around.end());
       around.push_back(o.forward ? 1 : 0);
@@ -58,7 +51,7 @@ class Named {
     for (Index i = 0; i < a_.annuli.size(); ++i) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](Index i, Index k) {
       if (enclosed_[i] != enclosed_[k]) return enclosed_[i] < enclosed_[k];
-      return area(a_.annuli[i].line) < area(a_.annuli[k].line);
+      return area(lines_[i]) < area(lines_[k]);
     });
     return order;
   }
@@ -103,6 +96,7 @@ class Named {
   RegionSlots slots_;
   std::unordered_map<HalfEdge, Index> ordinals_;
   std::vector<std::vector<Step>> steps_;
+  std::vector<std::vector<Vec2>> lines_;  ///< along orbits
   std::vector<std::vector<Index>> enclosed_;
 };
 
@@ -193,10 +187,10 @@ class Matcher {
 
   void orbits() {
     std::vector<Index> same;
-    for (Index z = 0; z < std::max(in_.zeros.size(), in_.boundary.loops.size()); ++z)
-      same.push_back(z);
-    a_.emplace(in_, same, same);
-    b_.emplace(out_, old_zero_, loop_names_);
+    for (Index i = 0; i < std::max<std::size_t>(found_.mesh.triangle_count(), in_.zeros.size()); ++i)
+      same.push_back(i);
+    a_.emplace(in_, CollapseMesh(in_.domain, in_.boundary), same, same, same);
+    b_.emplace(out_, found_.mesh, old_triangle_, old_zero_, loop_names_);
     const auto a = a_->orbits(), b = b_->orbits();
     result_.orbits.assign(a.size(), kNone);
     std::size_t i = 0, k = 0;
