@@ -101,12 +101,11 @@ struct FieldTie {
 };
 
 /// What the files hold, for claims whose data sections hold fields alone.
-std::vector<FieldTie> read_fields(std::span<const std::uint8_t> bytes,
-                                  const Arguments& arguments) {
+std::vector<FieldTie> read_fields(std::span<const std::uint8_t> bytes, const Arguments& arguments) {
   std::vector<FieldTie> ties;
   if (is_about(bytes, {"modes", "modes-curves"}))
-    ties.push_back({"input", arguments.input, "positions, tetrahedra and tensors",
-                    read_tensors(arguments)});
+    ties.push_back(
+        {"input", arguments.input, "positions, tetrahedra and tensors", read_tensors(arguments)});
   else if (is_about(bytes, {"skeleton", "compression"}))
     ties.push_back({"input", arguments.input, "positions, triangles and vectors",
                     read_vectors(arguments.input, arguments)});

@@ -12,7 +12,7 @@ namespace {
 struct Arrival {
   u32 line;
   std::size_t place;
-  std::size_t cell;     ///< the last one that leaves through a side, of those that cross one
+  std::size_t cell;  ///< the last one that leaves through a side, of those that cross one
   bool crosses = false;
 };
 
@@ -111,7 +111,8 @@ class ArrivalFinder {
     Arrival arrival{line, 0, cells.size() - 1, true};
     u32 side = exit;
     if (exit != kNone && domain().twin[exit] == kNone) {
-      const bool at_head = place.kind == Place::region && proof_.boundary.regions[exit][0] != place.number;
+      const bool at_head =
+          place.kind == Place::region && proof_.boundary.regions[exit][0] != place.number;
       arrival.place = shore_.in_side(exit, at_head);
     } else {
       // Straight, to a vertex.
@@ -149,12 +150,13 @@ class ArrivalFinder {
           cell.entry == Entry::crossing && (cell.name == c || cell.name == previous_corner(c));
       if (spoke) continue;
       // From the vertex after c on: 0, its side 1 to 3, the vertex before c 4.
-      const int local = (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(c % 3)) % 12 - 4;
+      const int local =
+          (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(c % 3)) % 12 - 4;
       require(local >= 0 && local <= 4, "separatrix {}: does not come to its zero from outside",
               line);
       const std::size_t all = 4 * corners.size();
-      const std::size_t at = 4 * static_cast<std::size_t>(corner - corners.begin()) +
-                             static_cast<std::size_t>(local);
+      const std::size_t at =
+          4 * static_cast<std::size_t>(corner - corners.begin()) + static_cast<std::size_t>(local);
       const bool crosses = cell.entry == Entry::crossing;
       lists_[place].push_back({line, at % all, i - crosses, crosses});
       return;
@@ -169,8 +171,8 @@ class ArrivalFinder {
 
   void sort(const Place& place, std::vector<Arrival>& list) {
     // Counter-clockwise around a zero left is first; along a loop, its head at the left, last.
-    const bool right_first =
-        place.kind == Place::region || place.kind == Place::wall || place.kind == Place::right_of_orbit;
+    const bool right_first = place.kind == Place::region || place.kind == Place::wall ||
+                             place.kind == Place::right_of_orbit;
     const auto is_before = [&](const Arrival& a, const Arrival& b) {
       if (a.place != b.place) return a.place < b.place;
       return a.line != b.line && compare(a, b) == (right_first ? Order::right : Order::left);

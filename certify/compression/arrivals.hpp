@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// In which order lines arrive (SPEC.md, lemmas 15 to 17).
+// The order of arrivals: of lines that end at one place (SPEC.md, lemmas 15 to 17).
 #include <map>
 
 #include "certify/compression/orbits.hpp"
@@ -11,8 +11,8 @@ namespace crest::certify::compression {
 /// Where lines arrive side by side.
 struct Place {
   enum Kind : u8 { region, wall, zero, left_of_orbit, right_of_orbit } kind;
-  u32 number;         ///< of the region, zero or orbit
-  u32 loop = kNone;   ///< of a wall
+  u32 number;        ///< of the region, zero or orbit
+  u32 loop = kNone;  ///< of a wall
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
@@ -23,7 +23,7 @@ struct Arrivals {
 };
 
 struct ArrivalTable {
-  std::vector<Path> paths;            ///< of all separatrices
+  std::vector<Path> paths;  ///< of all separatrices
   std::map<Place, Arrivals> orders;
 };
 

@@ -12,7 +12,12 @@ namespace {
 class ZeroCheck {
  public:
   ZeroCheck(const Match& match, const Map& zeros, SkeletonNotion notion, SignLadder& sign)
-      : in_(match.in), out_(match.out), match_(match), zeros_(zeros), notion_(notion), sign_(sign) {}
+      : in_(match.in),
+        out_(match.out),
+        match_(match),
+        zeros_(zeros),
+        notion_(notion),
+        sign_(sign) {}
 
   void run() {
     for (u32 k = 0; k < zeros_.to.size(); ++k) check_stated(k);
@@ -27,8 +32,8 @@ class ZeroCheck {
       --left[zeros_.from[of]];
     }
     for (u32 k = 0; k < zeros_.to.size(); ++k)
-      require(!keeps_triangles(zeros_.to[k]) || left[k] == 0, "zero {}: a triangle around it is gone",
-              k);
+      require(!keeps_triangles(zeros_.to[k]) || left[k] == 0,
+              "zero {}: a triangle around it is gone", k);
     check_zero_vertices();
     check_edge_zeros();
   }
@@ -78,7 +83,8 @@ class ZeroCheck {
   std::vector<std::array<u32, 3>> edge_zeros(const Proof& proof, bool output) const {
     std::vector<std::array<u32, 3>> all;
     for (u32 c = 0; c < proof.field.corners(); ++c) {
-      if (proof.domain.live[c / 3] == 0 || (proof.domain.twin[c] != kNone && proof.domain.twin[c] < c) ||
+      if (proof.domain.live[c / 3] == 0 ||
+          (proof.domain.twin[c] != kNone && proof.domain.twin[c] < c) ||
           !has_edge_zero(proof.field, c, sign_))
         continue;
       u32 tail = proof.domain.fan[c], head = proof.domain.fan[next_corner(c)],
@@ -136,8 +142,7 @@ class LineCheck {
     const SkeletonZero &there = match_.in.stated.zeros[maps_.zeros.from[output_zero]],
                        &here = match_.out.stated.zeros[output_zero];
     const u32 corner = match_.corner[3 * here.triangle];
-    return here.place == ZeroPlace::triangle &&
-           (corner == kNone || corner / 3 != there.triangle);
+    return here.place == ZeroPlace::triangle && (corner == kNone || corner / 3 != there.triangle);
   }
 
   void check_start(u32 i, u32 j) const {
@@ -149,7 +154,8 @@ class LineCheck {
     const Ray &ray = match_.in.claimed[i].ray, &other = match_.out.claimed[j].ray;
     bool same = ray.root == other.root && (ray.exit == kNone) == (other.exit == kNone);
     if (ray.exit != kNone && other.exit != kNone)
-      same = same && ray.exit == (other.root == 3 ? match_.fan[other.exit] : match_.side(other.exit));
+      same =
+          same && ray.exit == (other.root == 3 ? match_.fan[other.exit] : match_.side(other.exit));
     if (ray.exit == kNone && other.exit == kNone)
       same = same && in_.paths[i].direction == out_.paths[j].direction &&
              fan_of(match_.in, in_.paths[i]) == match_.fan[fan_of(match_.out, out_.paths[j])];
@@ -170,7 +176,8 @@ class LineCheck {
                    : b.end == SkeletonEnd::orbit        ? maps_.orbits.from[b.to]
                                                         : 0;
     require(a.to == to, "separatrix {}: ends elsewhere in the output", i);
-    if (a.end == SkeletonEnd::zero && !is_ordered(match_.in.zeros.components[a.to], i)) check_last(i, j);
+    if (a.end == SkeletonEnd::zero && !is_ordered(match_.in.zeros.components[a.to], i))
+      check_last(i, j);
   }
   /// Whether the order of arrivals tells where it arrives.
   bool is_ordered(const Component& zero, u32 i) const {
@@ -209,7 +216,8 @@ class LineCheck {
       sort_around(match_.out, rays[k]);
       sort_around(match_.in, turned);
       for (u32& line : turned) line = maps_.separatrices.to[line];
-      std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), rays[k][0]), turned.end());
+      std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), rays[k][0]),
+                  turned.end());
       require(turned == rays[k], "zero {} of the output: its rays are in another order", k);
     }
   }
@@ -294,7 +302,7 @@ void check_arrivals(const Match& match, const ArrivalTable& in, const ArrivalTab
   require(in.orders.size() == out.orders.size(), "lines arrive at {} places, {} in the output",
           in.orders.size(), out.orders.size());
   const auto here = [&](Place place) {
-    const auto& map = place.kind == Place::region ? match.region
+    const auto& map = place.kind == Place::region                              ? match.region
                       : place.kind == Place::wall || place.kind == Place::zero ? maps.zeros.from
                                                                                : maps.orbits.from;
     place.number = map[place.number];

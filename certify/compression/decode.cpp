@@ -27,8 +27,7 @@ void read_output(ByteReader& reader, CompressionCertificate& c) {
 
 void read_map(ByteReader& reader, std::vector<std::uint32_t>& map) {
   const std::size_t count = reader.integer<std::uint32_t>();
-  if (count > reader.left() / 4)
-    throw Malformed("claim section: a list is longer than its bytes");
+  if (count > reader.left() / 4) throw Malformed("claim section: a list is longer than its bytes");
   reader.words(map, count);
 }
 
@@ -51,8 +50,7 @@ CompressionCertificate decode_compression(std::span<const std::uint8_t> data,
   ByteReader input(reader.take(size));
   read_skeleton_claims(input, c.input);
   read_skeleton_claims(reader, c.output);
-  if (input.left() != 0 || reader.left() != 0)
-    throw Malformed("claim section: bytes left over");
+  if (input.left() != 0 || reader.left() != 0) throw Malformed("claim section: bytes left over");
   return c;
 }
 

@@ -36,8 +36,8 @@ void write_claims(ByteWriter& out, const CompressionCertificate& c) {
 
 Bytes encode(const CompressionCertificate& c) {
   check_output(c);
-  const std::size_t size = skeleton_data_size(c.input) + 8 + c.vertices.size() * 4 +
-                           c.output.triangles.size() * 12;
+  const std::size_t size =
+      skeleton_data_size(c.input) + 8 + c.vertices.size() * 4 + c.output.triangles.size() * 12;
   const auto write_data = [&](ByteWriter& out) {
     write_skeleton_data(out, c.input);
     out.count(c.vertices.size());

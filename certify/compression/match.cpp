@@ -27,7 +27,8 @@ class SurfaceMatch {
  public:
   SurfaceMatch(const std::vector<u32>& vertices, const Proof& in, const Proof& out,
                SignLadder& sign)
-      : vertices_(vertices), in_(in), out_(out), sign_(sign), match_{in, out, {}, {}, {}, {}, {}, {}} {}
+      : vertices_(vertices), in_(in), out_(out), sign_(sign), match_{in, out, {}, {},
+                                                                     {}, {},  {}, {}} {}
 
   Match run() {
     find_triangles();

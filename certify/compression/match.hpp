@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Both fields live on one domain: triangles, boundary and vertices that correspond (SPEC.md, step 2).
+// Both fields live on one domain: triangles, boundary and vertices that correspond (SPEC.md, step
+// 2).
 #include "certify/skeleton/proof.hpp"
 
 namespace crest::certify::compression {

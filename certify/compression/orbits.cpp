@@ -12,9 +12,8 @@ namespace {
 void shorten(std::vector<Cell>& cells) {
   const std::size_t n = cells.size();
   for (std::size_t period = 1; period < n; ++period) {
-    if (n % period != 0 ||
-        !std::equal(cells.begin() + static_cast<std::ptrdiff_t>(period), cells.end(),
-                    cells.begin()))
+    if (n % period != 0 || !std::equal(cells.begin() + static_cast<std::ptrdiff_t>(period),
+                                       cells.end(), cells.begin()))
       continue;
     return cells.resize(period);
   }
@@ -122,8 +121,7 @@ class Inside {
   }
   /// Crossings between the tail of a side and the zero in it.
   std::size_t crossings_at_tail(u32 side) {
-    const u32 wanted =
-        comparison_.enters_at_tail(side, backward()) ? side : domain_.twin[side];
+    const u32 wanted = comparison_.enters_at_tail(side, backward()) ? side : domain_.twin[side];
     const auto& cells = orbit_.chain.cells;
     return static_cast<std::size_t>(std::count_if(
         cells.begin(), cells.end(), [&](const Cell& cell) { return cell.name == wanted; }));
@@ -136,8 +134,8 @@ class Inside {
       if (cells[k].name / 3 != corner / 3) continue;
       // Corner 0 is at the left if it is met between the exit and the entry.
       const u32 entry = cells[k].name % 3, exit = cells[k].exit % 3;
-      const bool left = entry == exit ? comparison_.enters_at_tail(cells[k].name, backward())
-                                      : entry < exit;
+      const bool left =
+          entry == exit ? comparison_.enters_at_tail(cells[k].name, backward()) : entry < exit;
       count += left != (comparison_.swirl(orbit_.chain, k) == Sign::positive);
     }
     return count;
@@ -197,8 +195,7 @@ Tail tail_of(Comparison& comparison, const Path& path, const Orbit& orbit) {
   const std::size_t n = orbit.chain.cells.size();
   std::size_t i = path.cells.size() - 1, cells = 0;
   for (;; --i, ++cells) {
-    const auto order =
-        comparison.compare_cells(path, i, orbit.chain, (2 * n - 1 - cells % n) % n);
+    const auto order = comparison.compare_cells(path, i, orbit.chain, (2 * n - 1 - cells % n) % n);
     if (!order) continue;
     require(*order != Order::same, "a line that is the orbit in which it ends");
     return {*order == Order::left, cells % n, i};

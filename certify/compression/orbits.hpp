@@ -7,7 +7,7 @@
 namespace crest::certify::compression {
 
 struct Orbit {
-  Path chain;                     ///< one period
+  Path chain;  ///< one period
   bool counter_clockwise = false;
   std::vector<u32> zeros, loops;  ///< inside, of its part of the domain; ascending
   std::size_t vertices = 0;       ///< inside

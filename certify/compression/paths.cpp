@@ -96,8 +96,7 @@ class PathMaker {
   /// The side of a triangle with two zero vectors.
   u32 wall_of(u32 triangle) const {
     for (const u32 c : {3 * triangle, 3 * triangle + 1, 3 * triangle + 2})
-      if (is_zero(proof_.field.vector(c)) && is_zero(proof_.field.vector(next_corner(c))))
-        return c;
+      if (is_zero(proof_.field.vector(c)) && is_zero(proof_.field.vector(next_corner(c)))) return c;
     throw Reject("no wall");
   }
 
@@ -147,8 +146,8 @@ int Comparison::place(const Path& path, std::size_t i) {
 
 /// Counter-clockwise from the part of the exit through which lines leave.
 int Comparison::rank(const Path& path, std::size_t i, u32 exit) {
-  const int start = 4 * static_cast<int>(exit % 3) + 1 +
-                    (enters_at_tail(exit, path.backward) ? 2 : 0);
+  const int start =
+      4 * static_cast<int>(exit % 3) + 1 + (enters_at_tail(exit, path.backward) ? 2 : 0);
   // The exit's part itself is nobody's place: it enters where its other part does not.
   return (place(path, i) - start + 12) % 12;
 }
@@ -157,8 +156,8 @@ Sign Comparison::swirl(const Path& path, std::size_t i) {
   const Cell& cell = path.cells[i];
   const u32 t = cell.name / 3;
   const Field& field = proof_.field;
-  const Plane<Rational> z = zero_point(field, proof_.domain,
-                                       proof_.zeros.components[proof_.zeros.of_triangle[t]]);
+  const Plane<Rational> z =
+      zero_point(field, proof_.domain, proof_.zeros.components[proof_.zeros.of_triangle[t]]);
   const auto turn = [&](const Plane<Rational>& x, const Plane<Rational>& v) {
     const Sign sign = kernel::sign_of(Rational(det(x - z, v)));
     require(sign != Sign::zero, "triangle {}: a line passes through its zero", t);
@@ -166,8 +165,9 @@ Sign Comparison::swirl(const Path& path, std::size_t i) {
   };
   if (i < path.trace->straight.size())
     return turn(path.trace->straight[i].start, exact(path.direction));
-  const auto passage = std::find_if(path.trace->passages.begin(), path.trace->passages.end(),
-                                    [&](const Passage& p) { return path.first_turn + p.turn == i; });
+  const auto passage =
+      std::find_if(path.trace->passages.begin(), path.trace->passages.end(),
+                   [&](const Passage& p) { return path.first_turn + p.turn == i; });
   require(passage != path.trace->passages.end(), "triangle {}: a line that ends there", t);
   const auto at = [&](const auto& value) {
     const u32 o = passage->corner;
@@ -196,10 +196,8 @@ std::optional<Order> Comparison::compare_cells(const Path& a, std::size_t i, con
   const Cell &p = a.cells[i], &q = b.cells[j];
   if (p.entry == Entry::inside && q.entry == Entry::inside) return Order::same;
   // At the left of a ray that goes out flow turns clockwise.
-  if (p.entry == Entry::inside)
-    return swirl(b, j) == Sign::negative ? Order::right : Order::left;
-  if (q.entry == Entry::inside)
-    return swirl(a, i) == Sign::negative ? Order::left : Order::right;
+  if (p.entry == Entry::inside) return swirl(b, j) == Sign::negative ? Order::right : Order::left;
+  if (q.entry == Entry::inside) return swirl(a, i) == Sign::negative ? Order::left : Order::right;
   const int first = rank(a, i, p.exit), second = rank(b, j, p.exit);
   if (first != second) return first < second ? Order::left : Order::right;
   if (p.entry == Entry::crossing) return std::nullopt;

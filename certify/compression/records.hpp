@@ -8,7 +8,7 @@ namespace crest::certify {
 
 inline constexpr std::uint32_t kCompression = 10, kCompressionVersion = 1;
 
-/// What stays besides starts, ends and orders of arrivals.
+/// The notion of equality: what stays besides starts, ends and orders of arrivals.
 enum class SkeletonNotion : std::uint8_t {
   strong,    ///< every triangle that a listed line meets
   original,  ///< zeros with the triangles around them

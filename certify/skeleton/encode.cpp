@@ -135,9 +135,10 @@ void write_skeleton_data(ByteWriter& out, const SkeletonCertificate& c) {
 }
 
 Bytes encode(const SkeletonCertificate& c) {
-  return compose({kSkeleton, kSkeletonVersion}, skeleton_data_size(c),
-                 [&](ByteWriter& out) { write_skeleton_data(out, c); },
-                 [&](ByteWriter& out) { write_skeleton_claims(out, c); });
+  return compose(
+      {kSkeleton, kSkeletonVersion}, skeleton_data_size(c),
+      [&](ByteWriter& out) { write_skeleton_data(out, c); },
+      [&](ByteWriter& out) { write_skeleton_claims(out, c); });
 }
 
 }  // namespace crest::certify

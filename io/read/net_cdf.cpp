@@ -172,9 +172,9 @@ Pair components(const NetCdf& in, const std::string& wanted) {
       {"x_wind", "y_wind"},
       {"eastward_sea_water_velocity", "northward_sea_water_velocity"},
       {"sea_water_x_velocity", "sea_water_y_velocity"}};
-  static constexpr const char* kNames[][2] = {{"u", "v"},     {"U", "V"},   {"u10", "v10"},
-                                              {"ua", "va"},   {"uo", "vo"}, {"uas", "vas"},
-                                              {"water_u", "water_v"}};
+  static constexpr const char* kNames[][2] = {
+      {"u", "v"},   {"U", "V"},     {"u10", "v10"},        {"ua", "va"},
+      {"uo", "vo"}, {"uas", "vas"}, {"water_u", "water_v"}};
   for (const auto& [u, v] : kStandard)
     if (const Pair pair = {named(u), named(v)}; pair[0] != nullptr && pair[1] != nullptr)
       found.push_back(pair);
@@ -251,7 +251,8 @@ void add_cells(const NetCdf& in, const Pair& uv, const Variable& lon, const Vari
                const VectorRequest& request, PlanarFieldFile& file) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-  using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+  using Delaunay =
+      CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
   const std::size_t layer = chosen_layer(in, uv, 1, request);
   const auto u = in.numbers(*uv[0], 1, layer), v = in.numbers(*uv[1], 1, layer),
              x = degrees(in, lon), y = degrees(in, lat);

@@ -41,7 +41,8 @@ PlaneGrid read_vector_nrrd(const std::string& path, const VectorRequest& request
   if (layers > 1 && !request.slice)
     fail("grid", fmt::format("has {} layers", layers), "choose one with --slice K, from 0");
   const auto layer = static_cast<std::size_t>(request.slice.value_or(0));
-  if (layer >= layers) fail("slice", fmt::format("{} does not exist", layer), "layers count from 0");
+  if (layer >= layers)
+    fail("slice", fmt::format("{} does not exist", layer), "layers count from 0");
   if (!request.field.empty() && request.field != "vectors")
     fail(fmt::format("array '{}'", request.field), "does not exist",
          "an NRRD file has one, 'vectors'");

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claim 10: the order of lines by how they have come is the one of the points where they cross.
+#include "certify/compression/arrivals.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iostream>
 #include <map>
 
-#include "certify/compression/arrivals.hpp"
 #include "certify/skeleton/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
@@ -31,7 +32,8 @@ class Tracer {
     Weights w{};
     double area = 0;
     for (u32 k = 0; k < 3; ++k) {
-      const Pair &p = field_.position(3 * t + (k + 1) % 3), &q = field_.position(3 * t + (k + 2) % 3);
+      const Pair &p = field_.position(3 * t + (k + 1) % 3),
+                 &q = field_.position(3 * t + (k + 2) % 3);
       w[k] = (backward ? -1 : 1) * ((q[0] - p[0]) * v[1] - (q[1] - p[1]) * v[0]);
       const Pair& o = field_.position(3 * t + k);
       area = (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
@@ -55,8 +57,7 @@ class Tracer {
                     k3 = flow(t, moved(x, h / 2, k2), backward),
                     k4 = flow(t, moved(x, h, k3), backward);
       Weights y = x;
-      for (std::size_t k = 0; k < 3; ++k)
-        y[k] += h / 6 * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
+      for (std::size_t k = 0; k < 3; ++k) y[k] += h / 6 * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
       if (y[out] <= 0 && (x[out] > 0 || k1[out] < 0)) {
         const double s = x[out] / (x[out] - y[out]);
         const u32 head = next_corner(exit) % 3;

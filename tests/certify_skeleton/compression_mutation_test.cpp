@@ -65,8 +65,7 @@ bool is_true(const C& mutant) {
   const C anew = claim_of(field, reference_skeleton(field), triangles_of(mutant), mutant.notion);
   if (!verify(encode(anew)).accepted || anew.zeros != mutant.zeros) return false;
   for (std::size_t i = 0; i < anew.separatrices.size(); ++i)
-    if (!anew.input.separatrices[i].legs.empty() &&
-        anew.separatrices[i] != mutant.separatrices[i])
+    if (!anew.input.separatrices[i].legs.empty() && anew.separatrices[i] != mutant.separatrices[i])
       return false;
   return true;
 }
@@ -165,23 +164,22 @@ std::vector<std::pair<std::string, Edit>> false_edits() {
        }},
       {"triangle turned",
        of_triangle([](auto& t, C&, Random&) { return std::swap(t[1], t[2]), true; })},
-      {"triangle doubled",
-       of_triangle([](auto& t, C& c, Random&) {
+      {"triangle doubled", of_triangle([](auto& t, C& c, Random&) {
          const auto copy = t;
          return c.output.triangles.push_back(copy), true;
        })},
-      {"triangle dropped",
-       of_triangle([](auto& t, C& c, Random&) {
+      {"triangle dropped", of_triangle([](auto& t, C& c, Random&) {
          t = c.output.triangles.back();
          return c.output.triangles.pop_back(), true;
        })},
-      {"corner elsewhere",
-       of_triangle([](auto& t, C& c, Random& r) {
+      {"corner elsewhere", of_triangle([](auto& t, C& c, Random& r) {
          return t[0] = (t[0] + 1 + static_cast<u32>(r() % 2)) % static_cast<u32>(c.vertices.size()),
                 true;
        })},
       {"an orbit of the output dropped",
-       [](C& c, Random&) { return !c.output.orbits.empty() && (c.output.orbits.pop_back(), true); }},
+       [](C& c, Random&) {
+         return !c.output.orbits.empty() && (c.output.orbits.pop_back(), true);
+       }},
   };
   for (auto which : {&C::input, &C::output}) {
     const std::string whose = which == &C::input ? " of the input" : " of the output";
@@ -191,9 +189,8 @@ std::vector<std::pair<std::string, Edit>> false_edits() {
                      turn = static_cast<Turn>((static_cast<unsigned>(turn) + 1 + r() % 2) % 3);
                      return true;
                    })});
-    all.push_back({"end elsewhere" + whose, of_line(which, [](auto& line, auto&, Random&) {
-                     return ++line.to, true;
-                   })});
+    all.push_back({"end elsewhere" + whose,
+                   of_line(which, [](auto& line, auto&, Random&) { return ++line.to, true; })});
     all.push_back({"end withheld" + whose, of_line(which, [](auto& line, auto& c, Random&) {
                      return make_undecided(line, c), true;
                    })});
@@ -203,7 +200,8 @@ std::vector<std::pair<std::string, Edit>> false_edits() {
                      recount(c.*which);
                      return true;
                    }});
-    all.push_back({"count" + whose, [which](C& c, Random&) { return ++(c.*which).index_sum, true; }});
+    all.push_back(
+        {"count" + whose, [which](C& c, Random&) { return ++(c.*which).index_sum, true; }});
     all.push_back({"zero dropped" + whose,
                    [which](C& c, Random&) { return (c.*which).zeros.pop_back(), true; }});
     all.push_back({"class changed" + whose, [which](C& c, Random& r) {
@@ -271,7 +269,8 @@ TEST_CASE("compression: one collapse more, and the skeleton is another") {
           verify(encode(claim_of(original.field, c.input, next, SkeletonNotion::original)));
       accepted += verdict.accepted;
       std::string reason = verdict.accepted ? "accepted" : verdict.reason;
-      std::replace_if(reason.begin(), reason.end(), [](char x) { return x >= '0' && x <= '9'; }, '#');
+      std::replace_if(
+          reason.begin(), reason.end(), [](char x) { return x >= '0' && x <= '9'; }, '#');
       ++reasons[reason];
     }
   }

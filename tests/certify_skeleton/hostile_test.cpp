@@ -119,6 +119,48 @@ TEST_CASE("hostile: a sum that overflows has no certain sign") {
   CHECK_FALSE(ExactSigns().have(control, exact, 1));
 }
 
+TEST_CASE("hostile: differences below all doubles keep a bound") {
+  using namespace crest::certify::skeleton;
+  // da first + db second is as small as its own rounding; da, db are 0 as doubles.
+  Random random(kSeed);
+  Big::bits = 133;
+  std::size_t seem_positive = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto number = [&] { return 1 + std::ldexp(static_cast<double>(random() >> 11U), -53); };
+    const double f = 0x1p900 * number(), g = 0x1p900 * number();
+    const Big p = (Big(number()) + Big(0x1p-53 * number()) + Big(0x1p-100 * number())) *
+                  Big::power_of_half(1200);
+    const Big q = -((p * Big(f)) / Big(g));
+    const std::vector<Point<Big>> control = {{Big(0.0), Big(0.0)}, {p, q}};
+    LinearForms<Big> forms;
+    forms.first = {Big(f), Big(f), Big(f)};
+    forms.second = {Big(g), Big(g), Big(g)};
+    forms.magnitude_first = f;
+    forms.magnitude_second = g;
+    Products<Big> products;
+    CHECK(have_sign(control, forms, Binomials<Big>(1), products, 1) == Answer::open);
+    seem_positive += to_double(products.sums()[0]) > 0x1p-1000;
+  }
+  CHECK(seem_positive > 0);  // which a bound of nothing would have called certain
+}
+
+TEST_CASE("hostile: sides longer than doubles go have no finite bound") {
+  using namespace crest::certify::skeleton;
+  SkeletonCertificate c;
+  c.positions = {{-1.5e308, -1.5e308}, {1.5e308, -1.5e308}, {-1.5e308, 1.5e308}};
+  c.vectors = {{1, 0}, {1, 0}, {1, 0}};
+  c.triangles = {{0, 1, 2}};
+  const Field field(c);
+  Big::bits = 133;
+  // The side's length is infinite as a double, times 0 not a number: a maximum would pass over it.
+  const Frame<Big> frame = make_frame<Big>(field, 0, false);
+  CHECK(frame.determinant.magnitude_first == HUGE_VAL);
+  CHECK(frame.product.magnitude_second == HUGE_VAL);
+  const std::vector<Point<Big>> control = {{Big(0.25), Big(0.25)}, {Big(0.5), Big(0.25)}};
+  Products<Big> products;
+  CHECK(have_sign(control, frame.product, Binomials<Big>(1), products, 1) == Answer::open);
+}
+
 TEST_CASE("hostile: truncated anywhere, counts of any size") {
   const Bytes bytes = encode(original());
   Random random(kSeed);

@@ -275,23 +275,7 @@ TEST_CASE("item 10: what fails without a condition of the cell lemma") {
 }
 
 TEST_CASE("refereed 6: two orbits around no zero of their own, and no separatrix") {
-  PlaneField f;
-  const double scale[3] = {1, -0.5, 1};
-  const double size[3] = {1, 1.5, 2};
-  const Vec ring[8] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-  for (int r = 0; r < 3; ++r)
-    for (const Vec& p : ring) {
-      const double x = size[r] * p[0], y = size[r] * p[1];
-      f.positions.push_back({x, y});
-      f.vectors.push_back({scale[r] * x - 0.5 * y, scale[r] * y + 0.5 * x});
-    }
-  for (std::uint32_t r = 0; r < 2; ++r)
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const std::uint32_t p = 8 * r + i, next = 8 * r + (i + 1) % 8;
-      f.triangles.push_back({p, p + 8, next + 8});
-      f.triangles.push_back({p, next + 8, next});
-    }
-  auto c = reference_points(f);
+  auto c = reference_points(ring_field({{1, 1}, {1.5, -0.5}, {2, 1}}));
   CHECK(c.zeros.empty());
   CHECK(c.switches.empty());
   REQUIRE(c.loops.size() == 2);
@@ -326,5 +310,63 @@ TEST_CASE("refereed 6: two orbits around no zero of their own, and no separatrix
   auto wrong = c;
   wrong.orbits[0].backward = 1;
   CHECK_FALSE(reason(wrong).empty());
-  // Without the middle ring every line crosses.
+  // Without the middle ring every line crosses, and there is no orbit to be stated.
+  auto none = reference_points(ring_field({{1, 1}, {2, 1}}));
+  CHECK(reason(none).empty());
+  none.orbits = {attracting};
+  CHECK_FALSE(reason(none).empty());
+}
+
+TEST_CASE("refereed 5: a loop of slip walls has a zero at each of its corners") {
+  // Along all four sides of the square, so 0 at its corners; strong inside.
+  auto c = reference_points(grid_field(4, 4, 1, [](double x, double y) {
+    const double inner = x * (4 - x), other = y * (4 - y);
+    return std::array{inner * (y - 2), other * (2 - x)};
+  }));
+  REQUIRE(c.loops.size() == 1);
+  CHECK(c.loops[0].zero == 1);
+  CHECK(c.switches.empty());
+  CHECK(reason(c) == "");
+  auto wrong = c;
+  wrong.loops[0].zero = 0;
+  wrong.loops[0].winding = wrong.loops[0].turning = 1;
+  CHECK_FALSE(reason(wrong).empty());
+}
+
+TEST_CASE("refereed 8: a segment beside the ray's exit is no start of it") {
+  const auto c = reference_skeleton(lattice_field(1, 4, 12, false));
+  std::size_t tried = 0;
+  for (std::size_t i = 0; i < c.separatrices.size(); ++i) {
+    if (c.separatrices[i].legs.empty() || c.separatrices[i].legs[0].kind != LegKind::ray) continue;
+    const auto& leg = c.separatrices[i].legs[0];
+    const double width = leg.first[0] - leg.second[0];
+    for (const double shift : {-2 * width, 2 * width}) {
+      auto wrong = c;
+      auto& moved = wrong.separatrices[i].legs[0];
+      moved.first = {leg.first[0] + shift};
+      moved.second = {leg.second[0] + shift};
+      CHECK(reason(wrong).find("no ray of the zero passes") != std::string::npos);
+      ++tried;
+    }
+  }
+  CHECK(tried > 10);
+}
+
+TEST_CASE("refereed 9: a star node on a vertex has no sectors and no separatrix") {
+  const std::vector<Vec> rim = {{2, 0}, {1, 2}, {-2, 1}, {-1, -2}};
+  auto c = reference_points(closed_fan(rim, rim));
+  REQUIRE(c.zeros.size() == 1);
+  CHECK(c.zeros[0].place == ZeroPlace::vertex);
+  CHECK(c.zeros[0].index == 1);
+  CHECK(c.zeros[0].hyperbolic == 0);
+  CHECK(c.zeros[0].elliptic == 0);
+  CHECK(c.separatrices.empty());
+  CHECK(reason(c).empty());
+  // Around it: switch points at the rim, but no ray of the zero.
+  std::vector<Vec> turned;
+  for (const Vec& p : rim) turned.push_back({-p[1], p[0]});
+  c = reference_points(closed_fan(rim, turned));
+  CHECK(c.zeros[0].index == 1);
+  for (const auto& line : c.separatrices) CHECK(line.origin == SkeletonOrigin::switch_point);
+  CHECK(reason(c).empty());
 }

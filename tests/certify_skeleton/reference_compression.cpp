@@ -88,22 +88,51 @@ class Names {
   std::vector<u32> vertices_;
 };
 
-/// Equal names in their order, then what is left.
+/// Equal names in their order.
 template <class Name>
 std::vector<u32> map_by(std::size_t before, std::size_t after, const Name& name_before,
                         const Name& name_after) {
   std::map<std::vector<u32>, std::vector<u32>> places;
   for (u32 j = static_cast<u32>(after); j-- > 0;) places[name_after(j)].push_back(j);
   std::vector<u32> map(before, kNotStated);
-  std::set<u32> used;
   for (u32 i = 0; i < before; ++i) {
     auto& list = places[name_before(i)];
     if (list.empty()) continue;
     map[i] = list.back();
-    used.insert(list.back());
     list.pop_back();
   }
   return map;
+}
+
+/// Zeros that have moved correspond in the order of their classes, their rays by their ends.
+void map_moved(CompressionCertificate& c) {
+  std::vector<bool> used(c.output.zeros.size(), false);
+  for (const u32 k : c.zeros)
+    if (k < used.size()) used[k] = true;
+  for (u32 i = 0; i < c.zeros.size(); ++i)
+    for (u32 k = 0; k < used.size() && c.zeros[i] == kNotStated; ++k)
+      if (!used[k] && c.output.zeros[k].kind == c.input.zeros[i].kind) {
+        c.zeros[i] = k;
+        used[k] = true;
+      }
+  std::vector<bool> taken(c.output.separatrices.size(), false);
+  for (const u32 j : c.separatrices)
+    if (j < taken.size()) taken[j] = true;
+  const auto find = [&](const SkeletonSeparatrix& a, bool ends) {
+    for (u32 j = 0; j < taken.size(); ++j) {
+      const auto& b = c.output.separatrices[j];
+      if (taken[j] || b.origin != a.origin || b.backward != a.backward ||
+          b.from != (a.origin == SkeletonOrigin::zero ? c.zeros[a.from] : a.from) ||
+          (ends && (b.end != a.end || b.to != (a.end == SkeletonEnd::zero ? c.zeros[a.to] : a.to))))
+        continue;
+      taken[j] = true;
+      return j;
+    }
+    return kNotStated;
+  };
+  for (const bool ends : {true, false})
+    for (u32 i = 0; i < c.separatrices.size(); ++i)
+      if (c.separatrices[i] == kNotStated) c.separatrices[i] = find(c.input.separatrices[i], ends);
 }
 
 }  // namespace
@@ -152,12 +181,14 @@ CompressionCertificate claim_of(const PlaneField& field, const SkeletonCertifica
   c.output = reference_skeleton(small);
   const Names in(c.input, {}), out(c.output, c.vertices);
   using Name = std::function<std::vector<u32>(u32)>;
-  c.zeros = map_by<Name>(c.input.zeros.size(), c.output.zeros.size(),
-                         [&](u32 k) { return in.zero(k); }, [&](u32 k) { return out.zero(k); });
-  c.separatrices = map_by<Name>(c.input.separatrices.size(), c.output.separatrices.size(),
-                                [&](u32 i) { return in.line(i); },
-                                [&](u32 i) { return out.line(i); });
+  c.zeros = map_by<Name>(
+      c.input.zeros.size(), c.output.zeros.size(), [&](u32 k) { return in.zero(k); },
+      [&](u32 k) { return out.zero(k); });
+  c.separatrices = map_by<Name>(
+      c.input.separatrices.size(), c.output.separatrices.size(), [&](u32 i) { return in.line(i); },
+      [&](u32 i) { return out.line(i); });
   for (u32 i = 0; i < c.input.orbits.size(); ++i) c.orbits.push_back(i);
+  if (notion == SkeletonNotion::relaxed) map_moved(c);
   return c;
 }
 

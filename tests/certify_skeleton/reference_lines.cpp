@@ -505,4 +505,22 @@ PlaneField lattice_field(std::uint64_t seed, u32 m, u32 n, bool hole) {
   return field;
 }
 
+PlaneField ring_field(const std::vector<std::array<double, 2>>& size_and_strength) {
+  const Vec ring[8] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  PlaneField f;
+  for (const auto& [size, strength] : size_and_strength)
+    for (const Vec& p : ring) {
+      const Vec x = size * p;
+      f.positions.push_back(x);
+      f.vectors.push_back({strength * x[0] - 0.5 * x[1], strength * x[1] + 0.5 * x[0]});
+    }
+  for (u32 r = 0; r + 1 < size_and_strength.size(); ++r)
+    for (u32 i = 0; i < 8; ++i) {
+      const u32 p = 8 * r + i, next = 8 * r + (i + 1) % 8;
+      f.triangles.push_back({p, p + 8, next + 8});
+      f.triangles.push_back({p, next + 8, next});
+    }
+  return f;
+}
+
 }  // namespace crest::tests

@@ -24,6 +24,10 @@ PlaneField grid_field(std::uint32_t nx, std::uint32_t ny, double spacing,
 /// The lattice field L(seed, m) on n x n cells of the unit square; `hole`: without the middle.
 PlaneField lattice_field(std::uint64_t seed, std::uint32_t m, std::uint32_t n, bool hole);
 
+/// Square rings |x|max = size around a hole, eight vertices each, v = strength x + (-y, x) / 2;
+/// ring r has vertices 8 r to 8 r + 7, from (size, 0) on.
+PlaneField ring_field(const std::vector<std::array<double, 2>>& size_and_strength);
+
 /// Everything but traps and ways: all separatrices are undecided. Exact, also for fields with ties
 /// (sectors: where rays are 1/512 of a cone apart).
 certify::SkeletonCertificate reference_points(const PlaneField& field);

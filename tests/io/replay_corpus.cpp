@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/read/mesh_reader.hpp"
+#include "io/read/planar_field_reader.hpp"
 #include "io/read/point_reader.hpp"
 #include "io/read/quadratic_reader.hpp"
 #include "io/read/volume_reader.hpp"
@@ -16,6 +17,16 @@ namespace {
 /// Faces, samples or points. `folder`: of the corpus, the fuzzer's name.
 std::size_t read_count(const std::string& folder, const std::string& name,
                        const std::string& bytes) {
+  if (folder.starts_with("planar_")) {
+    const crest::tests::TemporaryFolder place;
+    const std::string path = place / name;
+    std::ofstream(path, std::ios::binary) << bytes;
+    try {
+      return crest::io::read_planar_field(path, {}).triangles.size();
+    } catch (const crest::kernel::InputError& error) {
+      throw crest::kernel::InputError(name + std::string(error.what()).substr(path.size()));
+    }
+  }
   if (folder == "volume_xyz") return crest::io::read_points_bytes(name, bytes).points.size();
   if (folder.starts_with("volume_")) return crest::io::read_volume_bytes(name, bytes).grid.count();
   if (folder == "vtu" || folder == "msh")
