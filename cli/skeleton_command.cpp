@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "certify/verify.hpp"
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
+#include "cli/vector_options.hpp"
 #include "io/read/planar_field_reader.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
 
@@ -35,7 +35,9 @@ Outcome work(Run& run, const SkeletonOptions& o) {
     return run.with_input([&] { return vector_fields::extract_skeleton(field, record); });
   });
   run.report()["vectors"] = file.field;
-  report_skeleton(run.report(), field, skeleton);
+  const Json words = skeleton_in_words(field, skeleton);
+  for (const auto& [key, value] : std::get<Json::Members>(words.value()))
+    run.report()[key] = value;
   io::SkeletonScene scene{&field, &skeleton};
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
@@ -62,24 +64,9 @@ std::function<int()> add(CLI::App& app) {
   SkeletonOptions& o = *options;
   add_common_options(
       app, o.common,
-      "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts .nrrd .nc, winds "
-      ".json, velocimetry .txt .vec)",
+      kVectorFormats,
       "the skeleton (.vtp)");
-  app.add_option("--vectors", o.vectors.field,
-                 "the array (default: the only one of 2 or 3 numbers)")
-      ->type_name("NAME");
-  app.add_flag("--cell-to-point", o.vectors.cell_to_point,
-               "take vectors of cells: at a point the mean of those around it");
-  const std::map<std::string, io::Diagonal> diagonals = {
-      {"up", io::Diagonal::up}, {"down", io::Diagonal::down}, {"short", io::Diagonal::shorter}};
-  app.add_option("--diagonal", o.vectors.diagonal,
-                 "of grids' cells: up, down or short (default: up)")
-      ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))
-      ->type_name("WORD");
-  app.add_option("--slice", o.vectors.slice, "the layer of a grid with several, from 0")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->type_name("K");
-  app.add_flag("--all", o.vectors.all, "keep points that the file flags as bad");
+  add_vector_options(app, o.vectors);
   return [options] {
     return run_command({"skeleton", options->common, {".vtp"}},
                        [&](Run& run) { return work(run, *options); });

@@ -140,7 +140,8 @@ std::size_t undecided_count(const Skeleton& skeleton) {
   return count(skeleton, EndKind::undecided);
 }
 
-void report_skeleton(Report& report, const PlanarField& field, const Skeleton& s) {
+Json skeleton_in_words(const PlanarField& field, const Skeleton& s) {
+  Json report;
   report["vertices"] = field.points.size();
   report["triangles"] = field.triangles.size();
   report["components"] = s.components;
@@ -157,6 +158,7 @@ void report_skeleton(Report& report, const PlanarField& field, const Skeleton& s
   for (const ClosedOrbit& o : s.orbits)
     orbits.push_back({{"attracting", o.attracting}, {"point", to_json(o.line.front())}});
   report["closed_orbits"] = {{"count", s.orbits.size()}, {"items", orbits}};
+  return report;
 }
 
 std::string skeleton_summary(const Skeleton& s) {

@@ -9,8 +9,9 @@
 
 namespace crest::cli {
 
-void report_skeleton(Report& report, const vector_fields::PlanarField& field,
-                     const vector_fields::Skeleton& skeleton);
+/// The keys of `skeleton`.
+Json skeleton_in_words(const vector_fields::PlanarField& field,
+                       const vector_fields::Skeleton& skeleton);
 
 std::string skeleton_summary(const vector_fields::Skeleton& skeleton);
 

@@ -8,8 +8,8 @@
 namespace crest::vector_fields {
 
 struct Analysis {
-  /// Requires: `field` outlives the analysis.
-  explicit Analysis(const PlanarField& field);
+  /// doors: where annuli are looked for first. Requires: `field` outlives the analysis.
+  explicit Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors = {});
   Skeleton skeleton() const;
 
   Domain domain;

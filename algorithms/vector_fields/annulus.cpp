@@ -48,6 +48,14 @@ bool AnnulusSearch::visit(bool forward, HalfEdge side, double place, std::size_t
   return false;
 }
 
+/// Whether the way through a gate leads into an annulus that was found, or around it.
+bool AnnulusSearch::known(bool forward, const Gate<double>& gate) const {
+  return std::any_of(annuli_.begin(), annuli_.end(), [&](const Annulus& a) {
+    return a.side == gate.side && a.forward == forward &&
+           overlaps(gate, Gate<double>{a.side, a.left, a.right});
+  });
+}
+
 /// Between two shares of the side, once around.
 bool AnnulusSearch::try_between(bool forward, HalfEdge side, double low, double high) {
   if (!(low > 0 && high < 1 && low < high)) return false;
@@ -68,8 +76,11 @@ bool AnnulusSearch::try_between(bool forward, HalfEdge side, double low, double 
       found.special.push_back({static_cast<Index>(found.turns.size()), cell.setting});
     found.turns.push_back(cell.turn);
     at = cell.gate;
+    if (known(forward, at)) return false;
     if (at.side != door.side) continue;
     if (strictly_inside(at, door)) {
+      found.back_left = at.left;
+      found.back_right = at.right;
       annuli_.push_back(std::move(found));
       return true;
     }

@@ -22,6 +22,14 @@ class AnnulusSearch {
   /// The line enters a side's triangle at a share of the side from its tail, after so many turns.
   /// Whether an annulus was found and added.
   bool visit(bool forward, HalfEdge side, double place, std::size_t turns);
+  /// Adds the annulus behind a door, if there is one.
+  bool try_door(const AnnulusDoor& door) {
+    most_turns_ = kMostTurns;
+    maker_.be_quick(false);
+    const bool found = try_between(door.forward, door.side, door.low, door.high);
+    maker_.be_quick();
+    return found;
+  }
   /// The line came back to the same places again and again, and no annulus was found.
   bool hopeless() const;
 
@@ -38,6 +46,8 @@ class AnnulusSearch {
   }
 
  private:
+  static constexpr std::size_t kMostTurns = 100'000;
+  bool known(bool forward, const Gate<double>& gate) const;
   bool try_between(bool forward, HalfEdge side, double low, double high);
 
   struct Visit {

@@ -63,20 +63,20 @@ struct TriangleFrame {
   Real error;                            ///< of w at any point of the triangle
 
   TriangleFrame(const Domain& domain, Index t, int corner, bool forward, const Real& unit)
+      : TriangleFrame(domain.corners(t), corner, forward, unit) {}
+  TriangleFrame(const kernel::FieldOnTriangle& data, int corner, bool forward, const Real& unit)
       : origin(corner) {
-    const auto& v = domain.field().triangles[t];
-    const std::array<Index, 3> k = {v[static_cast<unsigned>(corner)],
-                                    v[static_cast<unsigned>((corner + 1) % 3)],
-                                    v[static_cast<unsigned>((corner + 2) % 3)]};
-    const auto along = [&](Index q, std::size_t i) -> Real {
-      return Real(domain.point(q)[i]) - Real(domain.point(k[0])[i]);
+    const auto c = static_cast<std::size_t>(corner);
+    const std::array<std::size_t, 3> k = {c, (c + 1) % 3, (c + 2) % 3};
+    const auto along = [&](std::size_t q, std::size_t i) -> Real {
+      return Real(data.p[q][i]) - Real(data.p[k[0]][i]);
     };
     const Real e[2] = {along(k[1], 0), along(k[1], 1)}, f[2] = {along(k[2], 0), along(k[2], 1)};
     std::array<std::array<Real, 2>, 3> at;
     Real size = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double sign = forward ? 1 : -1;
-      const Real x = sign * domain.vector(k[i])[0], y = sign * domain.vector(k[i])[1];
+      const Real x = sign * data.v[k[i]][0], y = sign * data.v[k[i]][1];
       const Real p = x * f[1], q = y * f[0], r = e[0] * y, s = e[1] * x;
       at[i] = {p - q, r - s};
       using std::fabs;
@@ -121,7 +121,7 @@ class BarrierMaker {
   /// Other pieces and angles than the precision's own.
   void set(int angle, int shrink);
   /// Gives up early: for trials.
-  void be_quick() { quick_ = true; }
+  void be_quick(bool quick = true) { quick_ = quick; }
   bool quick() const { return quick_; }
   /// Whether the last arc failed for its number of pieces.
   bool exhausted() const { return exhausted_; }

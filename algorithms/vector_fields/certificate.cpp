@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/vector_fields/analysis.hpp"
+#include "algorithms/vector_fields/skeleton_match.hpp"
 
 namespace crest::vector_fields {
 
@@ -164,10 +165,11 @@ std::vector<certify::SkeletonTrap> traps_of(const Analysis& a) {
 
 }  // namespace
 
-Skeleton extract_skeleton(const PlanarField& field, certify::SkeletonCertificate& record) {
-  const Analysis a(field);
-  Skeleton result = a.skeleton();
-  record = {};
+namespace {
+
+certify::SkeletonCertificate record_of(const Analysis& a) {
+  const PlanarField& field = a.domain.field();
+  certify::SkeletonCertificate record;
   record.positions = field.points;
   record.vectors = field.vectors;
   record.triangles = field.triangles;
@@ -178,8 +180,47 @@ Skeleton extract_skeleton(const PlanarField& field, certify::SkeletonCertificate
   record.traps = traps_of(a);
   for (const Annulus& o : a.annuli) record.orbits.push_back(record_of(o));
   for (const Trace& t : a.traces) record.separatrices.push_back(record_of(t));
-  record.index_sum = result.index_sum;
+  for (const ZeroComponent& z : a.zeros) record.index_sum += z.item.index.value_or(0);
   for (const auto& s : record.separatrices) ++record.ends[static_cast<std::size_t>(s.end)];
+  return record;
+}
+
+/// Of a line that is undecided in the input nothing is claimed in the output.
+void forget(certify::SkeletonCertificate& record, Index line, certify::OpenReason reason) {
+  certify::SkeletonSeparatrix& s = record.separatrices[line];
+  --record.ends[static_cast<std::size_t>(s.end)];
+  s.legs.clear();
+  s.end = certify::SkeletonEnd::undecided;
+  s.to = 0;
+  s.reason = reason;
+  ++record.ends[static_cast<std::size_t>(s.end)];
+}
+
+}  // namespace
+
+Skeleton extract_skeleton(const PlanarField& field, certify::SkeletonCertificate& record) {
+  const Analysis a(field);
+  record = record_of(a);
+  return a.skeleton();
+}
+
+Compression compress(const PlanarField& field, const CompressionOptions& options,
+                     certify::CompressionCertificate& record) {
+  record = {};
+  record.notion = static_cast<certify::SkeletonNotion>(options.equivalence);
+  Compression result = compress(
+      field, options,
+      [&](const Analysis& input, const Analysis& output, const SkeletonMatch& match) {
+        record.input = record_of(input);
+        record.output = record_of(output);
+        record.zeros = match.zeros;
+        record.orbits = match.orbits;
+        record.separatrices = match.separatrices;
+        for (Index i = 0; i < input.traces.size(); ++i)
+          if (input.traces[i].end == EndKind::undecided)
+            forget(record.output, match.separatrices[i], record.input.separatrices[i].reason);
+      });
+  record.vertices = result.vertex_of;
   return result;
 }
 

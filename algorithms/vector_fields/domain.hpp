@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/vector_fields/planar_field.hpp"
+#include "kernel/predicates/planar_field.hpp"
 
 namespace crest::vector_fields {
 
@@ -41,6 +42,10 @@ class Domain {
   bool at_region(HalfEdge h) const { return !region_border_.empty() && region_border_[h] != 0; }
   const Vec2& point(Index v) const { return field_.points[v]; }
   const Vec2& vector(Index v) const { return field_.vectors[v]; }
+  kernel::FieldOnTriangle corners(Index t) const {
+    const auto& [a, b, c] = field_.triangles[t];
+    return {{point(a), point(b), point(c)}, {vector(a), vector(b), vector(c)}};
+  }
   bool is_zero(Index v) const { return field_.vectors[v][0] == 0 && field_.vectors[v][1] == 0; }
 
   /// The fan that holds h at the vertex it leaves.

@@ -56,7 +56,7 @@ class Walk {
   }
 
   void run() {
-    trace_.straight = StraightPart{*start_.direction, start_.vertex, 0};
+    trace_.straight = StraightPart{*start_.direction, start_.vertex};
     if (!begin()) return;
     while (trace_.end == EndKind::undecided && trace_.straight->elements < kMostElements)
       if (vertex_ != kNone ? !from_vertex() : !from_side()) return;
@@ -92,6 +92,7 @@ class Walk {
 
   /// Through triangle t from x_, which lies inside, on the side `entry` or at its corner.
   bool through(Index t, HalfEdge entry) {
+    trace_.straight->triangles.push_back(t);
     HalfEdge exit = kNone;
     Rational time = -1;
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
@@ -144,6 +145,7 @@ class Walk {
 
   bool from_vertex() {
     const Fan fan = domain_.fan(vertex_);
+    for (const HalfEdge h : fan.leaving) trace_.straight->triangles.push_back(h / 3);
     for (const HalfEdge h : fan.leaving) {
       const Exact e = at(domain_.to(h)) - x_, f = at(domain_.from(Domain::previous(h))) - x_;
       const Rational s = cross(e, d_), r = cross(f, d_);

@@ -38,6 +38,7 @@ struct StraightPart {
   Vec2 direction;
   HalfEdge vertex = kNone;
   Index elements = 0;
+  std::vector<Index> triangles = {};  ///< all that it meets, some several times
 };
 
 /// Of corridors in doubles.
@@ -68,15 +69,26 @@ struct Annulus {
   bool forward = true;
   HalfEdge side = kNone;
   double left = 0, right = 0;
+  double back_left = 0, back_right = 0;  ///< where its lines return
   std::vector<std::uint8_t> turns;
   std::vector<std::pair<Index, BarrierSetting>> special;
   std::vector<Vec2> line;
+};
+
+/// A side's segment, in shares from its tail, that may be an annulus' gate.
+struct AnnulusDoor {
+  bool forward = true;
+  HalfEdge side = kNone;
+  double low = 0, high = 0;
 };
 
 struct Trap {
   Index zero;
   Ellipse ellipse;
 };
+
+/// Around a sink (of the field turned round: a source) inside a triangle, in the frame of corner 0.
+std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& frame, bool attracting);
 
 /// Ellipses in the triangles of sinks and sources, by triangle.
 std::unordered_map<Index, Trap> make_traps(const Domain& domain,

@@ -2,6 +2,7 @@
 #include "algorithms/vector_fields/vector_fields.hpp"
 
 #include "algorithms/vector_fields/analysis.hpp"
+#include "algorithms/vector_fields/annulus.hpp"
 #include "algorithms/vector_fields/starts.hpp"
 #include "kernel/predicates/planar_field.hpp"
 
@@ -51,12 +52,15 @@ std::vector<BoundaryPiece> pieces_of(const Domain& domain, const Boundary& bound
 
 }  // namespace
 
-Analysis::Analysis(const PlanarField& field) : domain(field) {
+Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors)
+    : domain(field) {
   zeros = find_zeros(domain);
   classify_fans(domain, zeros, portraits);
   boundary = examine_boundary(domain);
   traps = make_traps(domain, zeros);
   const Surroundings around{domain, boundary, zeros, traps};
+  AnnulusSearch search(around, annuli);
+  for (const AnnulusDoor& door : doors) search.try_door(door);
   for (const Start& start : find_starts(domain, zeros, portraits, boundary))
     traces.push_back(trace(around, start, annuli));
 }

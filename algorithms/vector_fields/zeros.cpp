@@ -25,23 +25,17 @@ struct TiedPlace {
   friend auto operator<=>(const TiedPlace&, const TiedPlace&) = default;
 };
 
-kernel::FieldOnTriangle corners(const Domain& domain, Index t) {
-  const auto& [a, b, c] = domain.field().triangles[t];
-  return {{domain.point(a), domain.point(b), domain.point(c)},
-          {domain.vector(a), domain.vector(b), domain.vector(c)}};
-}
-
 CriticalPoint classify(const Domain& domain, Index t, Sign turn) {
   CriticalPoint item;
   item.simplex = t;
-  item.point = zero_in(domain, t);
+  item.point = zero_in_triangle(domain.corners(t));
   item.jacobian = jacobian(domain, t);
   item.index = static_cast<int>(turn);
   if (turn == Sign::negative) {
     item.kind = ZeroKind::saddle;
     return item;
   }
-  const auto data = corners(domain, t);
+  const auto data = domain.corners(t);
   const Sign trace = kernel::trace_sign(data);
   item.kind = trace == Sign::positive   ? ZeroKind::source
               : trace == Sign::negative ? ZeroKind::sink
@@ -201,15 +195,15 @@ int symbolic_index(const Domain& domain, Index t) {
 }
 
 std::array<double, 4> jacobian(const Domain& domain, Index t) {
-  const auto [p, v] = corners(domain, t);
+  const auto [p, v] = domain.corners(t);
   const Vec2 e = p[1] - p[0], f = p[2] - p[0], a = v[1] - v[0], b = v[2] - v[0];
   const double area = cross(e, f);
   return {(a[0] * f[1] - b[0] * e[1]) / area, (b[0] * e[0] - a[0] * f[0]) / area,
           (a[1] * f[1] - b[1] * e[1]) / area, (b[1] * e[0] - a[1] * f[0]) / area};
 }
 
-Vec2 zero_in(const Domain& domain, Index t) {
-  const auto [p, v] = corners(domain, t);
+Vec2 zero_in_triangle(const kernel::FieldOnTriangle& data) {
+  const auto& [p, v] = data;
   const double l[3] = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
   const double sum = l[0] + l[1] + l[2];
   Vec2 x = p[0];

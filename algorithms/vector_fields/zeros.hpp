@@ -25,6 +25,7 @@ int symbolic_index(const Domain& domain, Index t);
 /// Jacobian of the field in a triangle, xx xy yx yy, in doubles.
 std::array<double, 4> jacobian(const Domain& domain, Index t);
 
-kernel::Vec2 zero_in(const Domain& domain, Index t);  ///< in doubles
+/// In doubles.
+kernel::Vec2 zero_in_triangle(const kernel::FieldOnTriangle& data);
 
 }  // namespace crest::vector_fields

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/vector_fields/collapse_mesh.hpp"
+
+#include <algorithm>
+
+#include "kernel/predicates/planar_field.hpp"
+
+namespace crest::vector_fields {
+
+using kernel::Sign;
+
+CollapseMesh::CollapseMesh(const Domain& domain, const Boundary& boundary)
+    : domain_(domain),
+      leaving_(domain.field().points.size(), kNone),
+      alive_(domain.triangle_count(), 1),
+      fixed_(domain.field().points.size(), 0),
+      live_(domain.triangle_count()),
+      stamps_(domain.field().points.size(), 0) {
+  const HalfEdge halves = 3 * domain.triangle_count();
+  std::vector<std::uint8_t> fans(leaving_.size(), 0);
+  for (HalfEdge h = 0; h < halves; ++h) {
+    corners_.push_back(domain.from(h));
+    twins_.push_back(domain.twin(h));
+    Index& known = leaving_[corners_.back()];
+    if (known == kNone || twins_.back() == kNone) known = h;
+    // Several fans at a vertex: it stays.
+    if (twins_.back() == kNone && ++fans[corners_.back()] > 1) fix(corners_.back());
+  }
+  boundary_edges_.resize(halves);
+  for (const auto& loop : boundary.half_edges)
+    for (const HalfEdge h : loop) {
+      BoundaryEdge& e = boundary_edges_[h];
+      e.ordinal = static_cast<Index>(by_ordinal_.size());
+      by_ordinal_.push_back(h);
+      if (const auto r = boundary.regions.find(h); r != boundary.regions.end())
+        e.regions = r->second;
+    }
+}
+
+kernel::FieldOnTriangle CollapseMesh::data(Index t, Index from, Index to) const {
+  kernel::FieldOnTriangle d;
+  for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+    const Index v = corners_[h] == from ? to : corners_[h];
+    d.p[h % 3] = point(v);
+    d.v[h % 3] = vector(v);
+  }
+  return d;
+}
+
+void CollapseMesh::fan(Index vertex, std::vector<HalfEdge>& leaving) const {
+  leaving.clear();
+  HalfEdge start = leaving_[vertex];
+  for (HalfEdge at = start; twins_[at] != kNone;) {
+    at = Domain::next(twins_[at]);
+    if (at == leaving_[vertex]) {
+      start = at;
+      break;
+    }
+    start = at;
+  }
+  for (HalfEdge at = start;;) {
+    leaving.push_back(at);
+    const HalfEdge g = twins_[Domain::previous(at)];
+    if (g == kNone || g == start) break;
+    at = g;
+  }
+}
+
+bool CollapseMesh::adjacent(Index from, Index to) const {
+  const HalfEdge first = leaving_[from];
+  if (corners_[first] != from || !alive(first / 3)) return false;
+  fan(from, fan_);
+  const HalfEdge last = Domain::previous(fan_.back());
+  return this->from(last) == to || std::any_of(fan_.begin(), fan_.end(), [&](HalfEdge h) {
+           return this->to(h) == to;
+         });
+}
+
+/// The link condition: so many neighbours in common.
+bool CollapseMesh::linked(Index from, Index to, std::size_t common) const {
+  fan(to, other_fan_);
+  ++stamp_;
+  std::size_t found = 0;
+  const auto each = [&](const std::vector<HalfEdge>& leaving, const auto& see) {
+    for (const HalfEdge h : leaving) see(this->to(h));
+    const HalfEdge last = Domain::previous(leaving.back());
+    if (twins_[last] == kNone) see(this->from(last));
+  };
+  each(fan_, [&](Index v) { stamps_[v] = stamp_; });
+  each(other_fan_, [&](Index v) { found += stamps_[v] == stamp_ && v != from ? 1 : 0; });
+  return found == common;
+}
+
+bool CollapseMesh::positive(const Collapse& plan) const {
+  return std::all_of(plan.star.begin(), plan.star.end(), [&](Index t) {
+    if (t == plan.gone[0] || t == plan.gone[1]) return true;
+    const auto [p, v] = data(t, plan.from, plan.to);
+    return kernel::orientation(p[0], p[1], p[2]) == Sign::positive;
+  });
+}
+
+CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {
+  if (fixed_[from] != 0 || fixed_[to] != 0) return CollapseRefusal::geometry;
+  fan(from, fan_);
+  plan.from = from;
+  plan.to = to;
+  plan.star.clear();
+  if (twins_[fan_.front()] == kNone) return plan_boundary(from, to, plan);
+  const auto first = std::find_if(fan_.begin(), fan_.end(),
+                                  [&](HalfEdge h) { return this->to(h) == to; });
+  std::rotate(fan_.begin(), first, fan_.end());
+  for (const HalfEdge h : fan_) plan.star.push_back(h / 3);
+  plan.gone = {plan.star.front(), plan.star.back()};
+  return linked(from, to, 2) && positive(plan) ? CollapseRefusal::none : CollapseRefusal::geometry;
+}
+
+/// Along the boundary, where it is straight and the flow across it has one strict sign.
+CollapseRefusal CollapseMesh::plan_boundary(Index from, Index to, Collapse& plan) const {
+  const HalfEdge after = fan_.front(), before = Domain::previous(fan_.back());
+  const bool ahead = this->to(after) == to;
+  if (!ahead && this->from(before) != to) return CollapseRefusal::boundary;
+  const Vec2 &p = point(this->from(before)), &q = point(from), &r = point(this->to(after));
+  if (kernel::orientation(p, q, r) != Sign::zero || kernel::flow_along(p, q, {r[0] - q[0], r[1] - q[1]}) != Sign::positive)
+    return CollapseRefusal::boundary;
+  const Sign s = kernel::flow_across(p, q, vector(from));
+  if (s == Sign::zero || kernel::flow_across(p, q, vector(this->from(before))) != s ||
+      kernel::flow_across(q, r, vector(from)) != s ||
+      kernel::flow_across(q, r, vector(this->to(after))) != s)
+    return CollapseRefusal::boundary;
+  if (fan_.size() < 2) return CollapseRefusal::geometry;
+  for (const HalfEdge h : fan_) plan.star.push_back(h / 3);
+  if (!ahead) std::reverse(plan.star.begin(), plan.star.end());
+  plan.gone = {plan.star.front(), plan.star.front()};
+  return linked(from, to, 1) && positive(plan) ? CollapseRefusal::none : CollapseRefusal::geometry;
+}
+
+/// `h` takes the place of `replaced` at its neighbour, or at the boundary.
+void CollapseMesh::set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced) {
+  journal_.twins.push_back({h, twins_[h]});
+  twins_[h] = twin;
+  if (twin != kNone) {
+    journal_.twins.push_back({twin, twins_[twin]});
+    twins_[twin] = h;
+    return;
+  }
+  const BoundaryEdge edge = boundary_edges_[replaced];
+  journal_.edges.push_back({h, boundary_edges_[h]});
+  boundary_edges_[h] = edge;
+  if (edge.ordinal == kNone) return;
+  journal_.ordinals.push_back({edge.ordinal, by_ordinal_[edge.ordinal]});
+  by_ordinal_[edge.ordinal] = h;
+}
+
+void CollapseMesh::set_leaving(Index vertex, HalfEdge h) {
+  journal_.leaving.push_back({vertex, leaving_[vertex]});
+  leaving_[vertex] = h;
+}
+
+void CollapseMesh::apply(const Collapse& plan) {
+  fan(plan.from, fan_);
+  journal_ = {};
+  journal_.gone = plan.gone;
+  const bool open = twins_[fan_.front()] == kNone;
+  if (!open)
+    std::rotate(fan_.begin(), std::find_if(fan_.begin(), fan_.end(),
+                                           [&](HalfEdge h) { return to(h) == plan.to; }),
+                fan_.end());
+  const std::size_t n = fan_.size();
+  // The sides of the triangles that vanish, merged.
+  const bool first_goes = !open || to(fan_.front()) == plan.to, last_goes = !open || !first_goes;
+  HalfEdge leaves = kNone;
+  const Index a = to(Domain::next(fan_.front())), b = to(fan_.back());
+  if (last_goes) {
+    const HalfEdge gone = Domain::next(fan_[n - 1]), kept = Domain::previous(fan_[n - 2]);
+    const HalfEdge behind = Domain::previous(fan_[n - 1]);
+    set_twin(kept, twins_[gone], gone);
+    set_leaving(b, kept);
+    leaves = fan_[n - 2];
+    if (open) {
+      // The boundary that came to `from` goes on as the one that left it.
+      const HalfEdge g = fan_.front();
+      journal_.edges.push_back({g, boundary_edges_[g]});
+      boundary_edges_[g] = boundary_edges_[behind];
+      const Index ordinal = boundary_edges_[g].ordinal;
+      journal_.ordinals.push_back({ordinal, by_ordinal_[ordinal]});
+      by_ordinal_[ordinal] = g;
+    }
+  }
+  if (first_goes) {
+    const HalfEdge gone = Domain::next(fan_[0]), kept = fan_[1];
+    set_twin(kept, twins_[gone], gone);
+    set_leaving(a, Domain::next(fan_[1]));
+    leaves = fan_[1];
+  }
+  set_leaving(plan.to, leaves);
+  for (const HalfEdge h : fan_) {
+    if (h / 3 == plan.gone[0] || h / 3 == plan.gone[1]) continue;
+    journal_.corners.push_back({h, corners_[h]});
+    corners_[h] = plan.to;
+  }
+  for (const Index t : plan.gone) {
+    live_ -= alive_[t];
+    alive_[t] = 0;
+  }
+}
+
+void CollapseMesh::undo() {
+  const auto restore = [](auto& changes, auto& values) {
+    for (auto c = changes.rbegin(); c != changes.rend(); ++c) values[c->first] = c->second;
+  };
+  restore(journal_.corners, corners_);
+  restore(journal_.twins, twins_);
+  restore(journal_.edges, boundary_edges_);
+  restore(journal_.leaving, leaving_);
+  restore(journal_.ordinals, by_ordinal_);
+  for (const Index t : journal_.gone) {
+    live_ += alive_[t] == 0 ? 1 : 0;
+    alive_[t] = 1;
+  }
+  journal_ = {};
+}
+
+PlanarField CollapseMesh::field(std::vector<Index>& vertex_of) const {
+  PlanarField result;
+  std::vector<Index> number(leaving_.size(), kNone);
+  for (HalfEdge h = 0; h < corners_.size(); ++h)
+    if (alive(h / 3)) number[corners_[h]] = 0;
+  vertex_of.clear();
+  for (Index v = 0; v < number.size(); ++v) {
+    if (number[v] == kNone) continue;
+    number[v] = static_cast<Index>(vertex_of.size());
+    vertex_of.push_back(v);
+    result.points.push_back(point(v));
+    result.vectors.push_back(vector(v));
+  }
+  for (Index t = 0; t < triangle_count(); ++t)
+    if (alive(t))
+      result.triangles.push_back(
+          {number[corners_[3 * t]], number[corners_[3 * t + 1]], number[corners_[3 * t + 2]]});
+  return result;
+}
+
+}  // namespace crest::vector_fields

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Tries half-edge collapses, short edges first, and keeps those that leave the skeleton as it is.
+#include "algorithms/vector_fields/search.hpp"
+
+namespace crest::vector_fields {
+
+class Collapser {
+ public:
+  /// Requires: both outlive the collapser.
+  Collapser(SearchState& state, const CompressionOptions& options)
+      : state_(state),
+        options_(options),
+        in_star_(state.mesh.triangle_count(), 0),
+        seen_(state.line_count() + state.orbits.size(), 0) {}
+
+  /// Until nothing more collapses.
+  void run(CompressionCounts& counts);
+
+ private:
+  enum class Answer : std::uint8_t { yes, geometry, boundary, critical, ends, order, orbit, open };
+  struct Retraced {
+    Index line;
+    std::size_t from;        ///< the first step that is new
+    std::vector<Step> tail;  ///< the old ones
+    Start start;             ///< the old one
+    std::optional<Step> first;
+  };
+  struct MovedZero {
+    Index zero;
+    SearchZero old, now;
+    /// Of a saddle: its separatrices (forward, backward) and their old directions.
+    std::vector<Index> lines = {};
+    std::vector<Vec2> rays = {};
+  };
+  struct NewZero {
+    ZeroKind kind;
+    Index triangle;
+  };
+
+  bool pass(CompressionCounts& counts);
+  double priority(Index from, Index to) const;
+  Answer attempt(Index from, Index to);
+  Answer examine_zeros();
+  bool find_new_zeros(std::vector<NewZero>& found) const;
+  void collect();
+  Answer examine_orbits();
+  Answer prove_orbit(Index orbit);
+  bool enters_moved_orbit(const SearchLine& line, std::size_t step) const;
+  Answer examine_lines();
+  Answer retrace(Index line, std::size_t from);
+  bool note_rays(MovedZero& saddle) const;
+  Answer retrace_saddle(const MovedZero& saddle);
+  Answer examine_orders();
+  void commit();
+  void take_back();
+
+  SearchState& state_;
+  const CompressionOptions& options_;
+  // Of the attempt at hand.
+  Collapse plan_;
+  std::vector<std::uint8_t> in_star_;
+  std::vector<std::size_t> seen_;  ///< by line, then orbit: the last attempt it was met in
+  std::size_t attempts_ = 0;
+  std::vector<Index> lines_, chains_;  ///< through the star
+  std::vector<HalfEdge> lost_sides_;   ///< sides of the star that change
+  std::vector<MovedZero> moved_zeros_;
+  std::vector<std::pair<Index, SearchOrbit>> moved_orbits_;
+  std::vector<Retraced> retraced_;
+};
+
+}  // namespace crest::vector_fields

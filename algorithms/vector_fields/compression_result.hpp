@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What compress() returns: a field on fewer triangles with the same skeleton.
+#include <string>
+
+#include "algorithms/vector_fields/skeleton_result.hpp"
+
+namespace crest::vector_fields {
+
+/// What stays besides the starts, ends and orders of separatrices: all triangles that the skeleton
+/// meets; those of zeros; their classes (paper 001, 5.3, 5.2, 5.4).
+enum class Equivalence : std::uint8_t { strong, original, relaxed };
+enum class CollapseTest : std::uint8_t { retrace, thesis };
+enum class CollapsePriority : std::uint8_t { length, error };
+
+struct CompressionOptions {
+  Equivalence equivalence = Equivalence::original;
+  CollapseTest test = CollapseTest::retrace;
+  CollapsePriority priority = CollapsePriority::length;
+  bool boundary = true;  ///< collapses along the boundary, too
+};
+
+/// Why collapses were refused.
+struct RefusedCollapses {
+  std::uint64_t geometry = 0, boundary = 0, critical_points = 0, ends = 0, order = 0, orbit = 0,
+                undecided = 0;
+};
+
+struct CompressionCounts {
+  int passes = 0;
+  std::uint64_t collapses = 0, tests = 0, retraced_crossings = 0, inherited = 0;
+  RefusedCollapses refused;
+  int rounds = 1;           ///< searches, until the proven skeletons were equal
+  std::size_t pinned = 0;   ///< separatrices whose triangles were kept for that
+  std::size_t undecided = 0;  ///< separatrices of the input without a proven end
+};
+
+struct Compression {
+  PlanarField field;
+  std::vector<Index> vertex_of;  ///< the vertices' numbers in the input, ascending
+  Skeleton before, after;
+  bool same_skeleton = false;  ///< proven but for the undecided separatrices
+  std::string difference;      ///< else the first one
+  CompressionCounts counts;
+};
+
+}  // namespace crest::vector_fields

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest compress: a plane vector field on fewer triangles with the same skeleton (paper 001, 5.3).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "algorithms/vector_fields/certificate.hpp"
+#include "certify/certificate.hpp"
+#include "certify/verify.hpp"
+#include "cli/compression_report.hpp"
+#include "cli/run.hpp"
+#include "cli/skeleton_report.hpp"
+#include "cli/vector_options.hpp"
+#include "io/write/planar_field_writer.hpp"
+
+namespace crest::cli {
+namespace {
+
+struct CompressOptions {
+  CommonOptions common;
+  io::VectorRequest vectors;
+  vector_fields::CompressionOptions compression;
+};
+
+Outcome work(Run& run, const CompressOptions& o) {
+  io::PlanarFieldFile file = run.step("read", "reading " + o.common.input, [&] {
+    return io::read_planar_field(o.common.input, o.vectors);
+  });
+  for (const std::string& warning : file.warnings) run.warn(warning);
+  const vector_fields::PlanarField field{std::move(file.points), std::move(file.vectors),
+                                         std::move(file.triangles)};
+  certify::CompressionCertificate record;
+  const auto result = run.step("compress", "collapsing edges of '" + file.field + "'", [&] {
+    return run.with_input([&] { return vector_fields::compress(field, o.compression, record); });
+  });
+  run.report()["vectors"] = file.field;
+  report_compression(run.report(), field, o.compression, result);
+  if (!result.same_skeleton)
+    throw std::runtime_error("the skeletons of the fields differ, nothing is written: " +
+                             result.difference);
+  if (run.wanted("--certificate"))
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(record);
+      // The checker shares no code with the compression: what it refuses is a bug on either side.
+      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+      run.write_certificate("compression", bytes, undecided_count(result.before));
+    });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_planar_field(path, result.field.points, result.field.triangles, file.field,
+                             result.field.vectors);
+    });
+  });
+  return {compression_summary(field, result),
+          {"roessl2005surfaces"},
+          undecided_count(result.before) > 0 ? kNotCertified : kDone};
+}
+
+std::function<int()> add(CLI::App& app) {
+  using namespace vector_fields;
+  auto options = std::make_shared<CompressOptions>();
+  CompressOptions& o = *options;
+  add_common_options(app, o.common, kVectorFormats, "the field on fewer triangles (.vtu)");
+  add_vector_options(app, o.vectors);
+  const std::map<std::string, Equivalence> notions = {{"strong", Equivalence::strong},
+                                                      {"original", Equivalence::original},
+                                                      {"relaxed", Equivalence::relaxed}};
+  app.add_option("--equivalence", o.compression.equivalence,
+                 "strong: all triangles that the skeleton meets stay; original: those of zeros "
+                 "(default); relaxed: zeros may move")
+      ->transform(CLI::CheckedTransformer(notions, CLI::ignore_case))
+      ->type_name("WORD");
+  const std::map<std::string, CollapseTest> tests = {{"retrace", CollapseTest::retrace},
+                                                     {"thesis", CollapseTest::thesis}};
+  app.add_option("--test", o.compression.test,
+                 "retrace (default), or thesis: also the order on rings, as printed")
+      ->transform(CLI::CheckedTransformer(tests, CLI::ignore_case))
+      ->type_name("WORD");
+  const std::map<std::string, CollapsePriority> priorities = {{"length", CollapsePriority::length},
+                                                              {"error", CollapsePriority::error}};
+  app.add_option("--priority", o.compression.priority,
+                 "short edges first, or small differences of vectors (default: length)")
+      ->transform(CLI::CheckedTransformer(priorities, CLI::ignore_case))
+      ->type_name("WORD");
+  return [options] {
+    return run_command({"compress", options->common, {".vtu"}},
+                       [&](Run& run) { return work(run, *options); });
+  };
+}
+
+}  // namespace
+
+extern const Command compress_command;
+const Command compress_command = {
+    "compress",
+    "a plane vector field on fewer triangles with the same topological skeleton",
+    add,
+    {"crest compress lattice.vtu -o small.vtu --certificate small.crest",
+     "crest compress twin-bodden.vtu --vectors flow --equivalence relaxed -o bodden.vtu"}};
+
+}  // namespace crest::cli

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/compression_report.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/skeleton_report.hpp"
+
+namespace crest::cli {
+namespace {
+
+using namespace vector_fields;
+
+double saved(const PlanarField& before, const PlanarField& after) {
+  return 100 - 100.0 * static_cast<double>(after.triangles.size()) /
+                   static_cast<double>(before.triangles.size());
+}
+
+/// Of positions, vectors and triangles.
+std::size_t bytes(const PlanarField& field) {
+  return 32 * field.points.size() + 12 * field.triangles.size();
+}
+
+}  // namespace
+
+void report_compression(Report& report, const PlanarField& field, const CompressionOptions& options,
+                        const Compression& r) {
+  const char* notions[] = {"strong", "original", "relaxed"};
+  report["equivalence"] = notions[static_cast<std::size_t>(options.equivalence)];
+  report["test"] = options.test == CollapseTest::thesis ? "thesis" : "retrace";
+  report["triangles_before"] = field.triangles.size();
+  report["triangles_after"] = r.field.triangles.size();
+  report["ratio"] = saved(field, r.field);
+  report["vertices_before"] = field.points.size();
+  report["vertices_after"] = r.field.points.size();
+  report["bytes"] = {{"before", bytes(field)}, {"after", bytes(r.field)}};
+  const CompressionCounts& c = r.counts;
+  report["passes"] = c.passes;
+  report["collapses"] = c.collapses;
+  report["tests"] = c.tests;
+  report["refused"] = {{"geometry", c.refused.geometry},
+                       {"boundary", c.refused.boundary},
+                       {"critical_points", c.refused.critical_points},
+                       {"ends", c.refused.ends},
+                       {"order", c.refused.order},
+                       {"orbit", c.refused.orbit},
+                       {"undecided", c.refused.undecided}};
+  report["retraced_crossings"] = c.retraced_crossings;
+  report["ordered_by_inheritance"] = c.inherited;
+  report["rounds"] = c.rounds;
+  report["pinned"] = c.pinned;
+  report["same_skeleton"] = r.same_skeleton;
+  report["skeleton"] = skeleton_in_words(r.field, r.after);
+}
+
+std::string compression_summary(const PlanarField& field, const Compression& r) {
+  return fmt::format(
+             "{} triangles of {}: {:.1f} % saved, {} collapses in {} passes\n"
+             "the same skeleton, proven for both fields{}:\n",
+             r.field.triangles.size(), field.triangles.size(), saved(field, r.field),
+             r.counts.collapses, r.counts.passes,
+             r.counts.undecided == 0
+                 ? ""
+                 : fmt::format(", but for {} undecided separatrices", r.counts.undecided)) +
+         skeleton_summary(r.after);
+}
+
+}  // namespace crest::cli
