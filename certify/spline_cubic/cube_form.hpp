@@ -6,21 +6,17 @@
 // Corner k of a cube has bit d set if it lies at the upper end along axis d. The edge along axis a
 // at the places b, c along the other two axes is 4 a + b + 2 c. Lengths are in cube sides, the
 // centre is the origin.
-#include <array>
-
+#include "certify/exact/type6.hpp"
 #include "certify/spline_cubic/records.hpp"
 
 namespace crest::certify::spline_cubic {
-
-/// The two axes other than one, ascending.
-inline constexpr std::size_t kOthers[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
 inline constexpr unsigned bit(unsigned corner, std::size_t axis) {
   return corner >> axis & 1U;
 }
 /// The edge of a corner along an axis.
 inline constexpr std::size_t edge_at(unsigned corner, std::size_t axis) {
-  return 4 * axis + bit(corner, kOthers[axis][0]) + 2 * bit(corner, kOthers[axis][1]);
+  return 4 * axis + bit(corner, kOtherAxes[axis][0]) + 2 * bit(corner, kOtherAxes[axis][1]);
 }
 
 template <class Number>
@@ -94,7 +90,7 @@ Number eight_residuals(const CubeForm<Number>& form, unsigned corner) {
     sum = sum - inwards(twice(twice(g)), corner, d) +
           inwards(twice(form.g[corner][d]), corner, d) - twice(edge_sum(form, corner, d));
     for (std::size_t k = 0; k < 2; ++k)
-      sum = sum - inwards(twice(form.t[edge_at(corner, d)][k]), corner, kOthers[d][k]);
+      sum = sum - inwards(twice(form.t[edge_at(corner, d)][k]), corner, kOtherAxes[d][k]);
   }
   return sum;
 }

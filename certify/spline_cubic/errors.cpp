@@ -41,12 +41,12 @@ bool all_cubes(const std::array<std::size_t, 3>& first, const std::array<std::si
   return true;
 }
 
-/// From a cube's centre.
+/// From a cube's centre, in halves of its sides.
 template <class Number>
 std::array<Number, 3> from_centre(const std::array<Number, 3>& x, const CubePlace& place) {
   std::array<Number, 3> y;
   for (std::size_t d = 0; d < 3; ++d)
-    y[d] = x[d] - Number(static_cast<double>(place.at[d]) + 0.5);
+    y[d] = twice(x[d]) - Number(static_cast<double>(2 * place.at[d] + 1));
   return y;
 }
 
@@ -83,7 +83,7 @@ class Errors {
     if (!domain_.holds(place.number(c_.data.cubes))) return false;
     const auto y = from_centre(x, place);
     const auto form = load<Interval>(c_.data, place, [](double v) { return Interval(v); });
-    for (unsigned number = 0; number < 24; ++number) {
+    for (unsigned number = 0; number < kTetrahedra; ++number) {
       const Tetrahedron tet = tetrahedron(number);
       const auto l = barycentrics(tet, y);
       // Every point of the cube is in the cone of one of them.
@@ -118,7 +118,7 @@ class Errors {
                const CubePlace& place) const {
     const auto y = from_centre(x, place);
     const auto form = load<Rational>(c_.data, place, [](double v) { return Rational(v); });
-    for (unsigned number = 0; number < 24; ++number) {
+    for (unsigned number = 0; number < kTetrahedra; ++number) {
       const auto l = barycentrics(tetrahedron(number), y);
       if (std::ranges::any_of(l, [](const Rational& b) { return b < 0; })) continue;
       const Rational difference = value(form, tetrahedron(number), l) - Rational(sample[3]);

@@ -6,30 +6,6 @@
 
 namespace crest::certify::spline_cubic {
 
-/// A tetrahedron [C, A, B, D] of a cube: D on the side `upper` of axis `a`, the edge AB along axis
-/// `f` on the side `outer` of axis `m`.
-struct Tetrahedron {
-  std::size_t a, m, f;
-  unsigned upper, outer;
-
-  /// A (end 0), B (end 1).
-  unsigned corner(unsigned end) const { return upper << a | outer << m | end << f; }
-};
-
-inline Tetrahedron tetrahedron(unsigned number) {
-  const std::size_t a = number / 8, which = number / 2 % 2;
-  return {a, kOthers[a][which], kOthers[a][1 - which], number / 4 % 2, number % 2};
-}
-
-/// Barycentrics in the order C, A, B, D of a point measured from the cube's centre.
-template <class Number>
-std::array<Number, 4> barycentrics(const Tetrahedron& tet, const std::array<Number, 3>& y) {
-  const Number al = twice(tet.upper != 0 ? y[tet.a] : Number(-y[tet.a]));
-  const Number be = twice(tet.outer != 0 ? y[tet.m] : Number(-y[tet.m]));
-  const Number half_ga = y[tet.f], half_be = be * Number(0.5);
-  return {Number(1) - al, half_be - half_ga, half_be + half_ga, al - be};
-}
-
 /// a(PQD) and a(PQC) of an edge of the face of D along `axis`, given by one of its corners.
 template <class Number>
 struct EdgeValues {
@@ -40,9 +16,9 @@ EdgeValues<Number> edge_values(const CubeForm<Number>& form, const Tetrahedron& 
                                unsigned corner, std::size_t axis) {
   const auto& t = form.t[edge_at(corner, axis)];
   const std::size_t across = tet.a;  // D has no part along it
-  const std::size_t first = kOthers[axis][0] == across ? 1 : 0;
+  const std::size_t first = kOtherAxes[axis][0] == across ? 1 : 0;
   const Number half = Number(0.5);
-  const Number in_face = half * inwards(t[first], corner, kOthers[axis][first]);
+  const Number in_face = half * inwards(t[first], corner, kOtherAxes[axis][first]);
   const Number inner = half * inwards(t[1 - first], corner, across);
   const Number d = half * edge_sum(form, corner, axis) + in_face;
   return {d, d + inner};
