@@ -56,6 +56,25 @@ Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahed
       tet, [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
 }
 
+/// The coefficients of a cube, each computed once.
+template <class Number>
+class CubeCoefficients {
+ public:
+  explicit CubeCoefficients(const Neighbourhood<Number>& samples) : samples_(samples) {}
+
+  const Number& operator()(const std::array<int, 3>& p) {
+    const auto i = static_cast<std::size_t>(p[0] + 2 + 5 * (p[1] + 2) + 25 * (p[2] + 2));
+    if (!known_[i]) values_[i] = coefficient(samples_, p);
+    known_[i] = true;
+    return values_[i];
+  }
+
+ private:
+  Neighbourhood<Number> samples_;
+  std::array<Number, 125> values_;
+  std::array<bool, 125> known_{};
+};
+
 /// p[x, y] at points given by barycentrics.
 template <class Number>
 Number blossom(const Quadratic<Number>& q, const std::array<Number, 4>& x,
@@ -100,7 +119,7 @@ class QuadraticSpline {
   }
 
   /// For every cube, in their order, whether all coefficients are surely above or surely below the
-  /// level: then 1. Cost: 50 ns a cube, on all cores.
+  /// level: then 1. Cost: 50 nanoseconds a cube, on all cores.
   std::vector<std::uint8_t> one_sided() const;
 
  private:
@@ -117,7 +136,13 @@ class QuadraticSpline {
     return first + first - extended<Number>(node, axis + 1);
   }
   double sample(const std::array<std::int64_t, 3>& node) const;
-  bool surely_one_sided(const CubePosition& cube) const;
+
+  struct Range {
+    double low, high;
+  };
+  Range range_round(const CubePosition& cube) const;
+  std::vector<Range> column_ranges(const CubePosition& row) const;
+  bool surely_one_sided(const Range& range) const;
 
   const SplineVolume& volume_;
 };

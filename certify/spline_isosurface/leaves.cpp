@@ -10,25 +10,6 @@ namespace {
 using kernel::Interval;
 using kernel::Rational;
 
-/// The coefficients of a cube, each computed once.
-template <class Number>
-class CubeCoefficients {
- public:
-  explicit CubeCoefficients(const Neighbourhood<Number>& samples) : samples_(samples) {}
-
-  const Number& operator()(const std::array<int, 3>& p) {
-    const auto i = static_cast<std::size_t>(p[0] + 2 + 5 * (p[1] + 2) + 25 * (p[2] + 2));
-    if (!known_[i]) values_[i] = coefficient(samples_, p);
-    known_[i] = true;
-    return values_[i];
-  }
-
- private:
-  Neighbourhood<Number> samples_;
-  std::array<Number, 125> values_;
-  std::array<bool, 125> known_{};
-};
-
 /// The leaves of one cube.
 class CubeLeaves {
  public:

@@ -237,10 +237,22 @@ class Walk {
       to[d] = to[d] - centre;
     }
     const Tetrahedron tet = tetrahedron(segment.tetrahedron);
-    const auto q = quadratic(scene_.spline.neighbourhood<Number>(segment.cube), tet);
+    const auto q = quadratic_on(segment.cube, tet, Number(0));
     const auto a = barycentrics(tet, from), b = barycentrics(tet, to);
     const Number c(scene_.volume.level);
     return {blossom(q, a, a) - c, blossom(q, a, b) - c, blossom(q, b, b) - c};
+  }
+
+  Quadratic<Rational> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
+                                   const Rational&) const {
+    return quadratic(scene_.spline.neighbourhood<Rational>(cube), tet);
+  }
+  /// Coefficients are kept for the next segment, which is often in the same cube.
+  Quadratic<Interval> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
+                                   const Interval&) const {
+    if (!near_ || near_cube_ != cube) near_.emplace(scene_.spline.neighbourhood<Interval>(cube));
+    near_cube_ = cube;
+    return quadratic<Interval>(tet, *near_);
   }
 
   const Scene& scene_;
@@ -250,6 +262,8 @@ class Walk {
   CubePosition cube_{};
   unsigned leaving_ = 0;
   const char* verdict_ = nullptr;
+  mutable std::optional<CubeCoefficients<Interval>> near_;
+  mutable CubePosition near_cube_{};
 };
 
 }  // namespace
