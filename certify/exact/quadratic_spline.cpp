@@ -75,8 +75,9 @@ const SplineMask& spline_mask(const std::array<int, 3>& p) {
 double QuadraticSpline::sample(const std::array<std::int64_t, 3>& node) const {
   const auto [nx, ny, nz] = volume_.nodes;
   const std::size_t i = static_cast<std::size_t>(node[0] + nx * (node[1] + ny * node[2]));
-  ByteReader reader(std::span(volume_.samples)
-                        .subspan(i * kVolumeSampleSize[volume_.type], kVolumeSampleSize[volume_.type]));
+  ByteReader reader(
+      std::span(volume_.samples)
+          .subspan(i * kVolumeSampleSize[volume_.type], kVolumeSampleSize[volume_.type]));
   switch (volume_.type) {
     case 0:
       return reader.integer<std::int8_t>();
@@ -111,8 +112,8 @@ QuadraticSpline::Range QuadraticSpline::range_round(const CubePosition& cube) co
   return range;
 }
 
-/// For every node along x, of the nine that cubes with these numbers along y and z see. Empty if some
-/// are beyond the grid.
+/// For every node along x, of the nine that cubes with these numbers along y and z see. Empty if
+/// some are beyond the grid.
 std::vector<QuadraticSpline::Range> QuadraticSpline::column_ranges(const CubePosition& row) const {
   const std::int64_t first = volume_.extended ? 0 : 1;
   const std::int64_t y = row[1] + first, z = row[2] + first;

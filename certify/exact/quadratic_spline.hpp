@@ -52,8 +52,8 @@ Quadratic<Number> quadratic(const Tetrahedron& tet, Coefficients&& at) {
 }
 template <class Number>
 Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahedron& tet) {
-  return quadratic<Number>(
-      tet, [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
+  return quadratic<Number>(tet,
+                           [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
 }
 
 /// The coefficients of a cube, each computed once.
@@ -95,9 +95,12 @@ class QuadraticSpline {
   std::size_t cube_count() const { return std::size_t{cubes(0)} * cubes(1) * cubes(2); }
   CubePosition position(std::size_t cube) const {
     const std::size_t row = cube / cubes(0);
-    return {static_cast<std::uint32_t>(cube % cubes(0)),
-            static_cast<std::uint32_t>(row % cubes(1)),
+    return {static_cast<std::uint32_t>(cube % cubes(0)), static_cast<std::uint32_t>(row % cubes(1)),
             static_cast<std::uint32_t>(row / cubes(1))};
+  }
+
+  std::size_t number(const CubePosition& cube) const {
+    return cube[0] + std::size_t{cubes(0)} * (cube[1] + std::size_t{cubes(1)} * cube[2]);
   }
 
   /// The samples round a cube's own, extended ones exactly. Requires for intervals: they are

@@ -30,8 +30,8 @@ class CubeLeaves {
       const auto form = quadratic<Interval>(tet, near_);
       bool good = true;
       forest_.for_each_leaf(root, [&](const Simplex& leaf) {
-        good = good && check_leaf(root, leaf, leaf_form(form, tet, corner_, leaf, volume_.level),
-                                  leaves);
+        good = good &&
+               check_leaf(root, leaf, leaf_form(form, tet, corner_, leaf, volume_.level), leaves);
       });
       if (!good) return false;
     }
@@ -125,29 +125,28 @@ void check_brackets(const SplineIsosurfaceCertificate& c, const QuadraticSpline&
     return std::optional(!*beyond_low && !*beyond_high);
   };
   constexpr std::size_t kPiece = 64;
-  parallel_for(
-      (mesh.vertices.size() + kPiece - 1) / kPiece, [] { return 0; },
-      [&](int, std::size_t piece) {
-        const std::size_t end = std::min(mesh.vertices.size(), (piece + 1) * kPiece);
-        for (std::size_t i = piece * kPiece; i < end; ++i) {
-          const Mesh::Vertex& vertex = mesh.vertices[i];
-          const ActiveLeaf& leaf = leaves.active[vertex.leaf];
-          const std::size_t cube = leaf.root / kTetrahedra;
-          const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
-          const auto form = [&]<class Number>(Number) {
-            return leaf_form(
-                quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet), tet,
-                forest.cube_corner(cube), leaf.simplex, c.volume.level);
-          };
-          std::optional<bool> good;
-          {
-            const kernel::RoundUpward guard;
-            good = holds(form(Interval(0)), vertex, c.brackets[i]);
-            if (!good) good = holds(form(Rational(0)), vertex, c.brackets[i]);
-          }
-          require(*good, "the bracket of vertex {} does not hold its zero", i);
-        }
-      });
+  parallel_for((mesh.vertices.size() + kPiece - 1) / kPiece, [] { return 0; },
+               [&](int, std::size_t piece) {
+                 const std::size_t end = std::min(mesh.vertices.size(), (piece + 1) * kPiece);
+                 for (std::size_t i = piece * kPiece; i < end; ++i) {
+                   const Mesh::Vertex& vertex = mesh.vertices[i];
+                   const ActiveLeaf& leaf = leaves.active[vertex.leaf];
+                   const std::size_t cube = leaf.root / kTetrahedra;
+                   const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
+                   const auto form = [&]<class Number>(Number) {
+                     return leaf_form(
+                         quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet), tet,
+                         forest.cube_corner(cube), leaf.simplex, c.volume.level);
+                   };
+                   std::optional<bool> good;
+                   {
+                     const kernel::RoundUpward guard;
+                     good = holds(form(Interval(0)), vertex, c.brackets[i]);
+                     if (!good) good = holds(form(Rational(0)), vertex, c.brackets[i]);
+                   }
+                   require(*good, "the bracket of vertex {} does not hold its zero", i);
+                 }
+               });
 }
 
 }  // namespace crest::certify::spline_isosurface

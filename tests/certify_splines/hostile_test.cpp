@@ -30,9 +30,9 @@ SplineRaysCertificate some_rays(double scale = 1) {
                                  {9, 9, 9, 1, 0, 0}});
 }
 SplineIsosurfaceCertificate some_surface(double scale = 1) {
-  return *reference_isosurface(sampled_volume(
-      {5, 5, 5}, 0.25 * scale,
-      [&](double x, double y, double z) { return scale * distance_like(x, y, z); }));
+  return *reference_isosurface(
+      sampled_volume({5, 5, 5}, 0.25 * scale,
+                     [&](double x, double y, double z) { return scale * distance_like(x, y, z); }));
 }
 
 template <class Certificate>

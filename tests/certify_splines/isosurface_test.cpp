@@ -138,9 +138,9 @@ TEST_CASE("splines: zeros count as positive: touched from below is two zeros, fr
     }
     INFO(b[0] << " " << b[1] << " " << b[2]);
     CHECK(simple(b) == (zeros < 2));
-    const std::array<crest::kernel::Interval, 3> near = {crest::kernel::Interval(static_cast<double>(b[0])),
-                                                         static_cast<double>(b[1]),
-                                                         static_cast<double>(b[2])};
+    const std::array<crest::kernel::Interval, 3> near = {
+        crest::kernel::Interval(static_cast<double>(b[0])), static_cast<double>(b[1]),
+        static_cast<double>(b[2])};
     const crest::kernel::RoundUpward guard;
     const auto by_intervals = spline_isosurface::is_simple_edge(near);
     CHECK((!by_intervals || *by_intervals == simple(b)));
@@ -154,8 +154,8 @@ TEST_CASE("splines: intervals and rationals agree on random leaves, and with the
     std::array<std::array<double, 4>, 4> b{};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t l = k; l < 4; ++l)
-        b[k][l] = b[l][k] = static_cast<double>(random() % (i % 2 == 0 ? 7 : 2001)) -
-                            (i % 2 == 0 ? 2 : 800);
+        b[k][l] = b[l][k] =
+            static_cast<double>(random() % (i % 2 == 0 ? 7 : 2001)) - (i % 2 == 0 ? 2 : 800);
     ReferenceForm form{kKuhn, {}};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t l = 0; l < 4; ++l) form.b[k][l] = b[k][l];
@@ -174,8 +174,8 @@ TEST_CASE("splines: intervals and rationals agree on random leaves, and with the
 }
 
 TEST_CASE("splines: a sphere through a vertex, tangent to a face's plane, needs empty faces") {
-  // s = |x - c|^2 + 3/4 with c at a cube's vertex: the sphere of radius 1 is tangent to planes of the
-  // partition at vertices.
+  // s = |x - c|^2 + 3/4 with c at a cube's vertex: the sphere of radius 1 is tangent to planes of
+  // the partition at vertices.
   const auto volume = sampled_volume({6, 6, 6}, 1.75, ball(2.5, 2.5, 2.5));
   ReferenceOptions options;
   options.depth = 12;
@@ -196,9 +196,8 @@ TEST_CASE("splines: the level equal to a sample, and a plateau on the level") {
   const auto c = reference_isosurface(volume, options);
   REQUIRE(c);
   require_accepted(*c);
-  const auto plateau = sampled_volume({6, 6, 6}, 2, [](double x, double, double) {
-    return std::min(x, 2.0);
-  });
+  const auto plateau =
+      sampled_volume({6, 6, 6}, 2, [](double x, double, double) { return std::min(x, 2.0); });
   CHECK_FALSE(reference_isosurface(plateau, options));
   SplineIsosurfaceCertificate none;
   none.volume = plateau;

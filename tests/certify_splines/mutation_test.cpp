@@ -156,7 +156,8 @@ TEST_CASE("splines: edited hits are rejected unless true") {
       },
       [&](auto& c) {
         const std::size_t at = random() % c.rays.size();
-        const auto before = static_cast<long>(std::count(c.meets.begin(), c.meets.begin() + static_cast<long>(at), 1));
+        const auto before = static_cast<long>(
+            std::count(c.meets.begin(), c.meets.begin() + static_cast<long>(at), 1));
         if (c.meets[at] != 0)
           c.hits.erase(c.hits.begin() + before);
         else

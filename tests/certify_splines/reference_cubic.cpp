@@ -16,7 +16,8 @@ int odd_count(const Letter& a) {
   return (a[0] & 1) + (a[1] & 1) + (a[2] & 1);
 }
 std::size_t vertex_number(const SplineCubicData& data, const Letter& at) {
-  const std::size_t i = static_cast<std::size_t>(at[0] / 2), j = static_cast<std::size_t>(at[1] / 2),
+  const std::size_t i = static_cast<std::size_t>(at[0] / 2),
+                    j = static_cast<std::size_t>(at[1] / 2),
                     k = static_cast<std::size_t>(at[2] / 2);
   return i + (data.cubes[0] + 1) * (j + (data.cubes[1] + 1) * k);
 }
@@ -93,7 +94,7 @@ Rational ReferenceCubic::coefficient(const Int3& cube, Word word) const {
     return x;
   };
   if (odd_count(word[0]) == 0) {
-    const Letter &a = word[0];
+    const Letter& a = word[0];
     Letter first = a, second = a;
     first[b] = 2 * d[b] - a[b];
     second[c] = 2 * d[c] - a[c];
@@ -184,7 +185,8 @@ void march(SplineCubicData& data) {
       const std::size_t b = a == 0 ? 1 : 0, c = 3 - a - b;
       Rational sum = 0;
       for (const Int3& s : corners()) sum += s[b] * s[c] * spline.target(cube, s);
-      // Both ends of the edge at the upper sides have t_b with weight -1/2 in the sum of targets / 2.
+      // Both ends of the edge at the upper sides have t_b with weight -1/2 in the sum of targets
+      // / 2.
       Int3 low = {1, 1, 1};
       low[a] = -1;
       const Letter at = corner_of(cube, low);

@@ -107,6 +107,100 @@ ReferenceForm reference_form(const std::array<Exact3, 4>& corners,
 
 namespace {
 
+class MeshWriter {
+ public:
+  explicit MeshWriter(SplineIsosurfaceCertificate& c) : c_(c) {
+    const auto& d = c_.volume.direction;
+    const auto column = [&](std::size_t k) { return Exact3{d[k], d[3 + k], d[6 + k]}; };
+    direct_ = dot(column(0), cross(column(1), column(2))) > 0;
+  }
+
+  void add(const ReferenceLeaf& leaf, const ReferenceForm& form) {
+    std::vector<std::size_t> positive, negative;
+    for (std::size_t i = 0; i < 4; ++i) (form.b[i][i] < 0 ? negative : positive).push_back(i);
+    if (positive.empty() || negative.empty()) return;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        if ((form.b[i][i] < 0) != (form.b[j][j] < 0)) vertex(leaf, form, i, j);
+    using Pairs = std::vector<std::array<std::size_t, 2>>;
+    std::vector<Pairs> triangles;
+    const auto& p = positive;
+    const auto& n = negative;
+    if (p.size() == 1) triangles = {{{p[0], n[0]}, {p[0], n[1]}, {p[0], n[2]}}};
+    if (n.size() == 1) triangles = {{{n[0], p[0]}, {n[0], p[1]}, {n[0], p[2]}}};
+    if (p.size() == 2)
+      triangles = {{{p[0], n[0]}, {p[0], n[1]}, {p[1], n[1]}},
+                   {{p[0], n[0]}, {p[1], n[1]}, {p[1], n[0]}}};
+    for (const Pairs& triangle : triangles) {
+      std::array<std::uint32_t, 3> corners{};
+      std::array<Exact3, 3> at;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = vertex(leaf, form, triangle[k][0], triangle[k][1]);
+        at[k] = middle(leaf.corners[triangle[k][0]], leaf.corners[triangle[k][1]]);
+      }
+      const Exact3 normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
+      const Exact3 down = minus(leaf.corners[negative[0]], leaf.corners[positive[0]]);
+      if ((dot(normal, down) > 0) != direct_) std::swap(corners[1], corners[2]);
+      c_.triangles.push_back(corners);
+    }
+  }
+
+  void count() {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    std::vector<std::uint32_t> part(c_.brackets.size());
+    for (std::uint32_t v = 0; v < part.size(); ++v) part[v] = v;
+    const auto join = [](std::vector<std::uint32_t>& classes, std::uint32_t a, std::uint32_t b) {
+      const auto from = std::max(classes[a], classes[b]), to = std::min(classes[a], classes[b]);
+      for (auto& x : classes) x = x == from ? to : x;
+    };
+    for (const auto& t : c_.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        ++sides[std::minmax({t[k], t[(k + 1) % 3]})];
+        join(part, t[k], t[(k + 1) % 3]);
+      }
+    auto border = part;
+    std::set<std::uint32_t> on_border;
+    for (std::uint32_t v = 0; v < border.size(); ++v) border[v] = v;
+    for (const auto& [side, times] : sides)
+      if (times == 1) {
+        join(border, side.first, side.second);
+        on_border.insert({side.first, side.second});
+      }
+    std::set<std::uint32_t> loops;
+    for (const std::uint32_t v : on_border) loops.insert(border[v]);
+    c_.components =
+        static_cast<std::uint32_t>(std::set<std::uint32_t>(part.begin(), part.end()).size());
+    c_.boundary_loops = static_cast<std::uint32_t>(loops.size());
+    c_.euler_characteristic =
+        static_cast<std::int32_t>(c_.brackets.size() - sides.size() + c_.triangles.size());
+  }
+
+ private:
+  std::uint32_t vertex(const ReferenceLeaf& leaf, const ReferenceForm& form, std::size_t i,
+                       std::size_t j) {
+    const auto lower = [](const Exact3& a, const Exact3& b) {
+      return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
+    };
+    if (!lower(leaf.corners[i], leaf.corners[j])) std::swap(i, j);
+    const auto [at, is_new] = numbers_.try_emplace({leaf.corners[i], leaf.corners[j]},
+                                                   static_cast<std::uint32_t>(c_.brackets.size()));
+    if (!is_new) return at->second;
+    const auto q = [&](double t) {
+      const Rational u = t, v = 1 - u;
+      return Rational(v * v * form.b[i][i] + 2 * u * v * form.b[i][j] + u * u * form.b[j][j]);
+    };
+    const bool negative = q(0) < 0;
+    const double high =
+        least_double(0, 1, [&](double t) { return negative ? q(t) >= 0 : q(t) <= 0; });
+    c_.brackets.push_back({q(high) == 0 || high == 0 ? high : std::nextafter(high, 0.0), high});
+    return at->second;
+  }
+
+  SplineIsosurfaceCertificate& c_;
+  bool direct_ = true;
+  std::map<std::pair<Exact3, Exact3>, std::uint32_t> numbers_;
+};
+
 class Maker {
  public:
   Maker(const SplineVolume& volume, const ReferenceOptions& options)
@@ -125,7 +219,9 @@ class Maker {
   std::optional<SplineIsosurfaceCertificate> make() {
     if (!refine()) return std::nullopt;
     write_trees();
-    write_mesh();
+    MeshWriter writer(c_);
+    for (const auto& [key, leaf] : leaves_) writer.add(leaf, form_of(leaf));
+    writer.count();
     return c_;
   }
 
@@ -235,103 +331,12 @@ class Maker {
       }
   }
 
-  std::uint32_t vertex(const ReferenceLeaf& leaf, const ReferenceForm& form, std::size_t i,
-                       std::size_t j) {
-    const auto lower = [](const Exact3& a, const Exact3& b) {
-      return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
-    };
-    if (!lower(leaf.corners[i], leaf.corners[j])) std::swap(i, j);
-    const auto [at, is_new] = numbers_.try_emplace(
-        {leaf.corners[i], leaf.corners[j]}, static_cast<std::uint32_t>(c_.brackets.size()));
-    if (!is_new) return at->second;
-    const auto q = [&](double t) {
-      const Rational u = t, v = 1 - u;
-      return Rational(v * v * form.b[i][i] + 2 * u * v * form.b[i][j] + u * u * form.b[j][j]);
-    };
-    const bool negative = q(0) < 0;
-    const double high =
-        least_double(0, 1, [&](double t) { return negative ? q(t) >= 0 : q(t) <= 0; });
-    c_.brackets.push_back(
-        {q(high) == 0 || high == 0 ? high : std::nextafter(high, 0.0), high});
-    return at->second;
-  }
-
-  void write_mesh() {
-    const auto& d = c_.volume.direction;
-    const auto column = [&](std::size_t k) {
-      return Exact3{d[k], d[3 + k], d[6 + k]};
-    };
-    const bool direct = dot(column(0), cross(column(1), column(2))) > 0;
-    for (const auto& [key, leaf] : leaves_) {
-      const ReferenceForm form = form_of(leaf);
-      std::vector<std::size_t> positive, negative;
-      for (std::size_t i = 0; i < 4; ++i) (form.b[i][i] < 0 ? negative : positive).push_back(i);
-      if (positive.empty() || negative.empty()) continue;
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j)
-          if ((form.b[i][i] < 0) != (form.b[j][j] < 0)) vertex(leaf, form, i, j);
-      using Pairs = std::vector<std::array<std::size_t, 2>>;
-      std::vector<Pairs> triangles;
-      const auto& p = positive;
-      const auto& n = negative;
-      if (p.size() == 1) triangles = {{{p[0], n[0]}, {p[0], n[1]}, {p[0], n[2]}}};
-      if (n.size() == 1) triangles = {{{n[0], p[0]}, {n[0], p[1]}, {n[0], p[2]}}};
-      if (p.size() == 2)
-        triangles = {{{p[0], n[0]}, {p[0], n[1]}, {p[1], n[1]}},
-                     {{p[0], n[0]}, {p[1], n[1]}, {p[1], n[0]}}};
-      for (const Pairs& triangle : triangles) {
-        std::array<std::uint32_t, 3> corners{};
-        std::array<Exact3, 3> at;
-        for (std::size_t k = 0; k < 3; ++k) {
-          corners[k] = vertex(leaf, form, triangle[k][0], triangle[k][1]);
-          at[k] = middle(leaf.corners[triangle[k][0]], leaf.corners[triangle[k][1]]);
-        }
-        const Exact3 normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
-        const Exact3 down = minus(leaf.corners[negative[0]], leaf.corners[positive[0]]);
-        if ((dot(normal, down) > 0) != direct) std::swap(corners[1], corners[2]);
-        c_.triangles.push_back(corners);
-      }
-    }
-    count();
-  }
-
-  void count() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-    std::vector<std::uint32_t> part(c_.brackets.size());
-    for (std::uint32_t v = 0; v < part.size(); ++v) part[v] = v;
-    const auto join = [](std::vector<std::uint32_t>& classes, std::uint32_t a, std::uint32_t b) {
-      const auto from = std::max(classes[a], classes[b]), to = std::min(classes[a], classes[b]);
-      for (auto& x : classes) x = x == from ? to : x;
-    };
-    for (const auto& t : c_.triangles)
-      for (std::size_t k = 0; k < 3; ++k) {
-        ++sides[std::minmax({t[k], t[(k + 1) % 3]})];
-        join(part, t[k], t[(k + 1) % 3]);
-      }
-    auto border = part;
-    std::set<std::uint32_t> on_border;
-    for (std::uint32_t v = 0; v < border.size(); ++v) border[v] = v;
-    for (const auto& [side, times] : sides)
-      if (times == 1) {
-        join(border, side.first, side.second);
-        on_border.insert({side.first, side.second});
-      }
-    std::set<std::uint32_t> loops;
-    for (const std::uint32_t v : on_border) loops.insert(border[v]);
-    c_.components =
-        static_cast<std::uint32_t>(std::set<std::uint32_t>(part.begin(), part.end()).size());
-    c_.boundary_loops = static_cast<std::uint32_t>(loops.size());
-    c_.euler_characteristic =
-        static_cast<std::int32_t>(c_.brackets.size() - sides.size() + c_.triangles.size());
-  }
-
   ReferenceSpline spline_;
   ReferenceOptions options_;
   Rational level_;
   SplineIsosurfaceCertificate c_;
   std::map<std::pair<std::uint32_t, std::string>, ReferenceLeaf> leaves_;
   std::set<Exact3> vertices_;
-  std::map<std::pair<Exact3, Exact3>, std::uint32_t> numbers_;
 };
 
 }  // namespace

@@ -158,8 +158,7 @@ Rational ReferenceSpline::polynomial(const Int3& cube, std::size_t tet, const Ex
 }
 
 SplineVolume sampled_volume(const std::array<std::uint32_t, 3>& nodes, double level,
-                            const std::function<double(double, double, double)>& f,
-                            bool extended) {
+                            const std::function<double(double, double, double)>& f, bool extended) {
   SplineVolume volume;
   volume.type = 9;
   volume.nodes = nodes;
