@@ -75,7 +75,7 @@ TEST_CASE("splines: isosurfaces of random volumes are accepted as the reference 
   std::size_t made = 0, bisected = 0;
   for (std::uint64_t i = 0; i < scaled(8); ++i) {
     ReferenceOptions options;
-    options.depth = 24;
+    options.depth = 14;
     const auto volume = random_volume(i % 2 == 0 ? 0.5 : 0.37, random, i % 4 == 3);
     const auto c = reference_isosurface(volume, options);
     if (!c) continue;
@@ -104,7 +104,7 @@ TEST_CASE("splines: without the faces' condition, or with the full gradient, not
   for (std::uint64_t i = 0; i < scaled(6); ++i) {
     const auto volume = random_volume(0.5, random, false);
     ReferenceOptions options;
-    options.depth = 24;
+    options.depth = 14;
     const auto good = reference_isosurface(volume, options);
     options.faces = false;
     const auto c = reference_isosurface(volume, options);

@@ -35,7 +35,7 @@ bool is_true(const SplineIsosurfaceCertificate& c) {
   ReferenceOptions options;
   options.roots = c.bisected;
   options.trees = c.trees;
-  options.depth = 24;
+  options.depth = 20;
   const auto anew = reference_isosurface(c.volume, options);
   if (!anew || anew->trees != c.trees || anew->bisected != c.bisected ||
       anew->triangles != c.triangles || anew->brackets.size() != c.brackets.size() ||
@@ -189,7 +189,7 @@ TEST_CASE("splines: edited bytes of isosurfaces' certificates are rejected unles
   std::size_t made = 0;
   for (std::uint64_t i = 0; made < 3 && i < 20; ++i) {
     ReferenceOptions options;
-    options.depth = 18;
+    options.depth = 14;
     const auto c = reference_isosurface(random_volume(0.5, random, i % 2 == 1), options);
     if (!c || c->bisected.empty()) continue;
     ++made;

@@ -125,17 +125,26 @@ Rational ReferenceCubic::residual(const Int3& cube, const Int3& corner) const {
 }
 
 Rational ReferenceCubic::polynomial(const Int3& cube, std::size_t tet, const Exact3& x) const {
-  std::array<Letter, 4> v;
+  const auto [at, is_new] = forms_.try_emplace({cube, tet});
+  std::vector<Rational>& a = at->second;
+  if (is_new) {
+    std::array<Letter, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) v[i] = corner_of(cube, reference_tets()[tet].vertices[i]);
+    for (std::size_t i = 0; i < 64; ++i)
+      a.push_back(coefficient(cube, {v[i / 16], v[i / 4 % 4], v[i % 4]}));
+  }
   Exact3 d;
-  for (std::size_t i = 0; i < 4; ++i) v[i] = corner_of(cube, reference_tets()[tet].vertices[i]);
   for (std::size_t k = 0; k < 3; ++k) d[k] = x[k] - (2 * cube[k] + 1);
   const auto l = reference_tets()[tet].barycentrics(d);
-  Rational sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = 0; k < 4; ++k)
-        sum += l[i] * l[j] * l[k] * coefficient(cube, {v[i], v[j], v[k]});
-  return sum;
+  // De Casteljau's steps without the sharing of equal words.
+  std::vector<Rational> step = a;
+  while (step.size() > 1) {
+    std::vector<Rational> next;
+    for (std::size_t i = 0; i < step.size(); i += 4)
+      next.push_back(l[0] * step[i] + l[1] * step[i + 1] + l[2] * step[i + 2] + l[3] * step[i + 3]);
+    step = next;
+  }
+  return step[0];
 }
 
 Rational ReferenceCubic::value(const std::array<double, 3>& world) const {

@@ -11,8 +11,13 @@ namespace {
 
 using certify::SplineIsosurfaceCertificate;
 
-Exact3 middle(const Exact3& a, const Exact3& b) {
+template <class Point>
+Point middle(const Point& a, const Point& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+constexpr std::int64_t kScale = std::int64_t{1} << 24;
+Exact3 exact(const LatticePoint& x) {
+  return {Rational(x[0]) / kScale, Rational(x[1]) / kScale, Rational(x[2]) / kScale};
 }
 Exact3 minus(const Exact3& a, const Exact3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -136,10 +141,10 @@ class MeshWriter {
       std::array<Exact3, 3> at;
       for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = vertex(leaf, form, triangle[k][0], triangle[k][1]);
-        at[k] = middle(leaf.corners[triangle[k][0]], leaf.corners[triangle[k][1]]);
+        at[k] = middle(form.corners[triangle[k][0]], form.corners[triangle[k][1]]);
       }
       const Exact3 normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
-      const Exact3 down = minus(leaf.corners[negative[0]], leaf.corners[positive[0]]);
+      const Exact3 down = minus(form.corners[negative[0]], form.corners[positive[0]]);
       if ((dot(normal, down) > 0) != direct_) std::swap(corners[1], corners[2]);
       c_.triangles.push_back(corners);
     }
@@ -178,7 +183,7 @@ class MeshWriter {
  private:
   std::uint32_t vertex(const ReferenceLeaf& leaf, const ReferenceForm& form, std::size_t i,
                        std::size_t j) {
-    const auto lower = [](const Exact3& a, const Exact3& b) {
+    const auto lower = [](const LatticePoint& a, const LatticePoint& b) {
       return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
     };
     if (!lower(leaf.corners[i], leaf.corners[j])) std::swap(i, j);
@@ -198,7 +203,7 @@ class MeshWriter {
 
   SplineIsosurfaceCertificate& c_;
   bool direct_ = true;
-  std::map<std::pair<Exact3, Exact3>, std::uint32_t> numbers_;
+  std::map<std::pair<LatticePoint, LatticePoint>, std::uint32_t> numbers_;
 };
 
 class Maker {
@@ -220,7 +225,8 @@ class Maker {
     if (!refine()) return std::nullopt;
     write_trees();
     MeshWriter writer(c_);
-    for (const auto& [key, leaf] : leaves_) writer.add(leaf, form_of(leaf));
+    for (const auto& [key, leaf] : leaves_)
+      if (!is_surely_empty(leaf)) writer.add(leaf, form_of(leaf));
     writer.count();
     return c_;
   }
@@ -239,7 +245,8 @@ class Maker {
     const Int3 cube = cube_of(root);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t d = 0; d < 3; ++d)
-        leaf.corners[i][d] = 2 * cube[d] + 1 + reference_tets()[root % 24].vertices[i][d];
+        leaf.corners[i][d] =
+            kScale * (2 * cube[d] + 1 + reference_tets()[root % 24].vertices[i][d]);
     return leaf;
   }
   static std::array<ReferenceLeaf, 2> halves(const ReferenceLeaf& leaf) {
@@ -247,23 +254,23 @@ class Maker {
     parts[0].path += '0';
     parts[1].path += '1';
     const auto& [x0, x1, x2, x3] = leaf.corners;
-    const auto set = [&](unsigned tag, const std::array<Exact3, 4>& first,
-                         const std::array<Exact3, 4>& second) {
+    using Corners = std::array<LatticePoint, 4>;
+    const auto set = [&](unsigned tag, const Corners& first, const Corners& second) {
       parts[0].corners = first;
       parts[1].corners = second;
       parts[0].tag = parts[1].tag = tag;
     };
     if (leaf.tag == 0) {
-      const Exact3 m = middle(x1, x2);
+      const LatticePoint m = middle(x1, x2);
       set(3, {x0, x3, m, x1}, {x0, x3, m, x2});
     } else if (leaf.tag == 3) {
-      const Exact3 z = middle(x0, x3);
+      const LatticePoint z = middle(x0, x3);
       set(2, {x0, x1, x2, z}, {x1, x2, x3, z});
     } else if (leaf.tag == 2) {
-      const Exact3 z = middle(x0, x2);
+      const LatticePoint z = middle(x0, x2);
       set(1, {x0, x1, z, x3}, {x1, x2, z, x3});
     } else {
-      const Exact3 z = middle(x0, x1);
+      const LatticePoint z = middle(x0, x1);
       set(3, {x0, z, x2, x3}, {x1, z, x2, x3});
     }
     return parts;
@@ -286,11 +293,21 @@ class Maker {
   }
   ReferenceForm form_of(const ReferenceLeaf& leaf) const {
     const Int3 cube = cube_of(leaf.root);
-    return reference_form(leaf.corners, [&](const Exact3& x) {
+    std::array<Exact3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = exact(leaf.corners[i]);
+    return reference_form(corners, [&](const Exact3& x) {
       return Rational(spline_.polynomial(cube, leaf.root % 24, x) - level_);
     });
   }
+  /// All coefficients of the tetrahedron it is part of have one sign.
+  bool is_surely_empty(const ReferenceLeaf& leaf) const {
+    int negative = 0;
+    for (const auto& row : spline_.form(cube_of(leaf.root), leaf.root % 24))
+      for (const Rational& a : row) negative += a < level_;
+    return negative == 0 || negative == 16;
+  }
   bool is_good(const ReferenceLeaf& leaf) const {
+    if (is_surely_empty(leaf)) return true;
     const ReferenceForm form = form_of(leaf);
     return form.is_empty({0, 1, 2, 3}) || form.is_simple(options_);
   }
@@ -336,7 +353,7 @@ class Maker {
   Rational level_;
   SplineIsosurfaceCertificate c_;
   std::map<std::pair<std::uint32_t, std::string>, ReferenceLeaf> leaves_;
-  std::set<Exact3> vertices_;
+  std::set<LatticePoint> vertices_;
 };
 
 }  // namespace

@@ -10,11 +10,14 @@
 
 namespace crest::tests {
 
+/// Lattice coordinates times 2^24.
+using LatticePoint = std::array<std::int64_t, 3>;
+
 /// A part of a tetrahedron: from its root '0' and '1' say which half was taken.
 struct ReferenceLeaf {
   std::uint32_t root;
   std::string path;
-  std::array<Exact3, 4> corners;
+  std::array<LatticePoint, 4> corners;
   unsigned tag;
 };
 
