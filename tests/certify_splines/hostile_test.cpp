@@ -21,7 +21,7 @@ double distance_like(double x, double y, double z) {
   return (x - 1.4) * (x - 1.4) + (y - 1.6) * (y - 1.6) + (z - 1.5) * (z - 1.5) - 1;
 }
 SplineRaysCertificate some_rays(double scale = 1) {
-  auto volume = sampled_volume({5, 5, 5}, 0.25 * scale, [&](double x, double y, double z) {
+  auto volume = sampled_volume({5, 5, 5}, 0.3 * scale, [&](double x, double y, double z) {
     return scale * distance_like(x, y, z);
   });
   return reference_rays(volume, {{-1, 1.5, 1.25, 1, 0, 0.0625},
@@ -31,7 +31,7 @@ SplineRaysCertificate some_rays(double scale = 1) {
 }
 SplineIsosurfaceCertificate some_surface(double scale = 1) {
   return *reference_isosurface(
-      sampled_volume({5, 5, 5}, 0.25 * scale,
+      sampled_volume({5, 5, 5}, 0.3 * scale,
                      [&](double x, double y, double z) { return scale * distance_like(x, y, z); }));
 }
 
