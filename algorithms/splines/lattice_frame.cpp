@@ -10,13 +10,13 @@ using kernel::operator*;
 using kernel::operator+;
 using kernel::operator-;
 
-ExactFrame::ExactFrame(const Vec3& origin, const std::array<Vec3, 3>& steps, int first)
-    : origin_(origin), first_(first) {
-  std::array<ExactPoint, 3> m;
-  for (std::size_t k = 0; k < 3; ++k) m[k] = kernel::lift<Rational>(steps[k]);
+ExactFrame::ExactFrame(const kernel::SampledGrid& grid, int first)
+    : origin_(grid.origin), first_(first) {
+  auto& m = steps_;
+  for (std::size_t k = 0; k < 3; ++k)
+    m[k] = Rational(grid.spacing[k]) * kernel::lift<Rational>(grid.directions[k]);
   determinant_ = kernel::determinant(m[0], m[1], m[2]);
-  if (determinant_ == 0)
-    throw kernel::InputError("axes: lie in a plane; correct the header");
+  if (determinant_ == 0) throw kernel::InputError("axes: lie in a plane; correct the header");
   for (std::size_t k = 0; k < 3; ++k)
     inverse_[k] = Rational(2) / determinant_ * kernel::cross(m[(k + 1) % 3], m[(k + 2) % 3]);
 }
@@ -36,10 +36,17 @@ ExactPoint ExactFrame::direction_to_lattice(const Vec3& d) const {
   return x;
 }
 
+ExactPoint ExactFrame::to_world(const ExactPoint& lattice) const {
+  ExactPoint p = kernel::lift<Rational>(origin_);
+  for (std::size_t k = 0; k < 3; ++k)
+    p = p + (lattice[k] + Rational(2 * first_ - 1)) / Rational(2) * steps_[k];
+  return p;
+}
+
 LatticeFrame::LatticeFrame(const kernel::SampledGrid& grid, int first)
     : origin_(grid.origin), first_(first) {
   for (std::size_t k = 0; k < 3; ++k) steps_[k] = grid.spacing[k] * grid.directions[k];
-  const ExactFrame exact(origin_, steps_, first);
+  const ExactFrame exact(grid, first);
   mirrored_ = exact.determinant() < 0;
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t j = 0; j < 3; ++j) {

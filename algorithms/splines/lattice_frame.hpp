@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where the lattice of a partition lies in the world: p = origin + M v with v the index of a sample,
-// X = 2 (v - first) + 1 its lattice point. M and its inverse are the exact ones of the given doubles,
-// rounded once.
+// Where the lattice of a partition lies in the world: p = origin + M v with v the index of a
+// sample, X = 2 (v - first) + 1 its lattice point. M's columns are spacings times directions; it
+// and its inverse are rounded once.
 #include <array>
 
 #include "kernel/geometry/sampled_grid.hpp"

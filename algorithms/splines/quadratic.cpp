@@ -80,9 +80,8 @@ QuadraticSpline::QuadraticSpline(kernel::SampledGrid grid, Border border)
   // An extended sample is at most 27 times as large. Coefficients are multiples of 2^-7 steps, sums
   // on the way below 2^6 times the largest sample.
   largest_ = border == Border::extend ? 27 * m.largest : m.largest;
-  exact_ = m.largest == 0 ||
-           (std::isfinite(64 * largest_) && m.lowest_bit > -1000 &&
-            std::ilogb(largest_) + 6 - (m.lowest_bit - 7) < 53);
+  exact_ = m.largest == 0 || (std::isfinite(64 * largest_) && m.lowest_bit > -1000 &&
+                              std::ilogb(largest_) + 6 - (m.lowest_bit - 7) < 53);
 }
 
 std::size_t QuadraticSpline::cube_count() const {
@@ -117,7 +116,8 @@ Stencil<T> QuadraticSpline::stencil(const Cube& cube) const {
             for (const Share& y : shares(cube[1] + from + i / 3 % 3, size[1]))
               for (const Share& x : shares(cube[0] + from + i % 3, size[0]))
                 if (const int w = x.weight * y.weight * z.weight; w != 0)
-                  sum = sum + static_cast<T>(w) * static_cast<T>(samples[x.at + size[0] * (y.at + size[1] * z.at)]);
+                  sum = sum + static_cast<T>(w) *
+                                  static_cast<T>(samples[x.at + size[0] * (y.at + size[1] * z.at)]);
           f[static_cast<std::size_t>(i)] = sum;
         }
         return f;
@@ -151,9 +151,11 @@ std::optional<ValueGradient> QuadraticSpline::evaluate(const Vec3& p) const {
 std::vector<std::optional<ValueGradient>> QuadraticSpline::evaluate(
     std::span<const Vec3> points) const {
   std::vector<std::optional<ValueGradient>> values(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) values[i] = evaluate(points[i]);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        values[i] = evaluate(points[i]);
+                    });
   return values;
 }
 
@@ -169,6 +171,19 @@ struct JumpFactors {
                                     1 / (grid.spacing[k] * grid.spacing[k]));
   }
 };
+
+/// Places whose hull holds all coefficients: a_m and a_d are means of a_e, a_g and the centre of
+/// a_c.
+constexpr auto kHull = [] {
+  std::array<std::uint8_t, 28> places{};
+  std::size_t count = 0;
+  for (int i = 0; i < 125; ++i) {
+    const int x = i % 5, y = i / 5 % 5, z = i / 25;
+    const int ends = (x % 4 == 0) + (y % 4 == 0) + (z % 4 == 0), odd = x % 2 + y % 2 + z % 2;
+    if (odd == 3 || (odd == 0 && ends >= 2)) places[count++] = static_cast<std::uint8_t>(i);
+  }
+  return places;
+}();
 
 double largest_jump(const CubeCoefficients<double>& a, const JumpFactors& factors) {
   const auto at = [&](const Lattice& p) {
@@ -227,11 +242,10 @@ SplineSummary summarise(const QuadraticSpline& spline) {
               const Cube cube = {x, y, z};
               const auto a = cube_coefficients(spline.stencil<double>(cube));
               Part one;
-              for (const auto& slots : kSlots)
-                for (const std::uint8_t s : slots) {
-                  one.low = std::fmin(one.low, a[s]);
-                  one.high = std::fmax(one.high, a[s]);
-                }
+              for (const std::uint8_t s : kHull) {
+                one.low = std::fmin(one.low, a[s]);
+                one.high = std::fmax(one.high, a[s]);
+              }
               one.jump = largest_jump(a, factors);
               one.where = cube;
               part.join(one);

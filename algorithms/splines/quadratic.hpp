@@ -61,7 +61,8 @@ CubeCoefficients<T> cube_coefficients(const Stencil<T>& f) {
   T centre(0);
   for (std::size_t i = 0; i < 8; ++i) {
     const std::size_t x = i & 1, y = i >> 1 & 1, z = i >> 2;
-    const int cx = static_cast<int>(4 * x), cy = static_cast<int>(4 * y), cz = static_cast<int>(4 * z);
+    const int cx = static_cast<int>(4 * x), cy = static_cast<int>(4 * y),
+              cz = static_cast<int>(4 * z);
     const T &ex = edge[0][y][z], &ey = edge[1][x][z], &ez = edge[2][x][y];
     // a_v is the mean of a_e on both sides along any axis; here that of all eight samples.
     T sum(0);
@@ -85,9 +86,12 @@ CubeCoefficients<T> cube_coefficients(const Stencil<T>& f) {
     a[at(2, c, 2)] = half * (a[at(1, c, 1)] + a[at(3, c, 3)]);
     a[at(c, 2, 2)] = half * (a[at(c, 1, 1)] + a[at(c, 3, 3)]);
     const int g = c == 0 ? 1 : 3;
-    a[at(2, 2, g)] = quarter * ((a[at(1, 1, g)] + a[at(3, 1, g)]) + (a[at(1, 3, g)] + a[at(3, 3, g)]));
-    a[at(2, g, 2)] = quarter * ((a[at(1, g, 1)] + a[at(3, g, 1)]) + (a[at(1, g, 3)] + a[at(3, g, 3)]));
-    a[at(g, 2, 2)] = quarter * ((a[at(g, 1, 1)] + a[at(g, 3, 1)]) + (a[at(g, 1, 3)] + a[at(g, 3, 3)]));
+    a[at(2, 2, g)] =
+        quarter * ((a[at(1, 1, g)] + a[at(3, 1, g)]) + (a[at(1, 3, g)] + a[at(3, 3, g)]));
+    a[at(2, g, 2)] =
+        quarter * ((a[at(1, g, 1)] + a[at(3, g, 1)]) + (a[at(1, g, 3)] + a[at(3, g, 3)]));
+    a[at(g, 2, 2)] =
+        quarter * ((a[at(g, 1, 1)] + a[at(g, 3, 1)]) + (a[at(g, 1, 3)] + a[at(g, 3, 3)]));
   }
   a[at(2, 2, 2)] = T(0.125) * centre;
   return a;
@@ -107,8 +111,8 @@ struct ValueGradient {
 
 class QuadraticSpline {
  public:
-  /// Requires: finite samples. Throws: kernel::InputError where there is no cube, or the axes lie in
-  /// a plane. Cost: none; the spline is its samples.
+  /// Requires: finite samples. Throws: kernel::InputError where there is no cube, or the axes lie
+  /// in a plane. Cost: none; the spline is its samples.
   QuadraticSpline(kernel::SampledGrid grid, Border border = Border::none);
 
   const kernel::SampledGrid& grid() const { return grid_; }
@@ -141,9 +145,9 @@ class QuadraticSpline {
 };
 
 struct SplineSummary {
-  double low = 0, high = 0;    ///< hull of all coefficients
-  double gradient_jump = 0;    ///< the largest within a cube, rounded up; in units of the world
-  Vec3 where{};                ///< the centre of its cube
+  double low = 0, high = 0;  ///< hull of all coefficients
+  double gradient_jump = 0;  ///< the largest within a cube, rounded up; in units of the world
+  Vec3 where{};              ///< the centre of its cube
 };
 /// Cost: 60 ns a cube.
 SplineSummary summarise(const QuadraticSpline& spline);
