@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certify/spline_rays/lattice_ray.hpp"
+
+#include <cmath>
+
+namespace crest::certify::spline_rays {
+namespace {
+
+using kernel::Interval;
+using kernel::Rational;
+using kernel::Sign;
+
+template <class Number>
+std::array<std::array<Number, 3>, 3> world_matrix(const SplineVolume& volume) {
+  std::array<std::array<Number, 3>, 3> m;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t k = 0; k < 3; ++k)
+      m[r][k] = Number(volume.direction[3 * r + k]) * Number(volume.spacing[k]);
+  return m;
+}
+
+/// Of the rows and columns after r and k, cyclically.
+template <class Number>
+Number cofactor(const std::array<std::array<Number, 3>, 3>& m, std::size_t r, std::size_t k) {
+  const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+  return m[r1][k1] * m[r2][k2] - m[r1][k2] * m[r2][k1];
+}
+template <class Number>
+Number determinant(const std::array<std::array<Number, 3>, 3>& m) {
+  return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
+}
+
+template <class Number>
+LatticeFrame<Number> make_frame(const SplineVolume& volume) {
+  const auto m = world_matrix<Number>(volume);
+  const Number det = determinant(m);
+  LatticeFrame<Number> frame;
+  for (std::size_t r = 0; r < 3; ++r) {
+    frame.origin[r] = Number(volume.origin[r]);
+    for (std::size_t k = 0; k < 3; ++k)
+      frame.matrix[r][k] = Number(2) * cofactor(m, k, r) / det;
+  }
+  frame.shift = volume.extended ? 1 : -1;
+  return frame;
+}
+
+}  // namespace
+
+LatticeFrame<Rational> exact_frame(const SplineVolume& volume) {
+  return make_frame<Rational>(volume);
+}
+LatticeFrame<Interval> frame_enclosure(const SplineVolume& volume) {
+  return make_frame<Interval>(volume);
+}
+Sign orientation(const SplineVolume& volume) {
+  return kernel::sign_of(determinant(world_matrix<Rational>(volume)));
+}
+
+LatticeRay::LatticeRay(const LatticeFrame<Interval>& near, const LatticeFrame<Rational>& exact,
+                       const std::array<double, 6>& ray)
+    : frame_(exact), ray_(ray), near_(lattice_line(near, ray)) {
+  for (std::size_t i = 0; i < kForms; ++i) {
+    const auto sign = certain_sign(form(i, near_.d));
+    directions_[i] = sign ? *sign : kernel::sign_of(form(i, exact_line().d));
+  }
+}
+
+const Line<Rational>& LatticeRay::exact_line() const {
+  if (!exact_) exact_ = lattice_line(frame_, ray_);
+  return *exact_;
+}
+
+Parameter LatticeRay::crossing(std::size_t number, std::int64_t plane) const {
+  const Interval value =
+      (Interval(static_cast<double>(plane)) - form(number, near_.o)) / form(number, near_.d);
+  return {number, plane, 0, value};
+}
+
+Sign LatticeRay::start(std::size_t number, std::int64_t plane) const {
+  const auto k = static_cast<double>(plane);
+  if (const auto sign = certain_sign(form(number, near_.o) - k)) return *sign;
+  return kernel::sign_of(form(number, exact_line().o) - Rational(k));
+}
+
+Rational LatticeRay::exact_value(const Parameter& a) const {
+  if (a.form == kForms) return Rational(a.number);
+  return (Rational(static_cast<double>(a.plane)) - form(a.form, exact_line().o)) /
+         form(a.form, exact_line().d);
+}
+
+Sign LatticeRay::compare(const Parameter& a, const Parameter& b) const {
+  if (const auto sign = certain_sign(a.value - b.value)) return *sign;
+  return kernel::sign_of(exact_value(a) - exact_value(b));
+}
+
+LatticeRay::Floor LatticeRay::half_floor(std::size_t axis, const Parameter& a) const {
+  const Interval half = near(a)[axis] * Interval(0.5);
+  if (is_defined(half) && std::fabs(half.inf()) < 0x1p40 && std::fabs(half.sup()) < 0x1p40) {
+    const auto low = static_cast<std::int64_t>(std::floor(half.inf()));
+    const auto high = static_cast<std::int64_t>(std::floor(half.sup()));
+    const bool point = half.inf() == half.sup();
+    if (low == high && (point || static_cast<double>(low) < half.inf()))
+      return {low, point && static_cast<double>(low) == half.inf()};
+  }
+  const Rational exact_half = exact(a)[axis] / 2;
+  auto quotient = numerator(exact_half) / denominator(exact_half);  // towards 0
+  const bool equal = denominator(exact_half) == 1;
+  if (exact_half < 0 && !equal) --quotient;
+  return {static_cast<std::int64_t>(quotient), equal};
+}
+
+std::array<Interval, 3> LatticeRay::near(const Parameter& a) const {
+  std::array<Interval, 3> x;
+  for (std::size_t d = 0; d < 3; ++d)
+    x[d] = a.form == d ? Interval(static_cast<double>(a.plane)) : near_.o[d] + near_.d[d] * a.value;
+  return x;
+}
+
+std::array<Rational, 3> LatticeRay::exact(const Parameter& a) const {
+  const Rational t = exact_value(a);
+  std::array<Rational, 3> x;
+  for (std::size_t d = 0; d < 3; ++d) x[d] = exact_line().o[d] + exact_line().d[d] * t;
+  return x;
+}
+
+}  // namespace crest::certify::spline_rays
