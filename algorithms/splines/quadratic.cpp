@@ -135,22 +135,22 @@ Cube QuadraticSpline::cube_at(const Vec3& lattice) const {
   return cube;
 }
 
-std::optional<ValueGradient> QuadraticSpline::evaluate(const Vec3& p) const {
+ValueAndGradient QuadraticSpline::evaluate(const Vec3& p) const {
   const Vec3 x = frame_.to_lattice(p);
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(x[k] >= 0 && x[k] <= 2 * cubes_[k])) return std::nullopt;
+    if (!(x[k] >= 0 && x[k] <= 2 * cubes_[k])) return {NAN, {NAN, NAN, NAN}};
   const Cube cube = cube_at(x);
   Vec3 from_centre;
   for (std::size_t k = 0; k < 3; ++k) from_centre[k] = x[k] - (2 * cube[k] + 1);
   const std::size_t t = locate(from_centre[0], from_centre[1], from_centre[2]);
   const auto net = tetrahedron_net(cube_coefficients(stencil<double>(cube)), t);
   const auto r = kernel::value_and_gradient_at(net, barycentric(t, from_centre));
-  return ValueGradient{r.value, frame_.gradient_to_world(gradient(t, r.gradient))};
+  return {r.value, frame_.gradient_to_world(gradient(t, r.gradient))};
 }
 
-std::vector<std::optional<ValueGradient>> QuadraticSpline::evaluate(
+std::vector<ValueAndGradient> QuadraticSpline::evaluate(
     std::span<const Vec3> points) const {
-  std::vector<std::optional<ValueGradient>> values(points.size());
+  std::vector<ValueAndGradient> values(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
                     [&](const auto& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i)

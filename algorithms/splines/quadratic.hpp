@@ -4,12 +4,12 @@
 // Quadratic super splines of gridded samples (paper 001, section 8.3): every coefficient is a mean
 // of samples around its cube with dyadic weights. The spline is C1 across all grid planes; within a
 // cube its gradient jumps where only words with the letter C fail (gradient_jump).
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "algorithms/splines/lattice_frame.hpp"
 #include "algorithms/splines/partition.hpp"
+#include "algorithms/splines/value_and_gradient.hpp"
 
 namespace crest::splines {
 
@@ -104,11 +104,6 @@ QuadraticNet<T> tetrahedron_net(const CubeCoefficients<T>& a, std::size_t t) {
   return net;
 }
 
-struct ValueGradient {
-  double value = 0;
-  Vec3 gradient{};
-};
-
 class QuadraticSpline {
  public:
   /// Requires: finite samples. Throws: kernel::InputError where there is no cube, or the axes lie
@@ -130,10 +125,9 @@ class QuadraticSpline {
   /// The cube of a lattice point: of that moved by (e, e^2, e^3), but at upper borders the last.
   Cube cube_at(const Vec3& lattice) const;
 
-  /// Value and gradient at a point of the world; nothing outside the domain. Cost: 0.15 us.
-  std::optional<ValueGradient> evaluate(const Vec3& p) const;
-  /// The same at many points, by threads.
-  std::vector<std::optional<ValueGradient>> evaluate(std::span<const Vec3> points) const;
+  ValueAndGradient evaluate(const Vec3& p) const;
+  /// At many points, by threads.
+  std::vector<ValueAndGradient> evaluate(std::span<const Vec3> points) const;
 
  private:
   kernel::SampledGrid grid_;

@@ -4,6 +4,7 @@
 // The first point of a ray on a level set {s = c} of a quadratic spline, touching included (paper
 // 001, section 8.5), proven: doubles with one bound a ray decide almost all, rationals the rest.
 #include <memory>
+#include <optional>
 
 #include "algorithms/splines/active_cubes.hpp"
 
