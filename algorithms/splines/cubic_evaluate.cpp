@@ -3,12 +3,30 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "algorithms/splines/cubic_net.hpp"
 
 namespace crest::splines {
+namespace {
+
+CubicNet<double> net_of(const CubicModel& model, const std::array<std::size_t, 3>& cube,
+                        std::size_t t) {
+  const Domain& domain = model.domain;
+  const auto at = [&](const std::array<std::size_t, 3>& corner) {
+    return domain.vertex(cube[0] + corner[0], cube[1] + corner[1], cube[2] + corner[2]);
+  };
+  return cubic_net<double>(
+      t, [&](const auto& c) -> const ValueAndSlope& { return model.vertices[at(c)]; },
+      [&](const auto& c) -> const EdgeSlopes& { return model.slopes[at(c)]; },
+      model.centres[domain.cube(cube[0], cube[1], cube[2])]);
+}
+
+}  // namespace
 
 ValueAndGradient evaluate(const CubicModel& model, const Vec3& point) {
   const Domain& domain = model.domain;
@@ -21,14 +39,8 @@ ValueAndGradient evaluate(const CubicModel& model, const Vec3& point) {
     cube[d] = std::min(static_cast<std::size_t>(x[d]), std::size_t{domain.cubes[d]} - 1);
     p[d] = 2 * (x[d] - static_cast<double>(cube[d])) - 1;
   }
-  const auto at = [&](const std::array<std::size_t, 3>& corner) {
-    return domain.vertex(cube[0] + corner[0], cube[1] + corner[1], cube[2] + corner[2]);
-  };
   const std::size_t t = locate(p[0], p[1], p[2]);
-  const auto net = cubic_net<double>(
-      t, [&](const auto& c) -> const ValueAndSlope& { return model.vertices[at(c)]; },
-      [&](const auto& c) -> const EdgeSlopes& { return model.slopes[at(c)]; },
-      model.centres[domain.cube(cube[0], cube[1], cube[2])]);
+  const CubicNet<double> net = net_of(model, cube, t);
   const auto r = kernel::value_and_gradient_at(net, barycentric(t, p));
   const auto g = gradient(t, r.gradient);
   const Vec3 density = domain.density();
@@ -44,6 +56,25 @@ std::vector<ValueAndGradient> evaluate(const CubicModel& model, std::span<const 
                         all[i] = evaluate(model, points[i]);
                     });
   return all;
+}
+
+std::pair<double, double> coefficient_range(const CubicModel& model) {
+  using Range = std::pair<double, double>;
+  const auto join = [](const Range& a, const Range& b) {
+    return Range{std::min(a.first, b.first), std::max(a.second, b.second)};
+  };
+  const auto [nx, ny, nz] = model.domain.cubes;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, nz), Range{HUGE_VAL, -HUGE_VAL},
+      [&, nx = nx, ny = ny](const auto& slabs, Range range) {
+        for (std::size_t k = slabs.begin(); k != slabs.end(); ++k)
+          for (std::size_t j = 0; j < ny; ++j)
+            for (std::size_t i = 0; i < nx; ++i)
+              for (std::size_t t = 0; t < kTetrahedra; ++t)
+                for (const double a : net_of(model, {i, j, k}, t).c) range = join(range, {a, a});
+        return range;
+      },
+      join);
 }
 
 }  // namespace crest::splines

@@ -3,6 +3,7 @@
 
 // Cubic splines at points.
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algorithms/splines/cubic_model.hpp"
@@ -15,5 +16,8 @@ ValueAndGradient evaluate(const CubicModel& model, const Vec3& point);
 
 /// At many points, in parallel.
 std::vector<ValueAndGradient> evaluate(const CubicModel& model, std::span<const Vec3> points);
+
+/// The least and the largest Bernstein coefficient of all tetrahedra, between which s stays.
+std::pair<double, double> coefficient_range(const CubicModel& model);
 
 }  // namespace crest::splines

@@ -7,7 +7,6 @@
 #include "algorithms/splines/cubic_evaluate.hpp"
 #include "algorithms/splines/cubic_extension.hpp"
 #include "algorithms/splines/integer_march.hpp"
-#include "algorithms/splines/normal_form.hpp"
 #include "algorithms/splines/sine_projection.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -159,18 +158,6 @@ FitError error_at_samples(const CubicModel& model, std::span<const Vec3> points,
   }
   error.mean /= static_cast<double>(count);
   return error;
-}
-
-double largest_residual(const CubicModel& model) {
-  double largest = 0;
-  for_each_place(model.domain.cubes, [&](const Place& cube) {
-    const auto targets = fourfold_targets(model, cube);
-    for (std::size_t c = 0; c < 8; ++c) {
-      const auto& centre = model.centres[model.domain.cube(cube)];
-      largest = std::max(largest, std::fabs(eightfold_residual(centre, targets, c) / 8));
-    }
-  });
-  return largest;
 }
 
 }  // namespace crest::splines

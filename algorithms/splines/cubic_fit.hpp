@@ -45,8 +45,4 @@ struct FitError {
 FitError error_at_samples(const CubicModel& model, std::span<const Vec3> points,
                           std::span<const double> values);
 
-/// Of a spline in normal form, the largest |r|, r = a(ACC) less what the inter-pyramid conditions
-/// with word AC ask for: 0 iff it is C1 on the whole box. Rounded; exact in the certificate.
-double largest_residual(const CubicModel& model);
-
 }  // namespace crest::splines
