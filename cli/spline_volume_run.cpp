@@ -154,9 +154,8 @@ std::string cast_rays(Run& run, const SplineOptions& o, const QuadraticSpline& s
   }
   if (!o.common.picture.empty()) {
     const auto hits = work.cast(camera.rays());
-    run.write("--picture", [&](const std::string& path) {
-      io::write_ray_picture(path, camera, hits);
-    });
+    run.write("--picture",
+              [&](const std::string& path) { io::write_ray_picture(path, camera, hits); });
   }
   return work.finish();
 }
@@ -166,8 +165,8 @@ std::string cast_rays(Run& run, const SplineOptions& o, const QuadraticSpline& s
 Outcome run_volume(Run& run, const SplineOptions& o) {
   check(o);
   const QuadraticSpline spline = read_spline(run, o);
-  const auto summary = run.step("coefficients", "bounding coefficients",
-                                [&] { return splines::summarise(spline); });
+  const auto summary =
+      run.step("coefficients", "bounding coefficients", [&] { return splines::summarise(spline); });
   Report& report = run.report();
   const auto& n = spline.cubes();
   report["spline"] = "quadratic";
@@ -175,9 +174,8 @@ Outcome run_volume(Run& run, const SplineOptions& o) {
   report["coefficients"] = spline.grid().count();
   report["range"] = {summary.low, summary.high};
   report["gradient_jump"] = {{"max", summary.gradient_jump}, {"where", summary.where}};
-  evaluate_points(run, o, [&](std::span<const kernel::Vec3> points) {
-    return spline.evaluate(points);
-  });
+  evaluate_points(run, o,
+                  [&](std::span<const kernel::Vec3> points) { return spline.evaluate(points); });
   std::string lines =
       fmt::format("quadratic spline of {} x {} x {} cubes, coefficients {:.6g} to {:.6g}\n", n[0],
                   n[1], n[2], summary.low, summary.high);
