@@ -38,16 +38,22 @@ Number coefficient(const Neighbourhood<Number>& samples, const std::array<int, 3
 template <class Number>
 using Quadratic = std::array<std::array<Number, 4>, 4>;
 
-template <class Number>
-Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahedron& tet) {
+/// `at` gives the coefficient of a domain point.
+template <class Number, class Coefficients>
+Quadratic<Number> quadratic(const Tetrahedron& tet, Coefficients&& at) {
   const auto v = tet.vertices();
   Quadratic<Number> q;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i; j < 4; ++j) {
-      q[i][j] = coefficient(samples, {v[i][0] + v[j][0], v[i][1] + v[j][1], v[i][2] + v[j][2]});
+      q[i][j] = at({v[i][0] + v[j][0], v[i][1] + v[j][1], v[i][2] + v[j][2]});
       q[j][i] = q[i][j];
     }
   return q;
+}
+template <class Number>
+Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahedron& tet) {
+  return quadratic<Number>(
+      tet, [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
 }
 
 /// p[x, y] at points given by barycentrics.

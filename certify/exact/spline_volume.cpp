@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "certify/container/plain_numbers.hpp"
+#include "certify/container/reject.hpp"
+#include "kernel/arithmetic/rational.hpp"
 
 namespace crest::certify {
 namespace {
@@ -90,6 +92,12 @@ SplineVolume read_volume(ByteReader& reader) {
   volume.samples.assign(samples.begin(), samples.end());
   require_exact_samples(volume);
   return volume;
+}
+
+kernel::Sign orientation(const SplineVolume& volume) {
+  const kernel::Sign sign = kernel::sign_of(determinant(world_matrix<kernel::Rational>(volume)));
+  require(sign != kernel::Sign::zero, "the grid's matrix is singular");
+  return sign;
 }
 
 }  // namespace crest::certify

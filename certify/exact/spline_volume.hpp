@@ -9,6 +9,7 @@
 
 #include "certify/container/byte_reader.hpp"
 #include "certify/container/byte_writer.hpp"
+#include "kernel/arithmetic/sign.hpp"
 
 namespace crest::certify {
 
@@ -36,5 +37,29 @@ std::size_t encoded_size(const SplineVolume& volume);
 void write_volume(ByteWriter& out, const SplineVolume& volume);
 /// Guarantees: what SPEC.md says of the numbers. Throws Malformed.
 SplineVolume read_volume(ByteReader& reader);
+
+/// From sample indices to the world.
+template <class Number>
+using VolumeMatrix = std::array<std::array<Number, 3>, 3>;
+template <class Number>
+VolumeMatrix<Number> world_matrix(const SplineVolume& volume) {
+  VolumeMatrix<Number> m;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t k = 0; k < 3; ++k)
+      m[r][k] = Number(volume.direction[3 * r + k]) * Number(volume.spacing[k]);
+  return m;
+}
+/// Of the rows and columns after r and k, cyclically.
+template <class Number>
+Number cofactor(const VolumeMatrix<Number>& m, std::size_t r, std::size_t k) {
+  const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+  return m[r1][k1] * m[r2][k2] - m[r1][k2] * m[r2][k1];
+}
+template <class Number>
+Number determinant(const VolumeMatrix<Number>& m) {
+  return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
+}
+/// The sign of the matrix's determinant. Throws Reject if it is 0.
+kernel::Sign orientation(const SplineVolume& volume);
 
 }  // namespace crest::certify

@@ -11,26 +11,6 @@ using kernel::Rational;
 using kernel::Sign;
 
 template <class Number>
-std::array<std::array<Number, 3>, 3> world_matrix(const SplineVolume& volume) {
-  std::array<std::array<Number, 3>, 3> m;
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t k = 0; k < 3; ++k)
-      m[r][k] = Number(volume.direction[3 * r + k]) * Number(volume.spacing[k]);
-  return m;
-}
-
-/// Of the rows and columns after r and k, cyclically.
-template <class Number>
-Number cofactor(const std::array<std::array<Number, 3>, 3>& m, std::size_t r, std::size_t k) {
-  const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-  return m[r1][k1] * m[r2][k2] - m[r1][k2] * m[r2][k1];
-}
-template <class Number>
-Number determinant(const std::array<std::array<Number, 3>, 3>& m) {
-  return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
-}
-
-template <class Number>
 LatticeFrame<Number> make_frame(const SplineVolume& volume) {
   const auto m = world_matrix<Number>(volume);
   const Number det = determinant(m);
@@ -51,9 +31,6 @@ LatticeFrame<Rational> exact_frame(const SplineVolume& volume) {
 }
 LatticeFrame<Interval> frame_enclosure(const SplineVolume& volume) {
   return make_frame<Interval>(volume);
-}
-Sign orientation(const SplineVolume& volume) {
-  return kernel::sign_of(determinant(world_matrix<Rational>(volume)));
 }
 
 LatticeRay::LatticeRay(const LatticeFrame<Interval>& near, const LatticeFrame<Rational>& exact,

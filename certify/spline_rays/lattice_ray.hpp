@@ -37,7 +37,7 @@ Number form(std::size_t number, const std::array<Number, 3>& x) {
 /// World to lattice: X = matrix (p - origin) + shift.
 template <class Number>
 struct LatticeFrame {
-  std::array<std::array<Number, 3>, 3> matrix;
+  VolumeMatrix<Number> matrix;
   std::array<Number, 3> origin;
   double shift;
 };
@@ -45,8 +45,6 @@ struct LatticeFrame {
 LatticeFrame<kernel::Rational> exact_frame(const SplineVolume& volume);
 /// The same, enclosed. Requires: rounding upward.
 LatticeFrame<kernel::Interval> frame_enclosure(const SplineVolume& volume);
-/// The sign of the determinant of the volume's matrix.
-kernel::Sign orientation(const SplineVolume& volume);
 
 template <class Number>
 struct Line {
