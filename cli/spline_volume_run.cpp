@@ -224,9 +224,9 @@ Outcome run_volume(Run& run, const SplineOptions& o) {
   Report& report = run.report();
   const auto& n = spline.cubes();
   report["spline"] = "quadratic";
-  report["cubes"] = {n[0], n[1], n[2]};
+  report["cubes"] = n;
   report["coefficients"] = spline.grid().count();
-  report["range"] = {summary.low, summary.high};
+  report["range"] = std::array{summary.low, summary.high};
   report["gradient_jump"] = {{"max", summary.gradient_jump}, {"where", summary.where}};
   evaluate_points(run, o,
                   [&](std::span<const kernel::Vec3> points) { return spline.evaluate(points); });
