@@ -175,7 +175,8 @@ struct RayCaster::Walk {
   struct Segment {
     double a, b, b0, b1, b2;
   };
-  bool settle(const Cube& cube, std::size_t t, const Segment& s);
+  bool settle(const Cube& cube, std::size_t t, const CubeCoefficients<double>& coefficients,
+              const Segment& s);
 };
 
 /// The children of a node in their order along the ray; true: a hit.
@@ -223,9 +224,7 @@ bool RayCaster::Walk::visit(int level, const Cube& node, double a, double b) {
 
 bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
   ++counts.cubes;
-  auto f = caster.spline_.stencil<double>(cube);
-  for (double& x : f) x -= caster.level_;
-  const auto coefficients = cube_coefficients(f);
+  const auto coefficients = cube_coefficients(caster.spline_.stencil<double>(cube));
   std::array<double, 3> u;
   for (std::size_t k = 0; k < 3; ++k) u[k] = line.origin[k] - (2 * cube[k] + 1);
   const std::array<double, 6> planes = {u[0] + u[1], u[0] - u[1], u[0] + u[2],
@@ -245,9 +244,10 @@ bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
     const double s = cuts[i], e = cuts[i + 1];
     const auto middle = line.at(0.5 * (s + e), cube);
     const std::size_t t = locate(middle[0], middle[1], middle[2]);
-    const auto net = tetrahedron_net(coefficients, t);
-    double low = net.c[0], high = net.c[0];
-    for (const double x : net.c) {
+    auto net = tetrahedron_net(coefficients, t);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (double& x : net.c) {
+      x -= caster.level_;
       low = x < low ? x : low;
       high = x > high ? x : high;
     }
@@ -259,14 +259,15 @@ bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
                           kernel::value_at(from_start, end), kernel::value_at(net, end)};
     const auto zero = kernel::triage_segment_zero(segment.b0, segment.b1, segment.b2, delta);
     if (zero && !*zero) continue;
-    if (zero && settle(cube, t, segment)) return true;
+    if (zero && settle(cube, t, coefficients, segment)) return true;
     return climb(Rational(a), Rational(b));
   }
   return false;
 }
 
 /// Brackets the first zero of a segment that has one; false: more bits are needed.
-bool RayCaster::Walk::settle(const Cube& cube, std::size_t t, const Segment& s) {
+bool RayCaster::Walk::settle(const Cube& cube, std::size_t t,
+                             const CubeCoefficients<double>& coefficients, const Segment& s) {
   const double side = s.b0 < 0 ? -1 : 1;
   const double h = side * (s.b0 - s.b1), q = side * (s.b0 - 2 * s.b1 + s.b2);
   const double root = std::sqrt(std::fmax(0, h * h - q * side * s.b0));
@@ -277,10 +278,8 @@ bool RayCaster::Walk::settle(const Cube& cube, std::size_t t, const Segment& s) 
   QuadraticNet<Long> net;
   double largest = 0, samples = 0;
   if (caster.spline_.exact()) {
-    // Less c they are rounded, unlike the coefficients themselves.
-    const auto a = cube_coefficients(caster.spline_.stencil<double>(cube));
     for (std::size_t i = 0; i < 10; ++i)
-      net.c[i] = static_cast<Long>(a[kSlots[t][i]]) - static_cast<Long>(caster.level_);
+      net.c[i] = static_cast<Long>(coefficients[kSlots[t][i]]) - static_cast<Long>(caster.level_);
   } else {
     auto f = caster.spline_.stencil<Long>(cube);
     for (const Long x : f) samples = std::fmax(samples, std::fabs(static_cast<double>(x)));
