@@ -14,12 +14,23 @@ namespace crest::splines {
 template <class T>
 using CubicNet = kernel::SimplexNet<T, 3, 3>;
 
+constexpr auto make_words() {
+  using Basis = kernel::SimplexBasis<3, 3>;
+  std::array<std::array<std::array<std::size_t, 4>, 4>, 4> words{};
+  for (std::size_t x = 0; x < 4; ++x)
+    for (std::size_t y = 0; y < 4; ++y)
+      for (std::size_t z = 0; z < 4; ++z) {
+        Basis::Index index{};
+        for (const std::size_t letter : {x, y, z}) ++index[letter];
+        words[x][y][z] = Basis::position(index);
+      }
+  return words;
+}
+inline constexpr auto kWords = make_words();
+
 /// The place among a tetrahedron's coefficients of the word of these letters.
 constexpr std::size_t word(Letter x, Letter y, Letter z) {
-  using Basis = kernel::SimplexBasis<3, 3>;
-  Basis::Index index{};
-  for (const Letter letter : {x, y, z}) ++index[letter];
-  return Basis::position(index);
+  return kWords[x][y][z];
 }
 
 /// Of tetrahedron t. `vertex` and `slopes` give the numbers at a corner of the cube (offsets 0 or

@@ -204,7 +204,7 @@ void check_extents(std::string_view bytes) {
     if (!(count > 0 && count < static_cast<double>(kExpansion * bytes.size())))
       fail("header",
            fmt::format("the extent {} is empty or more than the file holds",
-                       quoted(text.substr(0, text.find('"')))),
+                       io::quoted(text.substr(0, text.find('"')))),
            "the file is truncated or its header wrong; export it again");
   }
 }

@@ -85,7 +85,7 @@ struct Header {
     constexpr std::size_t most = 20;
     std::string all;
     for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-      all += (i == 0 ? "" : ", ") + quoted(names[i]);
+      all += (i == 0 ? "" : ", ") + io::quoted(names[i]);
     return names.size() > most ? all + ", .." : all;
   }
   /// Where the columns stand.
@@ -98,11 +98,11 @@ struct Header {
     for (const std::string& column : columns) {
       const auto found = std::find(names.begin(), names.end(), column);
       if (found == names.end())
-        fail("column " + quoted(column), "does not exist; the table has " + list(),
+        fail("column " + io::quoted(column), "does not exist; the table has " + list(),
              column == "z" ? "samples of the plane are not fitted, give those of space"
                            : "name the columns as asked for, or choose with --columns");
       if (std::find(found + 1, names.end(), column) != names.end())
-        fail("column " + quoted(column), "is there several times", "give them different names");
+        fail("column " + io::quoted(column), "is there several times", "give them different names");
       places.push_back(static_cast<std::size_t>(found - names.begin()));
     }
     return places;
@@ -122,7 +122,7 @@ void read_rows(Lines& lines, const Header& header, const std::vector<std::string
       if (!to_number(fields[places[c]], value) || !std::isfinite(value))
         fail(fmt::format("row {} (line {})", table.rows, lines.number()),
              fmt::format("its '{}' is {}", columns[c],
-                         fields[places[c]].empty() ? "missing" : quoted(fields[places[c]])) +
+                         fields[places[c]].empty() ? "missing" : io::quoted(fields[places[c]])) +
                  ", no finite number",
              "correct it or leave the row out");
       table.columns[c].push_back(value);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/splines/smoothness_conditions.hpp"
 #include "algorithms/splines/cubic_extension.hpp"
 #include "algorithms/splines/cubic_net.hpp"
 #include "algorithms/splines/integer_march.hpp"
@@ -11,10 +12,10 @@
 #include "algorithms/splines/sine_projection.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/splines/smoothness_conditions.hpp"
 #include "tests/support/random.hpp"
 
 using namespace crest;
+using namespace crest::splines;
 using namespace crest::tests;
 using kernel::Rational;
 using splines::CubicModel;

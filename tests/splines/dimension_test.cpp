@@ -3,11 +3,11 @@
 #include <bit>
 #include <catch2/catch.hpp>
 
+#include "algorithms/splines/dimension.hpp"
 #include "algorithms/splines/normal_form.hpp"
-#include "tests/splines/smoothness_conditions.hpp"
 
 using namespace crest;
-using namespace crest::tests;
+using namespace crest::splines;
 
 namespace {
 
