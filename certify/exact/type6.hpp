@@ -49,7 +49,7 @@ std::array<Number, 4> barycentrics(const Tetrahedron& tet, const std::array<Numb
 }
 
 /// Number of the tetrahedron by the signs of x + y, x - y, x + z, x - z, y + z, y - z, a bit each:
-/// 1 if not negative. Signs that no point has give kTetrahedra.
+/// 1 if not negative. Any number if no point has these signs.
 inline unsigned tetrahedron_by_signs(unsigned signs) {
   // The sign of S e_i - T e_j.
   const auto not_negative = [signs](std::size_t i, int s, std::size_t j, int t) {
@@ -64,14 +64,14 @@ inline unsigned tetrahedron_by_signs(unsigned signs) {
     const unsigned form = 2 * static_cast<unsigned>(i + j - 1) + (s == t ? 1U : 0U);
     return ((signs >> form & 1U) != 0) == (s > 0);
   };
-  for (unsigned number = 0; number < kTetrahedra; ++number) {
+  for (unsigned number = 0; number + 1 < kTetrahedra; ++number) {
     const Tetrahedron tet = tetrahedron(number);
     const int s = tet.upper != 0 ? 1 : -1, t = tet.outer != 0 ? 1 : -1;
     if (not_negative(tet.a, s, tet.m, t) && not_negative(tet.m, t, tet.f, 1) &&
         not_negative(tet.m, t, tet.f, -1))
       return number;
   }
-  return kTetrahedra;
+  return kTetrahedra - 1;
 }
 
 }  // namespace crest::certify

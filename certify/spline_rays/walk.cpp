@@ -125,16 +125,32 @@ class Walk {
     return form(form_number, centre);
   }
 
-  /// The part of the ray in the cube; true if the walk ends here, with a verdict.
-  bool pass(const Parameter& from, const Parameter& to) {
-    // Of each form the sign before all cuts, and the cut at which it changes.
-    unsigned signs = 0;
+  /// Cuts in a cube, ascending, each with the form whose sign changes there.
+  class Cuts {
+   public:
+    void insert(const LatticeRay& ray, const Parameter& at, unsigned form) {
+      std::size_t i = size_++;
+      for (; i > 0 && ray.compare(at, list_[i - 1].at) == Sign::negative; --i)
+        list_[i] = list_[i - 1];
+      list_[i] = {at, form};
+    }
+    std::size_t size() const { return size_; }
+    const Parameter& at(std::size_t i) const { return list_[i].at; }
+    unsigned form(std::size_t i) const { return list_[i].form; }
+
+   private:
     struct Cut {
       Parameter at;
       unsigned form;
     };
-    std::array<Cut, 6> cuts;
-    std::size_t count = 0;
+    std::array<Cut, 6> list_;
+    std::size_t size_ = 0;
+  };
+
+  /// The part of the ray in the cube; true if the walk ends here, with a verdict.
+  bool pass(const Parameter& from, const Parameter& to) {
+    unsigned signs = 0;  // before all cuts
+    Cuts cuts;
     for (unsigned i = 0; i < 6; ++i) {
       const std::size_t number = 3 + i;
       const std::int64_t plane = centre_plane(number);
@@ -146,23 +162,19 @@ class Walk {
         const Parameter cut = ray_.crossing(number, plane);
         const bool ahead = ray_.compare(cut, from) == Sign::positive;
         positive = (direction == Sign::positive) != ahead;
-        if (ahead && ray_.compare(cut, to) == Sign::negative) cuts[count++] = {cut, i};
+        if (ahead && ray_.compare(cut, to) == Sign::negative) cuts.insert(ray_, cut, i);
       }
       if (positive) signs |= 1U << i;
     }
-    std::sort(cuts.begin(), cuts.begin() + static_cast<long>(count),
-              [&](const Cut& a, const Cut& b) {
-                return ray_.compare(a.at, b.at) == Sign::negative;
-              });
     Segment segment{cube_, 0, from, to};
-    for (std::size_t i = 0; i < count;) {
+    for (std::size_t i = 0; i < cuts.size();) {
       segment.tetrahedron = scene_.tetrahedra[signs];
-      segment.to = cuts[i].at;
+      segment.to = cuts.at(i);
       if (decide(segment)) return true;
-      segment.from = cuts[i].at;
+      segment.from = segment.to;
       // All planes that meet there at once.
-      for (; i < count && ray_.compare(cuts[i].at, segment.from) == Sign::zero; ++i)
-        signs ^= 1U << cuts[i].form;
+      for (; i < cuts.size() && ray_.compare(cuts.at(i), segment.from) == Sign::zero; ++i)
+        signs ^= 1U << cuts.form(i);
     }
     segment.tetrahedron = scene_.tetrahedra[signs];
     segment.to = to;
