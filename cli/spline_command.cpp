@@ -58,7 +58,7 @@ void add_volume_options(CLI::App& app, SplineOptions& o) {
       ->type_name("FILE")
       ->group(group);
   app.add_option("--max-depth", o.max_depth, "of the mesh's bisections (default 30)")
-      ->check(CLI::Range(1, 60))
+      ->check(CLI::Range(0, 54))
       ->type_name("D")
       ->group(group);
   add_numbers(app, "--camera", o.camera, {6, 7},

@@ -5,7 +5,9 @@
 
 #include "algorithms/splines/pinhole.hpp"
 #include "algorithms/splines/quadratic_certificate.hpp"
+#include "certify/certificate.hpp"
 #include "cli/spline_points.hpp"
+#include "io/splines/isosurface_writer.hpp"
 #include "io/splines/quadratic_model_file.hpp"
 #include "io/splines/ray_picture.hpp"
 #include "io/splines/table.hpp"
@@ -154,11 +156,62 @@ std::string cast_rays(Run& run, const SplineOptions& o, const QuadraticSpline& s
   }
   if (!o.common.picture.empty()) {
     const auto hits = work.cast(camera.rays());
-    run.write("--picture", [&](const std::string& path) {
-      io::write_ray_picture(path, camera, hits);
-    });
+    run.write("--picture",
+              [&](const std::string& path) { io::write_ray_picture(path, camera, hits); });
   }
   return work.finish();
+}
+
+/// Whether all of the surface is proven.
+bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
+               std::string& lines) {
+  if (o.mesh.empty()) return true;
+  const auto surface = run.step("isosurface", "isosurface", [&] {
+    return run.with_input(
+        [&] { return splines::extract_isosurface(spline, *o.isovalue, o.max_depth); });
+  });
+  Json undecided = Json::array();
+  for (const auto& place : surface.undecided) undecided.push_back(place);
+  run.report()["isosurface"] = {{"vertices", surface.points.size()},
+                                {"triangles", surface.triangles.size()},
+                                {"euler_characteristic", surface.euler_characteristic},
+                                {"components", surface.components},
+                                {"boundary_loops", surface.boundary_loops},
+                                {"undecided_cells", undecided},
+                                {"depth", surface.depth},
+                                {"coincident", surface.coincident},
+                                {"exact_corners", surface.exact_corners}};
+  lines += fmt::format(
+      "isosurface: {} triangles, {} components, Euler characteristic {}, {} boundary loops\n",
+      surface.triangles.size(), surface.components, surface.euler_characteristic,
+      surface.boundary_loops);
+  if (surface.coincident > 0)
+    run.warn(
+        fmt::format("{} vertices of the mesh coincide with others, {} corners of tetrahedra lie "
+                    "on the isosurface: shift --isovalue by half a step of the data",
+                    surface.coincident, surface.exact_corners));
+  const bool proven = surface.undecided.empty();
+  std::string digest;
+  if (!proven) {
+    const auto& p = surface.undecided.front();
+    run.warn(
+        fmt::format("{} tetrahedra are undecided at depth {}, the first at {:.6g} {:.6g} {:.6g}: "
+                    "the isosurface touches a face or has no gradient there; no certificate; "
+                    "take another --isovalue close by",
+                    surface.undecided.size(), o.max_depth, p[0], p[1], p[2]));
+  } else if (run.wanted("--certificate")) {
+    run.step("certificate", "certifying", [&] {
+      const auto bytes =
+          certify::encode(splines::isosurface_certificate(spline, *o.isovalue, surface));
+      run.write_certificate("spline-isosurface", bytes);
+      digest = certify::hex(certify::data_digest(bytes));
+    });
+  }
+  run.step("write", "writing " + o.mesh, [&] {
+    run.write("--mesh",
+              [&](const std::string& path) { io::write_isosurface(path, surface, digest); });
+  });
+  return proven;
 }
 
 }  // namespace
@@ -166,26 +219,26 @@ std::string cast_rays(Run& run, const SplineOptions& o, const QuadraticSpline& s
 Outcome run_volume(Run& run, const SplineOptions& o) {
   check(o);
   const QuadraticSpline spline = read_spline(run, o);
-  const auto summary = run.step("coefficients", "bounding coefficients",
-                                [&] { return splines::summarise(spline); });
+  const auto summary =
+      run.step("coefficients", "bounding coefficients", [&] { return splines::summarise(spline); });
   Report& report = run.report();
   const auto& n = spline.cubes();
   report["spline"] = "quadratic";
-  report["cubes"] = {n[0], n[1], n[2]};
+  report["cubes"] = n;
   report["coefficients"] = spline.grid().count();
-  report["range"] = {summary.low, summary.high};
+  report["range"] = std::array{summary.low, summary.high};
   report["gradient_jump"] = {{"max", summary.gradient_jump}, {"where", summary.where}};
-  evaluate_points(run, o, [&](std::span<const kernel::Vec3> points) {
-    return spline.evaluate(points);
-  });
+  evaluate_points(run, o,
+                  [&](std::span<const kernel::Vec3> points) { return spline.evaluate(points); });
   std::string lines =
       fmt::format("quadratic spline of {} x {} x {} cubes, coefficients {:.6g} to {:.6g}\n", n[0],
                   n[1], n[2], summary.low, summary.high);
   lines += cast_rays(run, o, spline);
+  const bool proven = make_mesh(run, o, spline, lines);
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_quadratic_model(path, spline); });
   });
-  return {lines, {"roessl2005surfaces"}};
+  return {lines, {"roessl2005surfaces"}, proven ? kDone : kNotCertified};
 }
 
 }  // namespace crest::cli

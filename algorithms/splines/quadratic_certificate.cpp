@@ -52,4 +52,19 @@ certify::SplineRaysCertificate rays_certificate(const QuadraticSpline& spline, d
   return c;
 }
 
+certify::SplineIsosurfaceCertificate isosurface_certificate(const QuadraticSpline& spline,
+                                                            double level,
+                                                            const Isosurface& surface) {
+  certify::SplineIsosurfaceCertificate c;
+  c.volume = volume_record(spline, level);
+  c.bisected = surface.bisected;
+  c.trees = surface.trees;
+  c.brackets = surface.brackets;
+  c.triangles = surface.triangles;
+  c.euler_characteristic = static_cast<std::int32_t>(surface.euler_characteristic);
+  c.components = static_cast<std::uint32_t>(surface.components);
+  c.boundary_loops = static_cast<std::uint32_t>(surface.boundary_loops);
+  return c;
+}
+
 }  // namespace crest::splines

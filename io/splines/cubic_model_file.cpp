@@ -104,8 +104,8 @@ CubicModel model_of(vtkImageData& data) {
   const std::size_t vertices = model.domain.vertex_count();
   model.vertices = rows_of<splines::ValueAndSlope>(*data.GetPointData(), "vertex", vertices);
   model.slopes = rows_of<splines::EdgeSlopes>(*data.GetPointData(), "slopes", vertices);
-  model.centres = rows_of<splines::ValueAndSlope>(*data.GetCellData(), "centre",
-                                                  model.domain.cube_count());
+  model.centres =
+      rows_of<splines::ValueAndSlope>(*data.GetCellData(), "centre", model.domain.cube_count());
   return model;
 }
 

@@ -82,8 +82,8 @@ void write_quadratic_model(const std::string& path, const splines::QuadraticSpli
   add_text(fields, "border", spline.border() == splines::Border::none ? "none" : "extend");
   vtkNew<vtkDoubleArray> frame;
   frame->SetName("frame");
-  for (const auto& row : {grid.origin, grid.spacing, grid.directions[0], grid.directions[1],
-                          grid.directions[2]})
+  for (const auto& row :
+       {grid.origin, grid.spacing, grid.directions[0], grid.directions[1], grid.directions[2]})
     for (const double x : row) frame->InsertNextValue(x);
   fields.AddArray(frame);
   write_atomically(path, vti_bytes(*data));
