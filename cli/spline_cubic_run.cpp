@@ -10,7 +10,7 @@
 #include "algorithms/splines/cubic_fit.hpp"
 #include "certify/spline_cubic/encode.hpp"
 #include "certify/verify.hpp"
-#include "cli/spline_points.hpp"
+#include "cli/spline_points_run.hpp"
 #include "io/formats/files.hpp"
 #include "io/splines/cubic_model_file.hpp"
 #include "io/splines/table.hpp"

@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "algorithms/splines/smoothness_conditions.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/splines/smoothness_conditions.hpp"
 #include "tests/splines/volumes.hpp"
 #include "tests/support/failures.hpp"
 

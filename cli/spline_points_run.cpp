@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/spline_points.hpp"
+#include "cli/spline_points_run.hpp"
 
 #include <fmt/format.h>
 
