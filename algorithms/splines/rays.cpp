@@ -146,7 +146,8 @@ struct RayCaster::Walk {
     if (!exact_part) return false;
     const Rational& start = std::max(a, (*exact_part)[0]);
     const Rational& end = std::min(b, (*exact_part)[1]);
-    if (end < start) return false;
+    // A point is an end of the neighbour's part, too, unless it is all of the ray in the domain.
+    if (end < start || (end == start && (*exact_part)[0] != (*exact_part)[1])) return false;
     const auto found = caster.exact_->first_zero(*exact_line, start, end, counts);
     if (!found) return false;
     hit = *found;
