@@ -42,8 +42,8 @@ struct LatticeRay {
       }
       origin[k] = o;
       direction[k] = d;
-      magnitude = std::fmax(magnitude, mo);
-      slope = std::fmax(slope, md);
+      magnitude = std::max(magnitude, mo);
+      slope = std::max(slope, md);
     }
   }
   std::array<T, 3> at(T t, const Cube& cube) const {
@@ -120,8 +120,8 @@ struct RayCaster::Walk {
         continue;
       }
       const double s = (-wider - o) * inverse[k], e = (side + wider - o) * inverse[k];
-      from = std::fmax(from, std::fmin(s, e));
-      to = std::fmin(to, std::fmax(s, e));
+      from = std::max(from, std::min(s, e));
+      to = std::min(to, std::max(s, e));
     }
     const auto& d = line.direction;
     plane_slope = {d[0] + d[1], d[0] - d[1], d[0] + d[2], d[0] - d[2], d[1] + d[2], d[1] - d[2]};
@@ -202,7 +202,7 @@ bool RayCaster::Walk::visit(int level, const Cube& node, double a, double b) {
   for (double t = a;;) {
     std::size_t k = next[1] < next[0] ? 1 : 0;
     if (next[2] < next[k]) k = 2;
-    const double end = std::fmax(t, std::fmin(next[k], b));
+    const double end = std::max(t, std::min(next[k], b));
     if (word >> ActiveCubes::bit(at[0], at[1], at[2]) & 1) {
       Cube child;
       for (std::size_t j = 0; j < 3; ++j) child[j] = 4 * node[j] + at[j];
