@@ -13,6 +13,7 @@
 #include "tests/support/failures.hpp"
 
 using namespace crest;
+using namespace crest::splines;
 using namespace crest::tests;
 using kernel::Rational;
 using splines::CubeCoefficients;
