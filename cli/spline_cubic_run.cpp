@@ -47,7 +47,7 @@ void report_model(Run& run, const CubicModel& model) {
   const splines::GradientJump jump = splines::gradient_jump(model);
   report["gradient_jump"]["max"] = jump.bound;
   report["gradient_jump"]["where"] = jump.where;
-  if (jump.bound == 0) report["gradient_jump"]["where"] = nullptr;
+  if (jump.bound == 0) report["gradient_jump"]["where"] = Json();
 }
 
 std::string model_summary(const CubicModel& model) {

@@ -36,6 +36,7 @@ class Scattered {
   struct Request {
     double radius = 1.1, growth = 1.15;
     std::size_t least = 40, most = 100;
+    double most_weight = 1e30;
   };
   void gather(const Vec3& centre, const Request& request, std::vector<Near>& found) const;
 

@@ -45,7 +45,7 @@ constexpr Named kModes[] = {{"local", Smoothness::local},
                             {"sequential", Smoothness::sequential}};
 
 struct Choice {
-  std::size_t seeds = 50, most_samples = 4096000, all_seeds_up_to = 32000;
+  std::size_t seeds = 50, least_samples = 0, most_samples = 4096000, all_seeds_up_to = 32000;
   std::string only;
 };
 
@@ -64,7 +64,7 @@ void table_of(const char* title, Function f, std::span<const Row> rows, bool has
   fmt::print("|---|---|---|{}---|---|---|---|---|---|---|---|\n", has_thesis ? "---|---|---|" : "");
   double previous = 0, previous_n = 0;
   for (const Row& row : rows) {
-    if (row.samples > choice.most_samples) break;
+    if (row.samples < choice.least_samples || row.samples > choice.most_samples) continue;
     CubicErrors sum;
     double seconds = 0;
     const std::size_t seeds = seeds_of(row, choice);
@@ -99,8 +99,8 @@ int work(const Choice& choice) {
     if (!choice.only.empty() && choice.only != mode.name) continue;
     table_of("f_test", f_test, kThesis, true, mode, choice);
     table_of("f_other", f_other, kThesis, false, mode,
-             {std::min<std::size_t>(choice.seeds, 10),
-              std::min<std::size_t>(choice.most_samples, 128000), choice.all_seeds_up_to, {}});
+             {std::min<std::size_t>(choice.seeds, 10), choice.least_samples, choice.most_samples,
+              choice.all_seeds_up_to, {}});
     table_of("g", g_powers, kPowers, true, mode, choice);
   }
   return 0;
@@ -116,6 +116,7 @@ int main(int argc, char** argv) {
   program.option("--seeds", choice.seeds, "distributions of the samples (50)");
   program.option("--all-seeds-up-to", choice.all_seeds_up_to,
                  "samples; above there are fewer seeds: 192000 / N, at least one (32000)");
+  program.option("--least", choice.least_samples, "samples of the first row (1000)");
   program.option("--most", choice.most_samples, "samples of the last row (4096000)");
   program.option("--only", choice.only, "one extension", {"local", "c1", "sequential"});
   return program.run(argc, argv, [&] { return work(choice); });

@@ -87,6 +87,17 @@ run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --repo
 
 run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
 
+# 600 samples of a function on numbers of a generator of Lehmer's.
+awk 'function draw() { state = state * 48271 % 2147483647; return state / 2147483648 }
+  BEGIN { state = 20041; print "x,y,z,value"
+    for (i = 0; i < 600; ++i) { x = draw(); y = draw(); z = draw(); printf "%.17g,%.17g,%.17g,%.17g\n", x, y, z, x * y - z * z * x } }' \
+  >samples.csv
+run 0 crest spline samples.csv -o p1.vti --certificate p1.crest --report p1.json --evaluate samples.csv \
+  --values p1.csv --cite
+run 0 crest spline samples.csv --smoothness local -n 3,4,5 --box 0,1 -o p2.vti --certificate p2.crest --report p2.json
+run 0 crest spline samples.csv --smoothness sequential -o p3.vti --report p3.json
+run 0 crest spline p1.vti --evaluate samples.csv --values p4.csv --report p4.json
+
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"
 done
