@@ -101,6 +101,7 @@ Outcome of_table(Run& run, const SplineOptions& o) {
   auto& report = run.report()["fit"];
   report["samples"] = fit.samples;
   report["outside"] = fit.outside;
+  report["empty_cubes"] = fit.empty_cubes;
   report["local_fits"] = fit.local_fits;
   report["degrees"] = fit.degrees;
   report["points_per_fit"] = fit.samples_per_fit;

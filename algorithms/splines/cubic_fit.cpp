@@ -131,6 +131,11 @@ CubicFit fit_cubic(std::span<const Vec3> points, std::span<const double> values,
   const Scattered samples(domain, points, values);
   result.samples = samples.size();
   result.outside = points.size() - samples.size();
+  result.empty_cubes = samples.empty_cubes();
+  if (result.empty_cubes > 0)
+    result.warnings.push_back(std::to_string(result.empty_cubes) + " of " +
+                              std::to_string(domain.cube_count()) +
+                              " cubes hold no sample: the spline is extrapolated there");
   Extension extension = options.smoothness == Smoothness::sequential
                             ? extend_sequentially(domain, samples, flat)
                             : extend_locally(domain, samples, flat);

@@ -24,6 +24,7 @@ struct CubicOptions {
 struct CubicFit {
   CubicModel model;
   std::size_t samples = 0, outside = 0;  ///< in the closed box, and not
+  std::size_t empty_cubes = 0;               ///< without a sample
   std::size_t local_fits = 0;
   std::array<std::size_t, 4> degrees{};  ///< of the local fits
   double samples_per_fit = 0;            ///< mean

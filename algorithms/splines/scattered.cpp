@@ -51,6 +51,12 @@ Scattered::Scattered(const Domain& domain, std::span<const Vec3> points,
     }
 }
 
+std::size_t Scattered::empty_cubes() const {
+  std::size_t empty = 0;
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) empty += first_[c] == first_[c + 1] ? 1 : 0;
+  return empty;
+}
+
 Scattered::Range Scattered::cubes_within(const Vec3& centre, double radius) const {
   Range range;
   for (std::size_t d = 0; d < 3; ++d) {

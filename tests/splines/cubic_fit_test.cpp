@@ -163,6 +163,7 @@ TEST_CASE("degrees drop where samples do not determine them") {
     const CubicFit r = fit(equal, {});
     CHECK(splines::evaluate(r.model, {5, 6, 7}).value == Approx(8));
     CHECK(r.warnings.size() == 1);
+    CHECK(r.empty_cubes == 0);
   }
   SECTION("samples in a plane across an axis: cubic in it, constant along the axis") {
     Samples s = sampled(500, kSeed, [](const Vec3&) { return 0.0; });
