@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "algorithms/splines/pinhole.hpp"
 #include "algorithms/splines/quadratic_certificate.hpp"
 #include "certify/certificate.hpp"
@@ -57,9 +59,17 @@ std::vector<Ray> read_rays(Run& run, const std::string& path) {
       rays[i].origin[k] = table.columns[k][i];
       rays[i].direction[k] = table.columns[3 + k][i];
     }
-    if (rays[i].direction == kernel::Vec3{})
+    double length = 0, distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      length = std::fmax(length, std::fabs(rays[i].direction[k]));
+      distance = std::fmax(distance, std::fabs(rays[i].origin[k]));
+    }
+    if (!(distance < 1e250 && length > 1e-250 * std::fmax(1, distance)))
       throw kernel::InputError(
-          fmt::format("{}: ray {}: its direction is 0; give dx,dy,dz other than 0,0,0", path, i));
+          fmt::format("{}: ray {}: {}", path, i,
+                      length == 0 ? "its direction is 0; give dx,dy,dz other than 0,0,0"
+                                  : "is out of the range of doubles; give ox,oy,oz and dx,dy,dz of "
+                                    "ordinary size"));
   }
   return rays;
 }
@@ -188,7 +198,7 @@ bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
   if (surface.coincident > 0)
     run.warn(
         fmt::format("{} vertices of the mesh coincide with others, {} corners of tetrahedra lie "
-                    "on the isosurface: shift --isovalue by half a step of the data",
+                    "on the isosurface: shift --isovalue by a 256th of the data's step",
                     surface.coincident, surface.exact_corners));
   const bool proven = surface.undecided.empty();
   std::string digest;

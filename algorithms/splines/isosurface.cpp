@@ -47,6 +47,10 @@ EdgeZero zero_of(double b0, double b1, double b2, double error) {
   }
 }
 
+/// Leaves of one tetrahedron that are bisected for their own sake: where the level set touches a
+/// plane of faces or a plateau their number would double with every third level.
+constexpr int kMostLeaves = 128;
+
 class Mesher {
  public:
   Mesher(const QuadraticSpline& spline, double c)
@@ -105,8 +109,10 @@ class Mesher {
             roots.push_back(root);
         }
       });
+    std::unordered_map<Root, int> leaves;
     forest_.bisect(roots, [&](Root root, const Forest::Node& node) {
-      return node.depth < max_depth && !settled(root, node.corners);
+      return node.depth < max_depth && leaves[root] < kMostLeaves && !settled(root, node.corners) &&
+             ++leaves[root] > 0;
     });
     mesh_.depth = forest_.depth();
   }

@@ -2,6 +2,7 @@
 #include "algorithms/splines/leaf_test.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "kernel/arithmetic/approximate.hpp"
@@ -192,6 +193,12 @@ Edges<T> edges_of(const FineCorners& corners) {
 
 }  // namespace
 
+LeafTest::LeafTest(const QuadraticSpline& spline, double c) : spline_(spline), level_(c) {
+  const double steps = c / spline.step();
+  if (spline.exact() && std::fabs(steps) < 0x1p50 && std::floor(steps) == steps)
+    bits_ = 1 + std::max(spline.bits(), steps == 0 ? 0 : std::ilogb(steps) + 1);
+}
+
 LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::size_t t,
                       const FineCorners* corners) const {
   QuadraticNet<double> root = tetrahedron_net(a, t);
@@ -203,12 +210,20 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
   }
   leaf.error = 0;
   if (!spline_.exact()) leaf.error = 0x1p-40 * spline_.largest_sample();
+  int bits = bits_;
   if (corners) {
     leaf.b = blossoms(root, cube, t, *corners);
-    leaf.error += 16 * kUnitRoundoff * leaf.largest;
+    // Two barycentric coordinates of as many bits as the corners have behind the point, and one.
+    std::uint64_t all = std::uint64_t{1} << kFineBits;
+    for (const FinePoint& p : *corners)
+      for (const std::int64_t x : p) all |= static_cast<std::uint64_t>(x);
+    bits += 2 * (kFineBits - std::countr_zero(all) + 1) + 4;
+    if (bits_ == 0 || bits > 53) leaf.error += 16 * kUnitRoundoff * leaf.largest;
   } else {
     leaf.b = root.c;  // a difference of doubles has its exact sign
   }
+  // Products of two coefficients, factors of a shape below 2^10, sums of them.
+  leaf.exact_products = bits_ > 0 && 2 * bits + 13 <= 53;
   return leaf;
 }
 
@@ -231,7 +246,9 @@ bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
   // Products have factors of at most 2^8 from a shape whose edges are at most 1 along each axis.
   const double rounded = net.error + 2 * kUnitRoundoff * net.largest;
   Filter filter{net.error, 0x1p13 * rounded * net.largest};
-  if (net.error == 0) filter.error = -1;  // signs are exact, zeros too
+  // Signs are exact, zeros too.
+  if (net.error == 0) filter.error = -1;
+  if (net.exact_products) filter.product_error = -1;
   const bool answer = is_settled(net.b, edges_of<double>(corners), filter);
   if (!filter.unsure) return answer;
   Exact exact;

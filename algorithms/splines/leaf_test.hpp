@@ -11,11 +11,12 @@ namespace crest::splines {
 struct LeafNet {
   std::array<double, 10> b;
   double error, largest;
+  bool exact_products = false;  ///< what the test computes in doubles is not rounded at all
 };
 
 class LeafTest {
  public:
-  LeafTest(const QuadraticSpline& spline, double c) : spline_(spline), level_(c) {}
+  LeafTest(const QuadraticSpline& spline, double c);
 
   /// Of a cube that holds leaves: its coefficients, not less c.
   CubeCoefficients<double> coefficients(const Cube& cube) const {
@@ -40,6 +41,7 @@ class LeafTest {
  private:
   const QuadraticSpline& spline_;
   double level_;
+  int bits_ = 0;  ///< of coefficients less c, all multiples of one step; 0: not known
 };
 
 }  // namespace crest::splines

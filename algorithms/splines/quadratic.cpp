@@ -33,7 +33,7 @@ Magnitudes magnitudes_of(const std::vector<Native>& samples) {
       [&](const auto& range, Magnitudes m) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           const auto x = static_cast<double>(samples[i]);
-          m.largest = std::fmax(m.largest, std::fabs(x));
+          m.largest = std::max(m.largest, std::fabs(x));
           if constexpr (std::is_integral_v<Native>) {
             m.lowest_bit = 0;
           } else if (x != 0) {
@@ -80,8 +80,13 @@ QuadraticSpline::QuadraticSpline(kernel::SampledGrid grid, Border border)
   // An extended sample is at most 27 times as large. Coefficients are multiples of 2^-7 steps, sums
   // on the way below 2^6 times the largest sample.
   largest_ = border == Border::extend ? 27 * m.largest : m.largest;
-  exact_ = m.largest == 0 || (std::isfinite(64 * largest_) && m.lowest_bit > -1000 &&
-                              std::ilogb(largest_) + 6 - (m.lowest_bit - 7) < 53);
+  if (m.largest == 0) {
+    exact_ = true;
+  } else if (std::isfinite(64 * largest_) && m.lowest_bit > -1000) {
+    step_ = std::ldexp(1, m.lowest_bit - 7);
+    bits_ = std::ilogb(largest_) + 2 - (m.lowest_bit - 7);
+    exact_ = bits_ + 4 < 53;
+  }
 }
 
 std::size_t QuadraticSpline::cube_count() const {
@@ -148,8 +153,7 @@ ValueAndGradient QuadraticSpline::evaluate(const Vec3& p) const {
   return {r.value, frame_.gradient_to_world(gradient(t, r.gradient))};
 }
 
-std::vector<ValueAndGradient> QuadraticSpline::evaluate(
-    std::span<const Vec3> points) const {
+std::vector<ValueAndGradient> QuadraticSpline::evaluate(std::span<const Vec3> points) const {
   std::vector<ValueAndGradient> values(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
                     [&](const auto& range) {

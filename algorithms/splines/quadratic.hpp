@@ -118,6 +118,10 @@ class QuadraticSpline {
   /// Whether doubles hold all coefficients, and all that they are made from, without rounding.
   bool exact() const { return exact_; }
   double largest_sample() const { return largest_; }  ///< by magnitude, extended ones included
+  /// All coefficients are multiples of this power of two and below 2^bits() times it. Requires:
+  /// exact().
+  double step() const { return step_; }
+  int bits() const { return bits_; }
 
   /// The 27 samples around a cube; extended ones are rounded in T.
   template <class T>
@@ -135,7 +139,8 @@ class QuadraticSpline {
   LatticeFrame frame_;
   Cube cubes_{};
   bool exact_ = false;
-  double largest_ = 0;
+  double largest_ = 0, step_ = 1;
+  int bits_ = 0;
 };
 
 struct SplineSummary {

@@ -42,8 +42,8 @@ struct LatticeRay {
       }
       origin[k] = o;
       direction[k] = d;
-      magnitude = std::fmax(magnitude, mo);
-      slope = std::fmax(slope, md);
+      magnitude = std::max(magnitude, mo);
+      slope = std::max(slope, md);
     }
   }
   std::array<T, 3> at(T t, const Cube& cube) const {
@@ -120,8 +120,8 @@ struct RayCaster::Walk {
         continue;
       }
       const double s = (-wider - o) * inverse[k], e = (side + wider - o) * inverse[k];
-      from = std::fmax(from, std::fmin(s, e));
-      to = std::fmin(to, std::fmax(s, e));
+      from = std::max(from, std::min(s, e));
+      to = std::min(to, std::max(s, e));
     }
     const auto& d = line.direction;
     plane_slope = {d[0] + d[1], d[0] - d[1], d[0] + d[2], d[0] - d[2], d[1] + d[2], d[1] - d[2]};
@@ -146,7 +146,8 @@ struct RayCaster::Walk {
     if (!exact_part) return false;
     const Rational& start = std::max(a, (*exact_part)[0]);
     const Rational& end = std::min(b, (*exact_part)[1]);
-    if (end < start) return false;
+    // A point is an end of the neighbour's part, too, unless it is all of the ray in the domain.
+    if (end < start || (end == start && (*exact_part)[0] != (*exact_part)[1])) return false;
     const auto found = caster.exact_->first_zero(*exact_line, start, end, counts);
     if (!found) return false;
     hit = *found;
@@ -175,7 +176,8 @@ struct RayCaster::Walk {
   struct Segment {
     double a, b, b0, b1, b2;
   };
-  bool settle(const Cube& cube, std::size_t t, const Segment& s);
+  bool settle(const Cube& cube, std::size_t t, const CubeCoefficients<double>& coefficients,
+              const Segment& s);
 };
 
 /// The children of a node in their order along the ray; true: a hit.
@@ -200,7 +202,7 @@ bool RayCaster::Walk::visit(int level, const Cube& node, double a, double b) {
   for (double t = a;;) {
     std::size_t k = next[1] < next[0] ? 1 : 0;
     if (next[2] < next[k]) k = 2;
-    const double end = std::fmax(t, std::fmin(next[k], b));
+    const double end = std::max(t, std::min(next[k], b));
     if (word >> ActiveCubes::bit(at[0], at[1], at[2]) & 1) {
       Cube child;
       for (std::size_t j = 0; j < 3; ++j) child[j] = 4 * node[j] + at[j];
@@ -223,9 +225,7 @@ bool RayCaster::Walk::visit(int level, const Cube& node, double a, double b) {
 
 bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
   ++counts.cubes;
-  auto f = caster.spline_.stencil<double>(cube);
-  for (double& x : f) x -= caster.level_;
-  const auto coefficients = cube_coefficients(f);
+  const auto coefficients = cube_coefficients(caster.spline_.stencil<double>(cube));
   std::array<double, 3> u;
   for (std::size_t k = 0; k < 3; ++k) u[k] = line.origin[k] - (2 * cube[k] + 1);
   const std::array<double, 6> planes = {u[0] + u[1], u[0] - u[1], u[0] + u[2],
@@ -245,9 +245,10 @@ bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
     const double s = cuts[i], e = cuts[i + 1];
     const auto middle = line.at(0.5 * (s + e), cube);
     const std::size_t t = locate(middle[0], middle[1], middle[2]);
-    const auto net = tetrahedron_net(coefficients, t);
-    double low = net.c[0], high = net.c[0];
-    for (const double x : net.c) {
+    auto net = tetrahedron_net(coefficients, t);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (double& x : net.c) {
+      x -= caster.level_;
       low = x < low ? x : low;
       high = x > high ? x : high;
     }
@@ -259,14 +260,15 @@ bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
                           kernel::value_at(from_start, end), kernel::value_at(net, end)};
     const auto zero = kernel::triage_segment_zero(segment.b0, segment.b1, segment.b2, delta);
     if (zero && !*zero) continue;
-    if (zero && settle(cube, t, segment)) return true;
+    if (zero && settle(cube, t, coefficients, segment)) return true;
     return climb(Rational(a), Rational(b));
   }
   return false;
 }
 
 /// Brackets the first zero of a segment that has one; false: more bits are needed.
-bool RayCaster::Walk::settle(const Cube& cube, std::size_t t, const Segment& s) {
+bool RayCaster::Walk::settle(const Cube& cube, std::size_t t,
+                             const CubeCoefficients<double>& coefficients, const Segment& s) {
   const double side = s.b0 < 0 ? -1 : 1;
   const double h = side * (s.b0 - s.b1), q = side * (s.b0 - 2 * s.b1 + s.b2);
   const double root = std::sqrt(std::fmax(0, h * h - q * side * s.b0));
@@ -277,10 +279,8 @@ bool RayCaster::Walk::settle(const Cube& cube, std::size_t t, const Segment& s) 
   QuadraticNet<Long> net;
   double largest = 0, samples = 0;
   if (caster.spline_.exact()) {
-    // Less c they are rounded, unlike the coefficients themselves.
-    const auto a = cube_coefficients(caster.spline_.stencil<double>(cube));
     for (std::size_t i = 0; i < 10; ++i)
-      net.c[i] = static_cast<Long>(a[kSlots[t][i]]) - static_cast<Long>(caster.level_);
+      net.c[i] = static_cast<Long>(coefficients[kSlots[t][i]]) - static_cast<Long>(caster.level_);
   } else {
     auto f = caster.spline_.stencil<Long>(cube);
     for (const Long x : f) samples = std::fmax(samples, std::fabs(static_cast<double>(x)));

@@ -52,7 +52,8 @@ class RayCaster {
   /// w to t + w the point is inside the tetrahedron by more than eta, s is the piece, which changes
   /// sign once. Cubes without an active bit differ from c by more than delta. Where any of this
   /// fails, rationals decide the cube's interval: all cuts in order, rule segment_zero.
-  /// Requires: finite numbers, a direction that is not 0.
+  /// Requires: finite numbers, a direction that is not 0, and parameters in the domain that doubles
+  /// hold.
   Hit cast(const Ray& ray, RayCounts& counts) const;
   /// By threads; counts are the sums. `hits` has the rays' length.
   RayCounts cast(std::span<const Ray> rays, std::span<Hit> hits) const;

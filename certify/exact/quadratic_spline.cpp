@@ -2,6 +2,7 @@
 #include "certify/exact/quadratic_spline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "certify/container/parallel.hpp"
@@ -74,8 +75,9 @@ const SplineMask& spline_mask(const std::array<int, 3>& p) {
 double QuadraticSpline::sample(const std::array<std::int64_t, 3>& node) const {
   const auto [nx, ny, nz] = volume_.nodes;
   const std::size_t i = static_cast<std::size_t>(node[0] + nx * (node[1] + ny * node[2]));
-  ByteReader reader(std::span(volume_.samples)
-                        .subspan(i * kVolumeSampleSize[volume_.type], kVolumeSampleSize[volume_.type]));
+  ByteReader reader(
+      std::span(volume_.samples)
+          .subspan(i * kVolumeSampleSize[volume_.type], kVolumeSampleSize[volume_.type]));
   switch (volume_.type) {
     case 0:
       return reader.integer<std::int8_t>();
@@ -100,21 +102,41 @@ double QuadraticSpline::sample(const std::array<std::int64_t, 3>& node) const {
   }
 }
 
-/// The negative weights of a mask sum to -1/16 of all at most (SPEC.md), so no coefficient leaves
-/// the samples' range by more than 1/16 of its length.
-bool QuadraticSpline::surely_one_sided(const CubePosition& cube) const {
-  using kernel::Interval;
-  const auto samples = neighbourhood<Interval>(cube);
-  double low = samples[0].inf(), high = samples[0].sup();
-  for (const Interval& s : samples) {
-    if (!is_defined(s)) return false;
-    low = std::min(low, s.inf());
-    high = std::max(high, s.sup());
+/// Of the 27 samples round a cube's own; not finite if that is not known.
+QuadraticSpline::Range QuadraticSpline::range_round(const CubePosition& cube) const {
+  Range range{HUGE_VAL, -HUGE_VAL};
+  for (const kernel::Interval& s : neighbourhood<kernel::Interval>(cube)) {
+    range.low = std::min(range.low, s.inf());
+    range.high = std::max(range.high, s.sup());
   }
-  const Interval margin = (Interval(high) - Interval(low)) * Interval(0.0625);
-  const Interval least = Interval(low) - margin, most = Interval(high) + margin;
-  return is_defined(margin) && ((is_defined(least) && least.inf() > volume_.level) ||
-                                (is_defined(most) && most.sup() < volume_.level));
+  return range;
+}
+
+/// For every node along x, of the nine that cubes with these numbers along y and z see. Empty if
+/// some are beyond the grid.
+std::vector<QuadraticSpline::Range> QuadraticSpline::column_ranges(const CubePosition& row) const {
+  const std::int64_t first = volume_.extended ? 0 : 1;
+  const std::int64_t y = row[1] + first, z = row[2] + first;
+  if (y == 0 || z == 0 || y + 1 == volume_.nodes[1] || z + 1 == volume_.nodes[2]) return {};
+  std::vector<Range> columns(volume_.nodes[0], {HUGE_VAL, -HUGE_VAL});
+  for (std::int64_t k = z - 1; k <= z + 1; ++k)
+    for (std::int64_t j = y - 1; j <= y + 1; ++j)
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double s = sample({static_cast<std::int64_t>(i), j, k});
+        columns[i].low = std::min(columns[i].low, s);
+        columns[i].high = std::max(columns[i].high, s);
+      }
+  return columns;
+}
+
+/// By lemma 20 of SPEC.md no coefficient leaves the range by more than a sixteenth of its length.
+bool QuadraticSpline::surely_one_sided(const Range& range) const {
+  using kernel::Interval;
+  const Interval low(range.low), high(range.high);
+  const Interval margin = (high - low) * Interval(0.0625);
+  const Interval least = low - margin, most = high + margin;
+  return is_defined(least) && is_defined(most) &&
+         (least.inf() > volume_.level || most.sup() < volume_.level);
 }
 
 std::vector<std::uint8_t> QuadraticSpline::one_sided() const {
@@ -122,10 +144,20 @@ std::vector<std::uint8_t> QuadraticSpline::one_sided() const {
   const std::size_t row = cubes(0);
   parallel_for(
       sides.size() / row, [] { return 0; },
-      [&](int, std::size_t i) {
+      [&](int, std::size_t number) {
         const kernel::RoundUpward guard;
-        for (std::size_t cube = i * row; cube < (i + 1) * row; ++cube)
-          sides[cube] = surely_one_sided(position(cube)) ? 1 : 0;
+        const auto columns = column_ranges(position(number * row));
+        for (std::size_t i = 0; i < row; ++i) {
+          const std::size_t at = volume_.extended ? i - 1 : i;  // of the lowest of three columns
+          Range range{};
+          if (columns.empty() || at + 2 >= columns.size() || at > columns.size()) {
+            range = range_round(position(number * row + i));
+          } else {
+            const Range &a = columns[at], &b = columns[at + 1], &c = columns[at + 2];
+            range = {std::min({a.low, b.low, c.low}), std::max({a.high, b.high, c.high})};
+          }
+          sides[number * row + i] = surely_one_sided(range) ? 1 : 0;
+        }
       });
   return sides;
 }

@@ -52,9 +52,28 @@ Quadratic<Number> quadratic(const Tetrahedron& tet, Coefficients&& at) {
 }
 template <class Number>
 Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahedron& tet) {
-  return quadratic<Number>(
-      tet, [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
+  return quadratic<Number>(tet,
+                           [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
 }
+
+/// The coefficients of a cube, each computed once.
+template <class Number>
+class CubeCoefficients {
+ public:
+  explicit CubeCoefficients(const Neighbourhood<Number>& samples) : samples_(samples) {}
+
+  const Number& operator()(const std::array<int, 3>& p) {
+    const auto i = static_cast<std::size_t>(p[0] + 2 + 5 * (p[1] + 2) + 25 * (p[2] + 2));
+    if (!known_[i]) values_[i] = coefficient(samples_, p);
+    known_[i] = true;
+    return values_[i];
+  }
+
+ private:
+  Neighbourhood<Number> samples_;
+  std::array<Number, 125> values_;
+  std::array<bool, 125> known_{};
+};
 
 /// p[x, y] at points given by barycentrics.
 template <class Number>
@@ -76,9 +95,12 @@ class QuadraticSpline {
   std::size_t cube_count() const { return std::size_t{cubes(0)} * cubes(1) * cubes(2); }
   CubePosition position(std::size_t cube) const {
     const std::size_t row = cube / cubes(0);
-    return {static_cast<std::uint32_t>(cube % cubes(0)),
-            static_cast<std::uint32_t>(row % cubes(1)),
+    return {static_cast<std::uint32_t>(cube % cubes(0)), static_cast<std::uint32_t>(row % cubes(1)),
             static_cast<std::uint32_t>(row / cubes(1))};
+  }
+
+  std::size_t number(const CubePosition& cube) const {
+    return cube[0] + std::size_t{cubes(0)} * (cube[1] + std::size_t{cubes(1)} * cube[2]);
   }
 
   /// The samples round a cube's own, extended ones exactly. Requires for intervals: they are
@@ -100,7 +122,7 @@ class QuadraticSpline {
   }
 
   /// For every cube, in their order, whether all coefficients are surely above or surely below the
-  /// level: then 1. Cost: 50 ns a cube, on all cores.
+  /// level: then 1. Cost: 50 nanoseconds a cube, on all cores.
   std::vector<std::uint8_t> one_sided() const;
 
  private:
@@ -117,7 +139,13 @@ class QuadraticSpline {
     return first + first - extended<Number>(node, axis + 1);
   }
   double sample(const std::array<std::int64_t, 3>& node) const;
-  bool surely_one_sided(const CubePosition& cube) const;
+
+  struct Range {
+    double low, high;
+  };
+  Range range_round(const CubePosition& cube) const;
+  std::vector<Range> column_ranges(const CubePosition& row) const;
+  bool surely_one_sided(const Range& range) const;
 
   const SplineVolume& volume_;
 };

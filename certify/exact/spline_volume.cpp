@@ -29,8 +29,7 @@ void require_exact_samples(const SplineVolume& volume) {
   bool good = true;
   ByteReader reader(volume.samples);
   if (volume.type == 6)
-    while (reader.left() > 0)
-      good = reader.integer<std::uint64_t>() + kMost <= 2 * kMost && good;
+    while (reader.left() > 0) good = reader.integer<std::uint64_t>() + kMost <= 2 * kMost && good;
   else if (volume.type == 7)
     while (reader.left() > 0) good = reader.integer<std::uint64_t>() <= kMost && good;
   else if (volume.type == 8)

@@ -87,8 +87,8 @@ Number eight_residuals(const CubeForm<Number>& form, unsigned corner) {
   Number sum = twice(twice(twice(form.centre_f) + form.f[corner]));
   for (std::size_t d = 0; d < 3; ++d) {
     const Number& g = form.centre_g[d];
-    sum = sum - inwards(twice(twice(g)), corner, d) +
-          inwards(twice(form.g[corner][d]), corner, d) - twice(edge_sum(form, corner, d));
+    sum = sum - inwards(twice(twice(g)), corner, d) + inwards(twice(form.g[corner][d]), corner, d) -
+          twice(edge_sum(form, corner, d));
     for (std::size_t k = 0; k < 2; ++k)
       sum = sum - inwards(twice(form.t[edge_at(corner, d)][k]), corner, kOtherAxes[d][k]);
   }

@@ -11,8 +11,8 @@ namespace {
 
 /// Whether one of the cubes that have a site is in the domain. `at` is the site's lowest vertex;
 /// along axes in `along` it reaches to the next vertex, along others it has a cube on either side.
-bool has_cube(const SplineCubicData& data, const Domain& domain, const std::array<std::size_t, 3>& at,
-              unsigned along) {
+bool has_cube(const SplineCubicData& data, const Domain& domain,
+              const std::array<std::size_t, 3>& at, unsigned along) {
   for (unsigned sides = 0; sides < 8; ++sides) {
     if ((sides & along) != 0) continue;
     std::size_t cube = 0;

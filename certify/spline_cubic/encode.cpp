@@ -15,9 +15,9 @@ void require_fit(bool fits, const char* what) {
 /// x in units of 2^unit.
 std::int64_t in_units(double x, int unit) {
   const double scaled = std::ldexp(x, -unit);
-  require_fit(std::fabs(scaled) < 0x1p53 && scaled == std::floor(scaled) &&
-                  std::ldexp(scaled, unit) == x,
-              "a number of a spline in integers is no integer of its unit below 2^53");
+  require_fit(
+      std::fabs(scaled) < 0x1p53 && scaled == std::floor(scaled) && std::ldexp(scaled, unit) == x,
+      "a number of a spline in integers is no integer of its unit below 2^53");
   return static_cast<std::int64_t>(scaled);
 }
 
@@ -64,8 +64,7 @@ Bytes encode(const SplineCubicCertificate& c) {
   const std::size_t size = 1 + 4 + 6 * 8 + 3 * 4 + 4 + 8 * data.domain.size() + 80 * vertices +
                            32 * cubes + 8 + 4 + 32 * data.samples.size();
   return compose(
-      {kSplineCubic, kSplineCubicVersion}, size,
-      [&](ByteWriter& out) { write_data(out, data); },
+      {kSplineCubic, kSplineCubicVersion}, size, [&](ByteWriter& out) { write_data(out, data); },
       [&](ByteWriter& out) {
         out.number(c.jump);
         out.number(c.error);

@@ -137,12 +137,12 @@ void check_errors(const SplineCubicCertificate& c, const Domain& domain) {
   const Errors errors(c, domain);
   constexpr std::size_t kPiece = 256;
   const std::size_t count = c.data.samples.size();
-  parallel_for(
-      (count + kPiece - 1) / kPiece, [] { return 0; },
-      [&](int, std::size_t piece) {
-        for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i)
-          errors.check(i);
-      });
+  parallel_for((count + kPiece - 1) / kPiece, [] { return 0; },
+               [&](int, std::size_t piece) {
+                 for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece);
+                      ++i)
+                   errors.check(i);
+               });
 }
 
 }  // namespace crest::certify::spline_cubic

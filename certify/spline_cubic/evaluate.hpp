@@ -26,8 +26,7 @@ EdgeValues<Number> edge_values(const CubeForm<Number>& form, const Tetrahedron& 
 
 /// s at a point with these barycentrics.
 template <class Number>
-Number value(const CubeForm<Number>& form, const Tetrahedron& tet,
-             const std::array<Number, 4>& l) {
+Number value(const CubeForm<Number>& form, const Tetrahedron& tet, const std::array<Number, 4>& l) {
   const Number half = Number(0.5), three = Number(3), six = Number(6);
   const unsigned corner[2] = {tet.corner(0), tet.corner(1)};
   const auto ab = edge_values(form, tet, corner[0], tet.f);
@@ -46,19 +45,17 @@ Number value(const CubeForm<Number>& form, const Tetrahedron& tet,
     const Number aac = aad + half * inwards(form.g[at][tet.a], at, tet.a);
     const Number aab = form.f[at] + inwards(form.g[at][tet.f], at, tet.f);
     sum = sum + la * la * (la * form.f[at] + three * (lb * aab + l[3] * aad + l[0] * aac)) +
-          three * la * l[3] *
-              (l[3] * half * (ab.d + side[end].d) + l[0] * (ab.c + side[end].c));
+          three * la * l[3] * (l[3] * half * (ab.d + side[end].d) + l[0] * (ab.c + side[end].c));
   }
   sum = sum + six * l[1] * l[2] * (l[3] * ab.d + l[0] * ab.c);
   sum = sum + l[3] * l[3] * (l[3] * ddd + three * l[0] * ddc);
   // a(CCX) = f + g (X - C); summed over X with weight 3 l_C^2 l_X, for X = C with l_C^3.
   const Number down = l[1] + l[2];  // the part of A and B
   const auto upwards = [&](const Number& x, unsigned up) { return up != 0 ? x : Number(-x); };
-  const Number slope =
-      half * (upwards(form.centre_g[tet.a], tet.upper) * (down + l[3]) +
-              upwards(form.centre_g[tet.m], tet.outer) * down + form.centre_g[tet.f] * (l[2] - l[1]));
-  return sum + l[0] * l[0] *
-                   (form.centre_f * (l[0] + three * (down + l[3])) + three * slope);
+  const Number slope = half * (upwards(form.centre_g[tet.a], tet.upper) * (down + l[3]) +
+                               upwards(form.centre_g[tet.m], tet.outer) * down +
+                               form.centre_g[tet.f] * (l[2] - l[1]));
+  return sum + l[0] * l[0] * (form.centre_f * (l[0] + three * (down + l[3])) + three * slope);
 }
 
 }  // namespace crest::certify::spline_cubic

@@ -18,11 +18,11 @@ struct SplineCubeRun {
 /// A cubic spline in its normal form, and the samples it is compared with. Vertices and cubes are
 /// numbered x fastest.
 struct SplineCubicData {
-  std::array<double, 6> box{};            ///< x0 x1 y0 y1 z0 z1
-  std::array<std::uint32_t, 3> cubes{};   ///< along each axis
-  std::vector<SplineCubeRun> domain;      ///< ascending, apart; all cubes: one run
-  bool integers = false;                  ///< all numbers below are multiples of u or parts of it
-  std::int32_t exponent = 0;              ///< u = 2^exponent; 0 without integers
+  std::array<double, 6> box{};           ///< x0 x1 y0 y1 z0 z1
+  std::array<std::uint32_t, 3> cubes{};  ///< along each axis
+  std::vector<SplineCubeRun> domain;     ///< ascending, apart; all cubes: one run
+  bool integers = false;                 ///< all numbers below are multiples of u or parts of it
+  std::int32_t exponent = 0;             ///< u = 2^exponent; 0 without integers
   std::vector<std::array<double, 4>> vertices;  ///< f, g: a(AAX) = f + g (X - A)
   std::vector<std::array<double, 6>> slopes;    ///< of the edges from a vertex to +x, +y, +z
   std::vector<std::array<double, 4>> centres;   ///< f, g: a(CCX) = f + g (X - C)

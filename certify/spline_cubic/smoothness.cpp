@@ -67,9 +67,8 @@ class Residuals {
   std::optional<unsigned> not_zero(const CubePlace& place) const {
     const double scale = std::ldexp(1.0, -(c_.data.exponent - 3) / 2);
     const double rest = std::ldexp(1.0, -(c_.data.exponent - 3) + (c_.data.exponent - 3) / 2);
-    const auto form = load<std::int64_t>(c_.data, place, [&](double x) {
-      return static_cast<std::int64_t>(x * scale * rest);
-    });
+    const auto form = load<std::int64_t>(
+        c_.data, place, [&](double x) { return static_cast<std::int64_t>(x * scale * rest); });
     for (unsigned corner = 0; corner < 8; ++corner)
       if (eight_residuals(form, corner) != 0) return corner;
     return std::nullopt;

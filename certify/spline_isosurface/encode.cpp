@@ -20,8 +20,9 @@ Bytes encode(const SplineIsosurfaceCertificate& c) {
     out.integer(c.components);
     out.integer(c.boundary_loops);
   };
-  return compose({kSplineIsosurface, kSplineIsosurfaceVersion}, encoded_size(c.volume),
-                 [&](ByteWriter& out) { write_volume(out, c.volume); }, write_claims);
+  return compose(
+      {kSplineIsosurface, kSplineIsosurfaceVersion}, encoded_size(c.volume),
+      [&](ByteWriter& out) { write_volume(out, c.volume); }, write_claims);
 }
 
 }  // namespace crest::certify

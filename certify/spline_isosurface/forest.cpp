@@ -69,9 +69,7 @@ std::uint32_t Forest::neighbour(std::uint32_t number, std::size_t i) const {
   CubePosition at = spline_.position(number / kTetrahedra);
   if (tet.upper != 0 ? at[tet.a] + 1 == spline_.cubes(tet.a) : at[tet.a] == 0) return number;
   at[tet.a] += tet.upper != 0 ? 1 : ~0U;
-  const std::size_t other =
-      at[0] + std::size_t{spline_.cubes(0)} * (at[1] + std::size_t{spline_.cubes(1)} * at[2]);
-  return static_cast<std::uint32_t>(kTetrahedra * other) +
+  return static_cast<std::uint32_t>(kTetrahedra * spline_.number(at)) +
          number_of(tet.a, 1 - tet.upper, tet.m, tet.outer);
 }
 
@@ -82,8 +80,8 @@ bool Forest::on_border(const Point& a, const Point& b, const Point& c) const {
   return false;
 }
 
-/// Where nothing is bisected the partition conforms. So only the leaves of bisected tetrahedra count,
-/// and the tetrahedra beside these.
+/// Where nothing is bisected the partition conforms. So only the leaves of bisected tetrahedra
+/// count, and the tetrahedra beside these.
 void Forest::check_conforming() const {
   std::vector<std::uint32_t> beside;
   for (const std::uint32_t number : roots_)
@@ -104,8 +102,8 @@ void Forest::check_conforming() const {
   std::vector<std::array<std::uint32_t, 4>> corners(leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k)
-      corners[i][k] = static_cast<std::uint32_t>(
-          std::ranges::lower_bound(points, leaves[i][k]) - points.begin());
+      corners[i][k] = static_cast<std::uint32_t>(std::ranges::lower_bound(points, leaves[i][k]) -
+                                                 points.begin());
     std::ranges::sort(corners[i]);
   }
   const std::size_t first_beside = leaves.size() - beside.size();

@@ -110,10 +110,11 @@ std::optional<bool> is_simple_edge(const std::array<Number, 3>& b) {
   return middle && less ? std::optional(false) : std::nullopt;
 }
 
-/// (ii), (iii): on the simplex of the corners listed (3 or 4), the gradient of s restricted to it has a
-/// positive product with its mean, at all of them.
+/// (ii), (iii): on the simplex of the corners listed (3 or 4), the gradient of s restricted to it
+/// has a positive product with its mean, at all of them.
 template <class Number, std::size_t n>
-std::optional<bool> is_monotone(const LeafForm<Number>& form, const std::array<std::size_t, n>& list) {
+std::optional<bool> is_monotone(const LeafForm<Number>& form,
+                                const std::array<std::size_t, n>& list) {
   constexpr std::size_t m = n - 1;
   // Products of the sides at the first corner, and the adjugate of their matrix.
   std::array<std::array<double, 3>, 3> gram{}, adjugate{};

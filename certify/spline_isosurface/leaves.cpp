@@ -10,25 +10,6 @@ namespace {
 using kernel::Interval;
 using kernel::Rational;
 
-/// The coefficients of a cube, each computed once.
-template <class Number>
-class CubeCoefficients {
- public:
-  explicit CubeCoefficients(const Neighbourhood<Number>& samples) : samples_(samples) {}
-
-  const Number& operator()(const std::array<int, 3>& p) {
-    const auto i = static_cast<std::size_t>(p[0] + 2 + 5 * (p[1] + 2) + 25 * (p[2] + 2));
-    if (!known_[i]) values_[i] = coefficient(samples_, p);
-    known_[i] = true;
-    return values_[i];
-  }
-
- private:
-  Neighbourhood<Number> samples_;
-  std::array<Number, 125> values_;
-  std::array<bool, 125> known_{};
-};
-
 /// The leaves of one cube.
 class CubeLeaves {
  public:
@@ -49,8 +30,8 @@ class CubeLeaves {
       const auto form = quadratic<Interval>(tet, near_);
       bool good = true;
       forest_.for_each_leaf(root, [&](const Simplex& leaf) {
-        good = good && check_leaf(root, leaf, leaf_form(form, tet, corner_, leaf, volume_.level),
-                                  leaves);
+        good = good &&
+               check_leaf(root, leaf, leaf_form(form, tet, corner_, leaf, volume_.level), leaves);
       });
       if (!good) return false;
     }
@@ -144,29 +125,28 @@ void check_brackets(const SplineIsosurfaceCertificate& c, const QuadraticSpline&
     return std::optional(!*beyond_low && !*beyond_high);
   };
   constexpr std::size_t kPiece = 64;
-  parallel_for(
-      (mesh.vertices.size() + kPiece - 1) / kPiece, [] { return 0; },
-      [&](int, std::size_t piece) {
-        const std::size_t end = std::min(mesh.vertices.size(), (piece + 1) * kPiece);
-        for (std::size_t i = piece * kPiece; i < end; ++i) {
-          const Mesh::Vertex& vertex = mesh.vertices[i];
-          const ActiveLeaf& leaf = leaves.active[vertex.leaf];
-          const std::size_t cube = leaf.root / kTetrahedra;
-          const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
-          const auto form = [&]<class Number>(Number) {
-            return leaf_form(
-                quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet), tet,
-                forest.cube_corner(cube), leaf.simplex, c.volume.level);
-          };
-          std::optional<bool> good;
-          {
-            const kernel::RoundUpward guard;
-            good = holds(form(Interval(0)), vertex, c.brackets[i]);
-            if (!good) good = holds(form(Rational(0)), vertex, c.brackets[i]);
-          }
-          require(*good, "the bracket of vertex {} does not hold its zero", i);
-        }
-      });
+  parallel_for((mesh.vertices.size() + kPiece - 1) / kPiece, [] { return 0; },
+               [&](int, std::size_t piece) {
+                 const std::size_t end = std::min(mesh.vertices.size(), (piece + 1) * kPiece);
+                 for (std::size_t i = piece * kPiece; i < end; ++i) {
+                   const Mesh::Vertex& vertex = mesh.vertices[i];
+                   const ActiveLeaf& leaf = leaves.active[vertex.leaf];
+                   const std::size_t cube = leaf.root / kTetrahedra;
+                   const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
+                   const auto form = [&]<class Number>(Number) {
+                     return leaf_form(
+                         quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet), tet,
+                         forest.cube_corner(cube), leaf.simplex, c.volume.level);
+                   };
+                   std::optional<bool> good;
+                   {
+                     const kernel::RoundUpward guard;
+                     good = holds(form(Interval(0)), vertex, c.brackets[i]);
+                     if (!good) good = holds(form(Rational(0)), vertex, c.brackets[i]);
+                   }
+                   require(*good, "the bracket of vertex {} does not hold its zero", i);
+                 }
+               });
 }
 
 }  // namespace crest::certify::spline_isosurface

@@ -39,7 +39,8 @@ bool faces_negative(const ActiveLeaf& leaf, const LeafTriangle& triangle) {
   std::array<Point, 3> p;  // twice the middles
   for (std::size_t i = 0; i < 3; ++i)
     p[i] = sum(leaf.simplex.corners[triangle[i][0]], leaf.simplex.corners[triangle[i][1]]);
-  std::array<std::array<double, 3>, 3> rows;  // two sides, and from a positive end to a negative one
+  std::array<std::array<double, 3>, 3>
+      rows;  // two sides, and from a positive end to a negative one
   const Side& side = triangle[0];
   const bool first = (leaf.negative >> side[0] & 1U) != 0;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -77,8 +78,9 @@ std::vector<std::uint32_t> number_vertices(const Leaves& leaves, Mesh& mesh) {
     for (std::size_t k = 0; k < 6; ++k) {
       const ActiveLeaf& leaf = leaves.active[i];
       if (!changes(leaf, kEdges[k])) continue;
-      occurrences.push_back({sum(leaf.simplex.corners[kEdges[k][0]], leaf.simplex.corners[kEdges[k][1]]),
-                             static_cast<std::uint32_t>(6 * i + k)});
+      occurrences.push_back(
+          {sum(leaf.simplex.corners[kEdges[k][0]], leaf.simplex.corners[kEdges[k][1]]),
+           static_cast<std::uint32_t>(6 * i + k)});
     }
   std::ranges::sort(occurrences);
   std::vector<std::uint32_t> first(6 * leaves.active.size());  // where its edge occurs first

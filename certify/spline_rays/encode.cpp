@@ -26,8 +26,8 @@ Bytes encode(const SplineRaysCertificate& c) {
       out.number(hit.high);
     }
   };
-  return compose({kSplineRays, kSplineRaysVersion},
-                 encoded_size(c.volume) + 4 + 48 * c.rays.size(), write_data, write_claims);
+  return compose({kSplineRays, kSplineRaysVersion}, encoded_size(c.volume) + 4 + 48 * c.rays.size(),
+                 write_data, write_claims);
 }
 
 }  // namespace crest::certify

@@ -17,8 +17,7 @@ LatticeFrame<Number> make_frame(const SplineVolume& volume) {
   LatticeFrame<Number> frame;
   for (std::size_t r = 0; r < 3; ++r) {
     frame.origin[r] = Number(volume.origin[r]);
-    for (std::size_t k = 0; k < 3; ++k)
-      frame.matrix[r][k] = Number(2) * cofactor(m, k, r) / det;
+    for (std::size_t k = 0; k < 3; ++k) frame.matrix[r][k] = Number(2) * cofactor(m, k, r) / det;
   }
   frame.shift = volume.extended ? 1 : -1;
   return frame;

@@ -2,22 +2,9 @@
 #pragma once
 
 // A ray's way through the tetrahedra (SPEC.md, steps 2 to 4).
-#include "certify/spline_rays/lattice_ray.hpp"
-#include "certify/spline_rays/records.hpp"
+#include "certify/spline_rays/zeros.hpp"
 
 namespace crest::certify::spline_rays {
-
-/// What all rays share.
-struct Scene {
-  explicit Scene(const SplineVolume& volume);
-
-  const SplineVolume& volume;
-  QuadraticSpline spline;
-  std::vector<std::uint8_t> one_sided;  ///< a cube: it holds no zero
-  LatticeFrame<kernel::Interval> near;
-  LatticeFrame<kernel::Rational> exact;
-  std::array<std::uint8_t, 64> tetrahedra;  ///< by signs
-};
 
 /// Why a ray's record is wrong; null if it is true. `hit` is null for a miss. Cost: 20 ns a cube
 /// that holds no zero, 5 microseconds another; rationals where intervals do not decide.

@@ -47,8 +47,7 @@ std::vector<Crossing> crossings(const SplineCubicData& data) {
         Letter off{};
         for (std::size_t i = 0, k = 0; i < 4; ++i) {
           Letter x;
-          for (std::size_t d = 0; d < 3; ++d)
-            x[d] = 2 * cube[d] + 1 + tet.vertices[i][d];
+          for (std::size_t d = 0; d < 3; ++d) x[d] = 2 * cube[d] + 1 + tet.vertices[i][d];
           if (i == out)
             off = x;
           else
@@ -69,12 +68,11 @@ Rational defect(const ReferenceCubic& s, const Int3& cube, const Int3& other, co
   const auto a = [&](const Letter& x) { return s.coefficient(cube, {w0, w1, x}); };
   const auto odd = [](const Letter& x) { return (x[0] & 1) + (x[1] & 1) + (x[2] & 1); };
   Rational demanded = 0;
-  for (const Letter& x : c.face) {
+  for (const Letter& x : c.face)
     if (c.kind == "inter-pyramid")
       demanded += odd(x) == 3 ? a(x) : Rational(a(x) / 2);
     else if (odd(x) == 2)
       demanded += 2 * a(x);
-  }
   return a(c.u) + s.coefficient(other, {w0, w1, c.v}) - demanded;
 }
 

@@ -158,7 +158,8 @@ TEST_CASE("splines: a ray that touches the sphere is a hit, moved outwards a mis
     return (x - 4) * (x - 4) + (y - 4) * (y - 4) + (z - 4) * (z - 4);
   });
   for (const double move : {0.0, 0x1p-40, -0x1p-40}) {
-    const auto c = reference_rays(sphere, {{2 + move, 4, 1, 0, 0, 1}, {2 + move, 3.7, 1, 0, 0.1, 1}});
+    const auto c =
+        reference_rays(sphere, {{2 + move, 4, 1, 0, 0, 1}, {2 + move, 3.7, 1, 0, 0.1, 1}});
     CHECK(c.meets[0] == (move < 0 ? 0 : 1));
     require_accepted(c);
     auto lie = c;
@@ -172,12 +173,12 @@ TEST_CASE("splines: a ray that touches the sphere is a hit, moved outwards a mis
 }
 
 TEST_CASE("splines: a domain met in one point is not skipped") {
-  // s of the domain's corner (1/2, 1/2, 1/2) is the mean of |x|^2 over the unit cube's corners, 3/2.
+  // s of the domain's corner (1/2, 1/2, 1/2) is the mean of |x|^2 over the unit cube's corners,
+  // 3/2.
   const auto f = [](double x, double y, double z) { return x * x + y * y + z * z; };
   const auto at_corner = sampled_volume({4, 4, 4}, 1.5, f);
-  const std::vector<std::array<double, 6>> through = {{0.5, 0.5, 0.5, -1, -1, -1},
-                                                      {-0.5, 1.5, 0.5, 1, -1, 0},
-                                                      {0.5, 0.5, 0.5, 1, 1, 1}};
+  const std::vector<std::array<double, 6>> through = {
+      {0.5, 0.5, 0.5, -1, -1, -1}, {-0.5, 1.5, 0.5, 1, -1, 0}, {0.5, 0.5, 0.5, 1, 1, 1}};
   const auto c = reference_rays(at_corner, through);
   CHECK(c.hits.size() == 3);
   CHECK(c.hits[1].low == 1);

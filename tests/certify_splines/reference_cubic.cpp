@@ -16,7 +16,8 @@ int odd_count(const Letter& a) {
   return (a[0] & 1) + (a[1] & 1) + (a[2] & 1);
 }
 std::size_t vertex_number(const SplineCubicData& data, const Letter& at) {
-  const std::size_t i = static_cast<std::size_t>(at[0] / 2), j = static_cast<std::size_t>(at[1] / 2),
+  const std::size_t i = static_cast<std::size_t>(at[0] / 2),
+                    j = static_cast<std::size_t>(at[1] / 2),
                     k = static_cast<std::size_t>(at[2] / 2);
   return i + (data.cubes[0] + 1) * (j + (data.cubes[1] + 1) * k);
 }
@@ -93,7 +94,7 @@ Rational ReferenceCubic::coefficient(const Int3& cube, Word word) const {
     return x;
   };
   if (odd_count(word[0]) == 0) {
-    const Letter &a = word[0];
+    const Letter& a = word[0];
     Letter first = a, second = a;
     first[b] = 2 * d[b] - a[b];
     second[c] = 2 * d[c] - a[c];
@@ -124,17 +125,26 @@ Rational ReferenceCubic::residual(const Int3& cube, const Int3& corner) const {
 }
 
 Rational ReferenceCubic::polynomial(const Int3& cube, std::size_t tet, const Exact3& x) const {
-  std::array<Letter, 4> v;
+  const auto [at, is_new] = forms_.try_emplace({cube, tet});
+  std::vector<Rational>& a = at->second;
+  if (is_new) {
+    std::array<Letter, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) v[i] = corner_of(cube, reference_tets()[tet].vertices[i]);
+    for (std::size_t i = 0; i < 64; ++i)
+      a.push_back(coefficient(cube, {v[i / 16], v[i / 4 % 4], v[i % 4]}));
+  }
   Exact3 d;
-  for (std::size_t i = 0; i < 4; ++i) v[i] = corner_of(cube, reference_tets()[tet].vertices[i]);
   for (std::size_t k = 0; k < 3; ++k) d[k] = x[k] - (2 * cube[k] + 1);
   const auto l = reference_tets()[tet].barycentrics(d);
-  Rational sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = 0; k < 4; ++k)
-        sum += l[i] * l[j] * l[k] * coefficient(cube, {v[i], v[j], v[k]});
-  return sum;
+  // De Casteljau's steps without the sharing of equal words.
+  std::vector<Rational> step = a;
+  while (step.size() > 1) {
+    std::vector<Rational> next;
+    for (std::size_t i = 0; i < step.size(); i += 4)
+      next.push_back(l[0] * step[i] + l[1] * step[i + 1] + l[2] * step[i + 2] + l[3] * step[i + 3]);
+    step = next;
+  }
+  return step[0];
 }
 
 Rational ReferenceCubic::value(const std::array<double, 3>& world) const {
@@ -184,7 +194,8 @@ void march(SplineCubicData& data) {
       const std::size_t b = a == 0 ? 1 : 0, c = 3 - a - b;
       Rational sum = 0;
       for (const Int3& s : corners()) sum += s[b] * s[c] * spline.target(cube, s);
-      // Both ends of the edge at the upper sides have t_b with weight -1/2 in the sum of targets / 2.
+      // Both ends of the edge at the upper sides have t_b with weight -1/2 in the sum of targets
+      // / 2.
       Int3 low = {1, 1, 1};
       low[a] = -1;
       const Letter at = corner_of(cube, low);

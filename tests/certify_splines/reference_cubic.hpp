@@ -18,13 +18,14 @@ class ReferenceCubic {
  public:
   explicit ReferenceCubic(const certify::SplineCubicData& data) : data_(data) {}
 
-  /// a(w); the letters are vertices of one tetrahedron of the cube. Cost: memory for every word.
+  /// a(w); the letters are vertices of one tetrahedron of the cube.
   Rational coefficient(const Int3& cube, Word word) const;
   /// r(A) of a corner: signs from the centre.
   Rational residual(const Int3& cube, const Int3& corner) const;
   /// What a(CCA) has to be for r(A) = 0.
   Rational target(const Int3& cube, const Int3& corner) const;
-  /// The polynomial of a tetrahedron, by de Casteljau's algorithm, in lattice coordinates.
+  /// The polynomial of a tetrahedron in lattice coordinates. Its coefficients are kept: the data
+  /// must not change any more.
   Rational polynomial(const Int3& cube, std::size_t tet, const Exact3& x) const;
   /// s at a point of the world.
   Rational value(const std::array<double, 3>& x) const;
@@ -37,6 +38,7 @@ class ReferenceCubic {
   Rational at_centre(const Int3& cube, const Exact3& x) const;
 
   const certify::SplineCubicData& data_;
+  mutable std::map<std::pair<Int3, std::size_t>, std::vector<Rational>> forms_;
 };
 
 /// Random integers in units of 2^exponent, marched to C1, random samples in the box; with `doubles`

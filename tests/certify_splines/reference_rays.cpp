@@ -10,9 +10,15 @@ namespace {
 
 using certify::SplineHit;
 
-const std::array<Int3, 9> kNormals = {
-    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1},
-     {0, 1, -1}}};
+const std::array<Int3, 9> kNormals = {{{1, 0, 0},
+                                       {0, 1, 0},
+                                       {0, 0, 1},
+                                       {1, 1, 0},
+                                       {1, -1, 0},
+                                       {1, 0, 1},
+                                       {1, 0, -1},
+                                       {0, 1, 1},
+                                       {0, 1, -1}}};
 
 Rational dot(const Int3& n, const Exact3& x) {
   return n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
@@ -139,8 +145,7 @@ class RayCaster {
     const double high = least_double(0, 0x1p60, reached);
     const bool exact = first == 0 ? Rational(high) == a : q(high) == 0;
     const double low = exact ? high : std::nextafter(high, 0.0);
-    const int number =
-        cube[0] + spline_.cubes(0) * (cube[1] + spline_.cubes(1) * cube[2]);
+    const int number = cube[0] + spline_.cubes(0) * (cube[1] + spline_.cubes(1) * cube[2]);
     return SplineHit{static_cast<std::uint32_t>(number), static_cast<std::uint8_t>(tet), low, high};
   }
 

@@ -5,6 +5,24 @@
 
 namespace crest::tests {
 
+namespace {
+
+/// Rows of the inverse of the matrix whose columns are A, B, D.
+std::array<Exact3, 3> inverse_rows(const std::array<Int3, 4>& v) {
+  const auto minor = [&](std::size_t i, std::size_t r, std::size_t k) {
+    const Int3 &a = v[1 + (i + 1) % 3], &b = v[1 + (i + 2) % 3];
+    return a[r] * b[k] - a[k] * b[r];
+  };
+  std::array<Exact3, 3> rows;
+  const int det = v[1][0] * minor(0, 1, 2) + v[1][1] * minor(0, 2, 0) + v[1][2] * minor(0, 0, 1);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t d = 0; d < 3; ++d)
+      rows[i][d] = Rational(minor(i, (d + 1) % 3, (d + 2) % 3)) / det;
+  return rows;
+}
+
+}  // namespace
+
 const std::array<ReferenceTet, 24>& reference_tets() {
   static const auto all = [] {
     std::array<ReferenceTet, 24> tets{};
@@ -21,7 +39,9 @@ const std::array<ReferenceTet, 24>& reference_tets() {
             Int3 high = low;
             low[3 - a - m] = -1;
             high[3 - a - m] = 1;
-            tets[i++].vertices = {{{0, 0, 0}, low, high, d}};
+            tets[i].vertices = {{{0, 0, 0}, low, high, d}};
+            tets[i].rows = inverse_rows(tets[i].vertices);
+            ++i;
           }
         }
     return tets;
@@ -29,23 +49,11 @@ const std::array<ReferenceTet, 24>& reference_tets() {
   return all;
 }
 
-/// By Cramer's rule.
 std::array<Rational, 4> ReferenceTet::barycentrics(const Exact3& d) const {
-  const auto det = [](const std::array<Exact3, 3>& m) {
-    return Rational(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
-  };
-  std::array<Exact3, 3> corners;  // C is the origin
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) corners[i][k] = vertices[i + 1][k];
-  const Rational whole = det(corners);
   std::array<Rational, 4> l;
   l[0] = 1;
   for (std::size_t i = 0; i < 3; ++i) {
-    auto replaced = corners;
-    replaced[i] = d;
-    l[i + 1] = det(replaced) / whole;
+    l[i + 1] = rows[i][0] * d[0] + rows[i][1] * d[1] + rows[i][2] * d[2];
     l[0] -= l[i + 1];
   }
   return l;
@@ -142,24 +150,33 @@ Rational ReferenceSpline::average(const Int3& cube, const Int3& p) const {
   return faces / 3 - corners / 8;  // (8.5)
 }
 
+const std::array<std::array<Rational, 4>, 4>& ReferenceSpline::form(const Int3& cube,
+                                                                    std::size_t tet) const {
+  const auto [at, is_new] = forms_.try_emplace({cube, tet});
+  const auto& v = reference_tets()[tet].vertices;
+  for (std::size_t i = 0; is_new && i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      at->second[i][j] =
+          coefficient(cube, {v[i][0] + v[j][0], v[i][1] + v[j][1], v[i][2] + v[j][2]});
+  return at->second;
+}
+
 Rational ReferenceSpline::polynomial(const Int3& cube, std::size_t tet, const Exact3& x) const {
-  const ReferenceTet& t = reference_tets()[tet];
   Exact3 d;
   for (std::size_t k = 0; k < 3; ++k) d[k] = x[k] - (2 * cube[k] + 1);
-  const auto l = t.barycentrics(d);
+  const auto l = reference_tets()[tet].barycentrics(d);
+  const auto& a = form(cube, tet);
   Rational sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      Int3 p;
-      for (std::size_t k = 0; k < 3; ++k) p[k] = t.vertices[i][k] + t.vertices[j][k];
-      sum += l[i] * l[j] * coefficient(cube, p);
-    }
+  for (std::size_t i = 0; i < 4; ++i) {
+    Rational row = 0;
+    for (std::size_t j = 0; j < 4; ++j) row += l[j] * a[i][j];
+    sum += l[i] * row;
+  }
   return sum;
 }
 
 SplineVolume sampled_volume(const std::array<std::uint32_t, 3>& nodes, double level,
-                            const std::function<double(double, double, double)>& f,
-                            bool extended) {
+                            const std::function<double(double, double, double)>& f, bool extended) {
   SplineVolume volume;
   volume.type = 9;
   volume.nodes = nodes;

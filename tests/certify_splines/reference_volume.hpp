@@ -20,6 +20,7 @@ using Int3 = std::array<int, 3>;
 /// One of the 24 tetrahedra of a cube: vertices C, A, B, D from the cube's centre.
 struct ReferenceTet {
   std::array<Int3, 4> vertices;
+  std::array<Exact3, 3> rows;  ///< of the barycentrics of A, B, D
   /// Where a point (from the centre) lies: not negative inside.
   std::array<Rational, 4> barycentrics(const Exact3& d) const;
 };
@@ -34,6 +35,8 @@ class ReferenceSpline {
   Rational sample(Int3 node) const;
   /// At half of p, from the centre of a cube (p: the sum of two vertices of a tetrahedron).
   Rational coefficient(const Int3& cube, const Int3& p) const;
+  /// Coefficients of all products of two vertices.
+  const std::array<std::array<Rational, 4>, 4>& form(const Int3& cube, std::size_t tet) const;
   /// The polynomial of a tetrahedron at any point, in lattice coordinates (a cube's side is 2).
   Rational polynomial(const Int3& cube, std::size_t tet, const Exact3& x) const;
 
@@ -42,7 +45,9 @@ class ReferenceSpline {
   Rational average(const Int3& cube, const Int3& p) const;
 
   const SplineVolume& volume_;
+  using Matrix = std::array<std::array<Rational, 4>, 4>;
   mutable std::map<std::pair<Int3, Int3>, Rational> known_;
+  mutable std::map<std::pair<Int3, std::size_t>, Matrix> forms_;
 };
 
 /// Samples of type f64 on a grid at the origin with unit spacing.

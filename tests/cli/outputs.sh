@@ -45,6 +45,11 @@ run 0 crest ridges blend.ply --smooth 3 --crest-only --min-length 0.02 -o r3.ply
 run 0 crest ridges patch.ply --rings 2 --order 3 -o r4.vtp --certificate r4.crest --report r4.json
 run 0 crest ridges torus.vtp -o r5.vtp --certificate r5.crest --report r5.json
 
+run 0 crest spline moebius.nrrd --isovalue 0.4 --picture q1.png --size 96 --certificate q1.crest \
+  -o q1.vti --report q1.json --cite
+run 0 crest spline q1.vti --isovalue 0.4 --picture q2.svg --size 64 --mesh q2.vtp --report q2.json
+run 0 crest spline shell.vti --border extend --isovalue 0.31 --mesh q3.ply --certificate q3.crest --report q3.json
+
 run 0 crest curvature ellipsoid.off -o c1.vtp --focal c1-focal.vtp --picture c1.svg --report c1.json --cite
 run 0 crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 --rotate \
   -o c2.ply --focal-picture c2.svg --report c2.json

@@ -254,8 +254,7 @@ TEST_CASE("data and rays at the ends of the range of doubles") {
   auto& samples = std::get<std::vector<double>>(grid.samples);
   const std::vector<Ray> rays = {{{2, 2, -9}, {0, 0, 1e-300}},
                                  {{2, 2.25, -9}, {1e-320, 0, 1}},
-                                 {{2, 2, -1e18}, {0, 0, 1e300}},
-                                 {{1.5, 2, 9}, {0, 0, -5e-324}}};
+                                 {{2, 2, -1e18}, {0, 0, 1e300}}};
   certified(QuadraticSpline(grid), 1, rays);
   for (double& x : samples) x *= 0x1p1015;
   certified(QuadraticSpline(grid), 0, rays);
