@@ -62,8 +62,7 @@ void divide(Domain& domain, const std::array<bool, 3>& flat, std::size_t samples
     ++axes;
   }
   if (axes == 0) return;
-  const double side =
-      std::pow(volume * kSamplesPerCube / static_cast<double>(samples), 1.0 / axes);
+  const double side = std::pow(volume * kSamplesPerCube / static_cast<double>(samples), 1.0 / axes);
   for (std::size_t d = 0; d < 3; ++d)
     if (!flat[d])
       domain.cubes[d] = static_cast<Index>(
@@ -80,7 +79,8 @@ void require_sound(const Domain& domain) {
     // Cubes so narrow beside the coordinates would have borders that rounding moves.
     const double size = std::max(std::fabs(domain.low[d]), std::fabs(domain.high[d]));
     if (!(length / domain.cubes[d] > size * 0x1p-40))
-      throw InputError("box: its cubes are too small beside its coordinates; move it to the origin");
+      throw InputError(
+          "box: its cubes are too small beside its coordinates; move it to the origin");
     cubes *= domain.cubes[d] + 1.0;
   }
   if (cubes > kMostCubes) throw InputError("cubes: more than 2^28; give fewer (-n)");

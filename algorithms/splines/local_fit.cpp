@@ -10,15 +10,15 @@ namespace {
 
 constexpr double kCondition = 1e-4;  ///< the least singular value over the largest
 
-/// Whether a triangular matrix is well enough conditioned. The bound by norms decides nearly always.
+/// Whether a triangular matrix is well enough conditioned. The bound by norms decides nearly
+/// always.
 template <class Matrix>
 bool determines(const Matrix& r) {
   const auto n = r.rows();
   const Eigen::MatrixXd upper = r.template triangularView<Eigen::Upper>();
   if ((upper.diagonal().array() == 0).any()) return false;
-  const double inverse = upper.template triangularView<Eigen::Upper>()
-                             .solve(Eigen::MatrixXd::Identity(n, n))
-                             .norm();
+  const double inverse =
+      upper.template triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n)).norm();
   if (1 >= kCondition * upper.norm() * inverse) return true;
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(upper).singularValues();
   return singular(n - 1) >= kCondition * singular(0);
@@ -70,8 +70,7 @@ LocalCubic LocalFit::operator()(const Vec3& centre) {
     double tau, beta;
     a.col(j).tail(rows - j).makeHouseholderInPlace(tau, beta);
     a(j, j) = beta;
-    right.applyHouseholderOnTheLeft(a.col(j).tail(rows - j - 1), tau,
-                                    workspace_->temporary.data());
+    right.applyHouseholderOnTheLeft(a.col(j).tail(rows - j - 1), tau, workspace_->temporary.data());
   }
   const auto triangle = [&] {
     const auto size = static_cast<Eigen::Index>(columns_up_to_[degree]);
@@ -79,10 +78,8 @@ LocalCubic LocalFit::operator()(const Vec3& centre) {
   };
   while (degree > 0 && !determines(triangle())) --degree;
   const auto n = static_cast<Eigen::Index>(columns_up_to_[degree]);
-  const Eigen::VectorXd c =
-      triangle().triangularView<Eigen::Upper>().solve(a.col(columns).head(n));
-  for (Eigen::Index j = 0; j < n; ++j)
-    fit.c[columns_[static_cast<std::size_t>(j)]] = c(j);
+  const Eigen::VectorXd c = triangle().triangularView<Eigen::Upper>().solve(a.col(columns).head(n));
+  for (Eigen::Index j = 0; j < n; ++j) fit.c[columns_[static_cast<std::size_t>(j)]] = c(j);
   fit.degree = static_cast<int>(degree);
   return fit;
 }

@@ -78,8 +78,7 @@ std::size_t Scattered::count(const Range& r) const {
   return sum;
 }
 
-void Scattered::gather(const Vec3& centre, const Request& request,
-                       std::vector<Near>& found) const {
+void Scattered::gather(const Vec3& centre, const Request& request, std::vector<Near>& found) const {
   const std::size_t least = std::min(request.least, size());
   for (double radius = request.radius;; radius *= request.growth) {
     const Range range = cubes_within(centre, radius);
