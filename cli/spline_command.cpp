@@ -100,8 +100,8 @@ void add_table_options(CLI::App& app, SplineOptions& o) {
   add_numbers(app, "-n", o.cubes, {1, 3},
               "cubes along each axis (default: as many as give ten samples a cube)", "N|NX,NY,NZ")
       ->group(group);
-  add_numbers(app, "--box", o.box, {2, 6},
-              "the domain (default: that of the samples; --box=-1,1)", "LO,HI|X0,X1,Y0,Y1,Z0,Z1")
+  add_numbers(app, "--box", o.box, {2, 6}, "the domain (default: that of the samples; --box=-1,1)",
+              "LO,HI|X0,X1,Y0,Y1,Z0,Z1")
       ->group(group);
   app.add_option("--columns", o.columns,
                  "names of the columns of x, y, z and the value (default: these)")

@@ -53,12 +53,12 @@ void report_model(Run& run, const CubicModel& model) {
 std::string model_summary(const CubicModel& model) {
   const auto [nx, ny, nz] = model.domain.cubes;
   const double jump = splines::gradient_jump(model).bound;
-  return fmt::format("cubic spline: {} x {} x {} cubes, {}\n", nx, ny, nz,
-                     model.smoothness == Smoothness::c1
-                         ? std::string("exactly C1")
-                         : fmt::format("{}, gradients jump by at most {:.3g} inside cubes",
-                                       kSmoothness[static_cast<std::size_t>(model.smoothness)],
-                                       jump));
+  return fmt::format(
+      "cubic spline: {} x {} x {} cubes, {}\n", nx, ny, nz,
+      model.smoothness == Smoothness::c1
+          ? std::string("exactly C1")
+          : fmt::format("{}, gradients jump by at most {:.3g} inside cubes",
+                        kSmoothness[static_cast<std::size_t>(model.smoothness)], jump));
 }
 
 void certify_fit(Run& run, const CubicModel& model, std::span<const Vec3> points,
@@ -83,8 +83,8 @@ Outcome finish(Run& run, const SplineOptions& o, const CubicModel& model, std::s
 }
 
 Outcome of_table(Run& run, const SplineOptions& o) {
-  const auto names = o.columns.empty() ? std::vector<std::string>{"x", "y", "z", "value"}
-                                       : o.columns;
+  const auto names =
+      o.columns.empty() ? std::vector<std::string>{"x", "y", "z", "value"} : o.columns;
   const io::Table table = run.step("read", "reading " + o.common.input,
                                    [&] { return io::read_table(o.common.input, names); });
   const std::vector<Vec3> points = points_of(table.columns);
@@ -95,12 +95,12 @@ Outcome of_table(Run& run, const SplineOptions& o) {
   for (const std::string& warning : fit.warnings) run.warn(warning);
   if (fit.outside > 0)
     run.warn(fmt::format("{} samples outside of the box are left out", fit.outside));
-  const auto error = run.step("errors", "errors at the samples", [&] {
-    return splines::error_at_samples(fit.model, points, values);
-  });
+  const auto error = run.step("errors", "errors at the samples",
+                              [&] { return splines::error_at_samples(fit.model, points, values); });
   auto& report = run.report()["fit"];
   report["samples"] = fit.samples;
   report["outside"] = fit.outside;
+  report["empty_cubes"] = fit.empty_cubes;
   report["local_fits"] = fit.local_fits;
   report["degrees"] = fit.degrees;
   report["points_per_fit"] = fit.samples_per_fit;
@@ -139,9 +139,8 @@ bool is_cubic_input(const std::string& path) {
 
 Outcome run_cubic(Run& run, const SplineOptions& o) {
   if (o.quadratic) throw UsageError("--quadratic is for volumes");
-  if (o.isovalue || !o.rays.empty() || !o.hits.empty() || !o.mesh.empty() ||
-      !o.camera.empty() || !o.common.picture.empty() || o.extend || !o.source.raw.empty() ||
-      !o.source.field.empty())
+  if (o.isovalue || !o.rays.empty() || !o.hits.empty() || !o.mesh.empty() || !o.camera.empty() ||
+      !o.common.picture.empty() || o.extend || !o.source.raw.empty() || !o.source.field.empty())
     throw UsageError(
         "--isovalue, --rays, --hits, --mesh, --picture, --camera, --border, --raw and --field are "
         "for splines of volumes; sample a cubic one by --evaluate");

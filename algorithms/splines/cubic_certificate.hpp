@@ -25,7 +25,6 @@ double error_bound(const CubicModel& model, double max_error);
 /// Of the samples in the closed box; the others are counted.
 certify::SplineCubicCertificate cubic_certificate(const CubicModel& model,
                                                   std::span<const Vec3> points,
-                                                  std::span<const double> values,
-                                                  double max_error);
+                                                  std::span<const double> values, double max_error);
 
 }  // namespace crest::splines

@@ -44,8 +44,7 @@ ValueAndGradient evaluate(const CubicModel& model, const Vec3& point) {
   const auto r = kernel::value_and_gradient_at(net, barycentric(t, p));
   const auto g = gradient(t, r.gradient);
   const Vec3 density = domain.density();
-  return {r.value,
-          {2 * g[0] * density[0], 2 * g[1] * density[1], 2 * g[2] * density[2]}};
+  return {r.value, {2 * g[0] * density[0], 2 * g[1] * density[1], 2 * g[2] * density[2]}};
 }
 
 std::vector<ValueAndGradient> evaluate(const CubicModel& model, std::span<const Vec3> points) {

@@ -20,17 +20,14 @@ CubicModel make_model(const Domain& domain) {
 }
 
 std::vector<LocalCubic> fit_at(const std::vector<Vec3>& places, const Scattered& samples,
-                               const Scattered::Request& request,
-                               const std::array<bool, 3>& flat) {
+                               const Scattered::Request& request, const std::array<bool, 3>& flat) {
   std::vector<LocalCubic> fits(places.size());
   tbb::enumerable_thread_specific<LocalFit> workers(
       [&] { return LocalFit(samples, request, flat); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 16),
-                    [&](const auto& range) {
-                      LocalFit& fit = workers.local();
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        fits[i] = fit(places[i]);
-                    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 16), [&](const auto& range) {
+    LocalFit& fit = workers.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) fits[i] = fit(places[i]);
+  });
   return fits;
 }
 

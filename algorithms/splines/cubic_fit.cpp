@@ -62,8 +62,7 @@ void divide(Domain& domain, const std::array<bool, 3>& flat, std::size_t samples
     ++axes;
   }
   if (axes == 0) return;
-  const double side =
-      std::pow(volume * kSamplesPerCube / static_cast<double>(samples), 1.0 / axes);
+  const double side = std::pow(volume * kSamplesPerCube / static_cast<double>(samples), 1.0 / axes);
   for (std::size_t d = 0; d < 3; ++d)
     if (!flat[d])
       domain.cubes[d] = static_cast<Index>(
@@ -80,7 +79,8 @@ void require_sound(const Domain& domain) {
     // Cubes so narrow beside the coordinates would have borders that rounding moves.
     const double size = std::max(std::fabs(domain.low[d]), std::fabs(domain.high[d]));
     if (!(length / domain.cubes[d] > size * 0x1p-40))
-      throw InputError("box: its cubes are too small beside its coordinates; move it to the origin");
+      throw InputError(
+          "box: its cubes are too small beside its coordinates; move it to the origin");
     cubes *= domain.cubes[d] + 1.0;
   }
   if (cubes > kMostCubes) throw InputError("cubes: more than 2^28; give fewer (-n)");
@@ -131,6 +131,11 @@ CubicFit fit_cubic(std::span<const Vec3> points, std::span<const double> values,
   const Scattered samples(domain, points, values);
   result.samples = samples.size();
   result.outside = points.size() - samples.size();
+  result.empty_cubes = samples.empty_cubes();
+  if (result.empty_cubes > 0)
+    result.warnings.push_back(std::to_string(result.empty_cubes) + " of " +
+                              std::to_string(domain.cube_count()) +
+                              " cubes hold no sample: the spline is extrapolated there");
   Extension extension = options.smoothness == Smoothness::sequential
                             ? extend_sequentially(domain, samples, flat)
                             : extend_locally(domain, samples, flat);

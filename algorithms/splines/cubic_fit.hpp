@@ -24,6 +24,7 @@ struct CubicOptions {
 struct CubicFit {
   CubicModel model;
   std::size_t samples = 0, outside = 0;  ///< in the closed box, and not
+  std::size_t empty_cubes = 0;           ///< without a sample
   std::size_t local_fits = 0;
   std::array<std::size_t, 4> degrees{};  ///< of the local fits
   double samples_per_fit = 0;            ///< mean
@@ -31,10 +32,10 @@ struct CubicFit {
 };
 
 /// The spline that approximates values at points.
-/// Requires: as many values as points. Guarantees: the same numbers for any order of the samples and
-/// any number of threads; polynomials of degree 3 are reproduced up to rounding where the samples
-/// determine them; smoothness as asked for. Throws kernel::InputError: no sample in the box, a
-/// number that is not finite, a box or numbers of cubes out of range.
+/// Requires: as many values as points. Guarantees: the same numbers for any order of the samples
+/// and any number of threads; polynomials of degree 3 are reproduced up to rounding where the
+/// samples determine them; smoothness as asked for. Throws kernel::InputError: no sample in the
+/// box, a number that is not finite, a box or numbers of cubes out of range.
 CubicFit fit_cubic(std::span<const Vec3> points, std::span<const double> values,
                    const CubicOptions& options = {});
 

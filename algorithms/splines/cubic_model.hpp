@@ -21,7 +21,9 @@ using kernel::Vec3;
 using Place = std::array<int, 3>;
 
 /// The colours of the cubes, as of a chessboard.
-constexpr bool is_black(const Place& cube) { return ((cube[0] + cube[1] + cube[2]) & 1) == 0; }
+constexpr bool is_black(const Place& cube) {
+  return ((cube[0] + cube[1] + cube[2]) & 1) == 0;
+}
 
 /// A closed box cut into cubes.
 struct Domain {
@@ -86,8 +88,8 @@ constexpr std::array<std::array<std::size_t, 2>, 3> kAcross{{{1, 2}, {0, 2}, {0,
 /// tetrahedron at A: a(AAX) = f_A + g_A.(X - A); likewise a(CCX).
 using ValueAndSlope = std::array<double, 4>;
 
-/// Of the edges A, A + e_a for a = x, y, z, two each, along the axes across: a(ABX) lies on the line
-/// from a(AAB) to a(ABB), plus t.(X - A). Zero where there is no edge.
+/// Of the edges A, A + e_a for a = x, y, z, two each, along the axes across: a(ABX) lies on the
+/// line from a(AAB) to a(ABB), plus t.(X - A). Zero where there is no edge.
 using EdgeSlopes = std::array<double, 6>;
 
 /// Calls visit for the places of `size` indices along each axis, the first the fastest.
@@ -101,7 +103,8 @@ void for_each_place(const std::array<Index, 3>& size, const Visit& visit) {
 struct CubicModel {
   Domain domain;
   Smoothness smoothness = Smoothness::c1;
-  double unit = 0;  ///< u of a C1 model: f and t are multiples of u, g of 2 u, f_C of u/8, g_C of u/4
+  double unit =
+      0;  ///< u of a C1 model: f and t are multiples of u, g of 2 u, f_C of u/8, g_C of u/4
   std::vector<ValueAndSlope> vertices;  ///< vertex_count()
   std::vector<EdgeSlopes> slopes;       ///< of the edges that start at each vertex
   std::vector<ValueAndSlope> centres;   ///< cube_count()

@@ -61,7 +61,9 @@ CubicNet<T> cubic_net(std::size_t t, const VertexAt& vertex, const SlopesAt& slo
     const auto high_at = axis == f ? corner(at, 1) : corner(1, at);
     const auto &low = vertex(low_at), &high = vertex(high_at);
     const auto& all = slopes(low_at);
-    const auto slope = [&](std::size_t d) { return all[2 * axis + (kAcross[axis][0] == d ? 0 : 1)]; };
+    const auto slope = [&](std::size_t d) {
+      return all[2 * axis + (kAcross[axis][0] == d ? 0 : 1)];
+    };
     Edge r;
     r.d = half * (low[0] + high[0] + (low[axis + 1] - high[axis + 1])) +
           inward(at == 1, slope(across));

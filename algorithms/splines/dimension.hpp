@@ -23,7 +23,8 @@ class Rank {
     for (const auto& [unknown, factor] : equation) {
       std::uint64_t& x = row[unknown];
       x = (x + (factor < 0 ? kPrime - static_cast<std::uint64_t>(-factor)
-                           : static_cast<std::uint64_t>(factor))) % kPrime;
+                           : static_cast<std::uint64_t>(factor))) %
+          kPrime;
     }
     while (true) {
       while (!row.empty() && row.begin()->second == 0) row.erase(row.begin());

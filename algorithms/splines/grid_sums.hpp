@@ -30,8 +30,7 @@ inline GridArray neighbours(const GridArray& a, std::size_t axis, double sign) {
   auto size = a.size;
   --size[axis];
   GridArray r(size);
-  const std::size_t stride =
-      axis == 0 ? 1 : axis == 1 ? a.size[0] : a.size[0] * a.size[1];
+  const std::size_t stride = axis == 0 ? 1 : axis == 1 ? a.size[0] : a.size[0] * a.size[1];
   const std::size_t inner = stride * size[axis], outer = a.x.size() / (stride * a.size[axis]);
   for (std::size_t o = 0; o < outer; ++o) {
     const double* const from = &a.x[o * stride * a.size[axis]];
@@ -40,16 +39,19 @@ inline GridArray neighbours(const GridArray& a, std::size_t axis, double sign) {
   }
   return r;
 }
-inline GridArray difference(const GridArray& a, std::size_t axis) { return neighbours(a, axis, -1); }
-inline GridArray sum(const GridArray& a, std::size_t axis) { return neighbours(a, axis, 1); }
+inline GridArray difference(const GridArray& a, std::size_t axis) {
+  return neighbours(a, axis, -1);
+}
+inline GridArray sum(const GridArray& a, std::size_t axis) {
+  return neighbours(a, axis, 1);
+}
 
 /// The transpose: one place more.
 inline GridArray neighbours_transposed(const GridArray& a, std::size_t axis, double sign) {
   auto size = a.size;
   ++size[axis];
   GridArray r(size);
-  const std::size_t stride =
-      axis == 0 ? 1 : axis == 1 ? a.size[0] : a.size[0] * a.size[1];
+  const std::size_t stride = axis == 0 ? 1 : axis == 1 ? a.size[0] : a.size[0] * a.size[1];
   const std::size_t inner = stride * a.size[axis], outer = a.x.size() / inner;
   for (std::size_t o = 0; o < outer; ++o) {
     const double* const from = a.x.data() + o * inner;

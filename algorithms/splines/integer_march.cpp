@@ -66,8 +66,7 @@ class March {
     model_.unit = std::ldexp(1.0, exponent_);
     for (std::size_t v = 0; v < f_.size(); ++v) {
       model_.vertices[v][0] = real(f_[v], exponent_);
-      for (std::size_t d = 0; d < 3; ++d)
-        model_.vertices[v][d + 1] = real(h_[v][d], exponent_ + 1);
+      for (std::size_t d = 0; d < 3; ++d) model_.vertices[v][d + 1] = real(h_[v][d], exponent_ + 1);
       for (std::size_t i = 0; i < 6; ++i) model_.slopes[v][i] = real(t_[v][i], exponent_);
     }
   }

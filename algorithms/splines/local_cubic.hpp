@@ -25,7 +25,7 @@ inline std::array<double, kMonomials> monomials(const Vec3& v) {
 
 struct LocalCubic {
   Vec3 centre{};
-  double radius = 1;                     ///< the variables are (x - centre) / radius
+  double radius = 1;  ///< the variables are (x - centre) / radius
   std::array<double, kMonomials> c{};
   int degree = 0;
   int samples = 0;

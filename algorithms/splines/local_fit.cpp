@@ -4,49 +4,31 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace crest::splines {
 namespace {
 
 constexpr double kCondition = 1e-4;  ///< the least singular value over the largest
 
-/// Whether a triangular matrix is well enough conditioned. The bound by norms decides nearly always.
+/// Whether a triangular matrix is well enough conditioned. The bound by norms decides nearly
+/// always.
 template <class Matrix>
 bool determines(const Matrix& r) {
   const auto n = r.rows();
   const Eigen::MatrixXd upper = r.template triangularView<Eigen::Upper>();
   if ((upper.diagonal().array() == 0).any()) return false;
-  const double inverse = upper.template triangularView<Eigen::Upper>()
-                             .solve(Eigen::MatrixXd::Identity(n, n))
-                             .norm();
+  const double inverse =
+      upper.template triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n)).norm();
   if (1 >= kCondition * upper.norm() * inverse) return true;
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(upper).singularValues();
   return singular(n - 1) >= kCondition * singular(0);
-}
-
-/// The largest norm of the weights with which the samples enter the fit's values at the corners of
-/// the cube around its centre.
-template <class Matrix>
-double largest_weight(const Matrix& r, const std::vector<std::size_t>& columns, double radius) {
-  Eigen::MatrixXd at_corners(r.rows(), 8);
-  for (unsigned c = 0; c < 8; ++c) {
-    Vec3 corner;
-    for (std::size_t d = 0; d < 3; ++d) corner[d] = ((c >> d & 1) != 0 ? 0.5 : -0.5) / radius;
-    const auto m = monomials(corner);
-    for (Eigen::Index j = 0; j < r.rows(); ++j)
-      at_corners(j, c) = m[columns[static_cast<std::size_t>(j)]];
-  }
-  r.template triangularView<Eigen::Upper>().transpose().solveInPlace(at_corners);
-  return at_corners.colwise().norm().maxCoeff();
 }
 
 }  // namespace
 
 struct LocalFit::Workspace {
   Eigen::MatrixXd matrix;
-  Eigen::VectorXd coefficients = Eigen::VectorXd(kMonomials + 1), temporary = coefficients;
+  Eigen::VectorXd temporary = Eigen::VectorXd(kMonomials + 1);
 };
 
 LocalFit::LocalFit(const Scattered& samples, const Scattered::Request& request,
@@ -88,22 +70,16 @@ LocalCubic LocalFit::operator()(const Vec3& centre) {
     double tau, beta;
     a.col(j).tail(rows - j).makeHouseholderInPlace(tau, beta);
     a(j, j) = beta;
-    right.applyHouseholderOnTheLeft(a.col(j).tail(rows - j - 1), tau,
-                                    workspace_->temporary.data());
+    right.applyHouseholderOnTheLeft(a.col(j).tail(rows - j - 1), tau, workspace_->temporary.data());
   }
   const auto triangle = [&] {
     const auto size = static_cast<Eigen::Index>(columns_up_to_[degree]);
     return a.topLeftCorner(size, size);
   };
-  if(getenv("AMP")) fprintf(stderr,"%g %d\n",largest_weight(triangle(),columns_,fit.radius),(int)near_.size());
-  while (degree > 0 && !(determines(triangle()) &&
-                         largest_weight(triangle(), columns_, fit.radius) <= request_.most_weight))
-    --degree;
+  while (degree > 0 && !determines(triangle())) --degree;
   const auto n = static_cast<Eigen::Index>(columns_up_to_[degree]);
-  const Eigen::VectorXd c =
-      a.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(a.col(columns).head(n));
-  for (Eigen::Index j = 0; j < n; ++j)
-    fit.c[columns_[static_cast<std::size_t>(j)]] = c(j);
+  const Eigen::VectorXd c = triangle().triangularView<Eigen::Upper>().solve(a.col(columns).head(n));
+  for (Eigen::Index j = 0; j < n; ++j) fit.c[columns_[static_cast<std::size_t>(j)]] = c(j);
   fit.degree = static_cast<int>(degree);
   return fit;
 }

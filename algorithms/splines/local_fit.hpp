@@ -28,7 +28,7 @@ class LocalFit {
   struct Workspace;
   const Scattered& samples_;
   Scattered::Request request_;
-  std::vector<std::size_t> columns_;        ///< the monomials in use
+  std::vector<std::size_t> columns_;          ///< the monomials in use
   std::array<std::size_t, 4> columns_up_to_;  ///< of each degree
   std::vector<Scattered::Near> near_;
   std::unique_ptr<Workspace> workspace_;

@@ -15,11 +15,13 @@ namespace crest::splines {
 template <class T>
 struct CubeNumbers {
   std::array<T, 8> f;
-  std::array<std::array<T, 3>, 8> h;   ///< g / 2
+  std::array<std::array<T, 3>, 8> h;  ///< g / 2
   std::array<std::array<T, 2>, 12> t;
 };
 
-constexpr bool is_upper(std::size_t corner, std::size_t axis) { return (corner >> axis & 1) != 0; }
+constexpr bool is_upper(std::size_t corner, std::size_t axis) {
+  return (corner >> axis & 1) != 0;
+}
 
 /// The corner at the lower end of an edge.
 constexpr std::size_t lower_corner(std::size_t edge) {

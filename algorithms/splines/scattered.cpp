@@ -51,6 +51,12 @@ Scattered::Scattered(const Domain& domain, std::span<const Vec3> points,
     }
 }
 
+std::size_t Scattered::empty_cubes() const {
+  std::size_t empty = 0;
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) empty += first_[c] == first_[c + 1] ? 1 : 0;
+  return empty;
+}
+
 Scattered::Range Scattered::cubes_within(const Vec3& centre, double radius) const {
   Range range;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -72,8 +78,7 @@ std::size_t Scattered::count(const Range& r) const {
   return sum;
 }
 
-void Scattered::gather(const Vec3& centre, const Request& request,
-                       std::vector<Near>& found) const {
+void Scattered::gather(const Vec3& centre, const Request& request, std::vector<Near>& found) const {
   const std::size_t least = std::min(request.least, size());
   for (double radius = request.radius;; radius *= request.growth) {
     const Range range = cubes_within(centre, radius);

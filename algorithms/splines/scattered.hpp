@@ -22,6 +22,8 @@ class Scattered {
   Scattered(const Domain& domain, std::span<const Vec3> points, std::span<const double> values);
 
   std::size_t size() const { return samples_.size(); }
+  /// Cubes that hold no sample.
+  std::size_t empty_cubes() const;
   const Sample& operator[](std::size_t i) const { return samples_[i]; }
 
   /// A sample near a place.
@@ -36,7 +38,6 @@ class Scattered {
   struct Request {
     double radius = 1.1, growth = 1.15;
     std::size_t least = 40, most = 100;
-    double most_weight = 1e30;
   };
   void gather(const Vec3& centre, const Request& request, std::vector<Near>& found) const;
 

@@ -135,8 +135,8 @@ class SequentialExtension {
   }
 
   /// The slope along `axis` as a(ATT) - 2 a(ADT) = a(ALL) - 2 a(ADL) has it in the mean over the
-  /// domain's faces at the edge and both its ends; T is the z-edge's other end, L that of the face's
-  /// horizontal edge at A.
+  /// domain's faces at the edge and both its ends; T is the z-edge's other end, L that of the
+  /// face's horizontal edge at A.
   double across_diagonals(const Place& low, const Place& top, std::size_t axis) const {
     double sum = 0;
     int count = 0;
@@ -150,7 +150,8 @@ class SequentialExtension {
         const ValueAndSlope& at_t = model_.vertices[domain_.vertex(upper ? low : top)];
         const double all = at_l[0] - side * at_l[axis + 1];
         const double att = at_t[0] + (upper ? 1 : -1) * at_t[3];
-        const double towards_d = (upper ? -0.5 : 0.5) * model_.slopes[domain_.vertex(edge)][2 * axis + 1];
+        const double towards_d =
+            (upper ? -0.5 : 0.5) * model_.slopes[domain_.vertex(edge)][2 * axis + 1];
         const double adl = middle_of_edge(axis, edge) + towards_d;
         const double adt = adl + (att - all) / 2;
         sum += 2 * side * (adt - middle_of_edge(2, low));

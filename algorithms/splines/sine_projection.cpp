@@ -24,7 +24,8 @@ MatrixXd sines(std::size_t n) {
       // Reduced: the sine's argument stays small.
       const std::size_t turn = (i + 1) * (j + 1) % (2 * n + 2);
       s(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          scale * std::sin(std::numbers::pi * static_cast<double>(turn) / static_cast<double>(n + 1));
+          scale *
+          std::sin(std::numbers::pi * static_cast<double>(turn) / static_cast<double>(n + 1));
     }
   return s;
 }
@@ -33,8 +34,8 @@ MatrixXd sines(std::size_t n) {
 std::vector<double> eigenvalues(std::size_t n) {
   std::vector<double> l(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const double half = std::sin(std::numbers::pi * static_cast<double>(k + 1) /
-                                 static_cast<double>(2 * (n + 1)));
+    const double half =
+        std::sin(std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(2 * (n + 1)));
     l[k] = 4 * half * half;
   }
   return l;

@@ -17,10 +17,10 @@ struct Condition {
     int factor;
   };
   Junction junction;
-  std::array<int, 3> cube;        ///< the lower one of two
-  std::array<int, 4> letters;     ///< of the word: how often C, A, B, D
-  Lattice word;                   ///< their sum
-  std::vector<Term> terms;        ///< first a(wu), a(wv)
+  std::array<int, 3> cube;     ///< the lower one of two
+  std::array<int, 4> letters;  ///< of the word: how often C, A, B, D
+  Lattice word;                ///< their sum
+  std::vector<Term> terms;     ///< first a(wu), a(wv)
 };
 
 inline Lattice times(int k, const Lattice& a) {
@@ -29,8 +29,8 @@ inline Lattice times(int k, const Lattice& a) {
 
 /// Calls visit for the conditions of degree q across one triangle.
 template <class Visit>
-void visit_words(const Crossing& crossing, const Lattice& centre,
-                 const std::array<int, 3>& cube, int q, const Visit& visit) {
+void visit_words(const Crossing& crossing, const Lattice& centre, const std::array<int, 3>& cube,
+                 int q, const Visit& visit) {
   std::array<Lattice, 3> corner;
   for (std::size_t i = 0; i < 3; ++i) corner[i] = centre + crossing.triangle[i];
   for (int i = 0; i < q; ++i)
@@ -45,8 +45,7 @@ void visit_words(const Crossing& crossing, const Lattice& centre,
         c.terms.push_back({c.word + centre + opposite, five ? 2 : 1});
       for (std::size_t l = 0; l < 3; ++l) {
         const std::size_t letter = crossing.letters[l];
-        const int factor = five ? (letter == kC ? -2 : -1)
-                                : (letter == kD ? -2 : 0);
+        const int factor = five ? (letter == kC ? -2 : -1) : (letter == kD ? -2 : 0);
         if (factor != 0) c.terms.push_back({c.word + corner[l], factor});
       }
       visit(c);

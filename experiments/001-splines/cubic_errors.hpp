@@ -59,7 +59,8 @@ inline void errors_in_tetrahedra(const splines::CubicModel& model, Function f, C
                 double lattice = 0;
                 for (std::size_t k = 0; k < 4; ++k)
                   lattice += (index[k] + 0.25) / 4 * t.corners[k][d];
-                p[d] = domain.low[d] + (static_cast<double>(at[d]) + (1 + lattice) / 2) / density[d];
+                p[d] =
+                    domain.low[d] + (static_cast<double>(at[d]) + (1 + lattice) / 2) / density[d];
               }
               const double error = std::fabs(splines::evaluate(model, p).value - f(p));
               worst[0] = std::max(worst[0], error);

@@ -21,8 +21,8 @@ int row(int most_cubes) {
   for (int n = 1; n <= most_cubes; ++n) {
     const auto m = static_cast<std::size_t>(n);
     const splines::Dimensions d = splines::dimensions<q>({n, n, n});
-    const std::size_t continuous =
-        (4 * q * q + 1) * std::size_t{q} * m * m * m + 6 * std::size_t{q * q} * m * m + 3 * q * m + 1;
+    const std::size_t continuous = (4 * q * q + 1) * std::size_t{q} * m * m * m +
+                                   6 * std::size_t{q * q} * m * m + 3 * q * m + 1;
     const bool agrees = d.continuous == continuous && d.smooth == formula(q, m);
     wrong += agrees ? 0 : 1;
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", q, n, d.continuous, continuous, d.smooth,

@@ -158,44 +158,42 @@ struct Table {
   const char* title;
   std::array<std::array<double, 4>, 5> thesis;  ///< mean, rms, max, data; h = 1/16 to 1/256
 };
-constexpr Table kMarschnerLobb[] = {
-    {"Table 8.1: ml",
-     {{{0.0637338, 0.0763573, 0.1794933, 0.0886842},
-       {0.0469557, 0.0548679, 0.1202057, 0.0923545},
-       {0.0175995, 0.0206885, 0.0395824, 0.0368751},
-       {0.0049393, 0.0058288, 0.0105322, 0.0103358},
-       {0.0012735, 0.0015042, 0.0026710, 0.0026593}}}},
-    {"Table 8.2: D_x ml",
-     {{{4.0446910, 5.1182602, 12.3920158, 10.0356594},
-       {3.2655525, 4.3084310, 12.8719495, 12.5411960},
-       {1.2419448, 1.6807952, 5.6377440, 5.6073735},
-       {0.3483834, 0.4733294, 1.6051045, 1.5936699},
-       {0.0896466, 0.1220021, 0.4144013, 0.4115753}}}},
-    {"Table 8.3: D_x^2 ml",
-     {{{329.2754617, 460.6656652, 1381.6373930, 1140.3801860},
-       {285.6398127, 405.5817230, 1504.0177006, 1008.4225786},
-       {149.7005648, 217.5784357, 1188.2312690, 427.7408473},
-       {70.6715715, 107.0387996, 656.3764722, 239.3863193},
-       {34.0443422, 53.1077465, 335.8704193, 123.7781568}}}}};
-constexpr Table kTest[] = {
-    {"Table 8.4: f_test",
-     {{{0.0038309, 0.0066271, 0.0429973, 0.0430021},
-       {0.0009200, 0.0016158, 0.0109885, 0.0109880},
-       {0.0002248, 0.0003975, 0.0027622, 0.0027620},
-       {0.0000555, 0.0000985, 0.0006915, 0.0006914},
-       {0.0000138, 0.0000245, 0.0001729, 0.0001729}}}},
-    {"Table 8.5: D_x f_test",
-     {{{0.0203633, 0.0333122, 0.2238992, 0.1562143},
-       {0.0050603, 0.0083125, 0.0603967, 0.0393916},
-       {0.0012533, 0.0020636, 0.0152990, 0.0098670},
-       {0.0003114, 0.0005133, 0.0038459, 0.0024764},
-       {0.0000776, 0.0001280, 0.0009622, 0.0006192}}}},
-    {"Table 8.6: D_x^2 f_test",
-     {{{0.6418473, 0.9323099, 6.6045684, 5.8388519},
-       {0.3094677, 0.4531853, 3.3131101, 3.0231247},
-       {0.1524176, 0.2239878, 1.6240159, 1.5090936},
-       {0.0757079, 0.1114145, 0.8012538, 0.7509042},
-       {0.0377399, 0.0555706, 0.3980345, 0.3742364}}}}};
+constexpr Table kMarschnerLobb[] = {{"Table 8.1: ml",
+                                     {{{0.0637338, 0.0763573, 0.1794933, 0.0886842},
+                                       {0.0469557, 0.0548679, 0.1202057, 0.0923545},
+                                       {0.0175995, 0.0206885, 0.0395824, 0.0368751},
+                                       {0.0049393, 0.0058288, 0.0105322, 0.0103358},
+                                       {0.0012735, 0.0015042, 0.0026710, 0.0026593}}}},
+                                    {"Table 8.2: D_x ml",
+                                     {{{4.0446910, 5.1182602, 12.3920158, 10.0356594},
+                                       {3.2655525, 4.3084310, 12.8719495, 12.5411960},
+                                       {1.2419448, 1.6807952, 5.6377440, 5.6073735},
+                                       {0.3483834, 0.4733294, 1.6051045, 1.5936699},
+                                       {0.0896466, 0.1220021, 0.4144013, 0.4115753}}}},
+                                    {"Table 8.3: D_x^2 ml",
+                                     {{{329.2754617, 460.6656652, 1381.6373930, 1140.3801860},
+                                       {285.6398127, 405.5817230, 1504.0177006, 1008.4225786},
+                                       {149.7005648, 217.5784357, 1188.2312690, 427.7408473},
+                                       {70.6715715, 107.0387996, 656.3764722, 239.3863193},
+                                       {34.0443422, 53.1077465, 335.8704193, 123.7781568}}}}};
+constexpr Table kTest[] = {{"Table 8.4: f_test",
+                            {{{0.0038309, 0.0066271, 0.0429973, 0.0430021},
+                              {0.0009200, 0.0016158, 0.0109885, 0.0109880},
+                              {0.0002248, 0.0003975, 0.0027622, 0.0027620},
+                              {0.0000555, 0.0000985, 0.0006915, 0.0006914},
+                              {0.0000138, 0.0000245, 0.0001729, 0.0001729}}}},
+                           {"Table 8.5: D_x f_test",
+                            {{{0.0203633, 0.0333122, 0.2238992, 0.1562143},
+                              {0.0050603, 0.0083125, 0.0603967, 0.0393916},
+                              {0.0012533, 0.0020636, 0.0152990, 0.0098670},
+                              {0.0003114, 0.0005133, 0.0038459, 0.0024764},
+                              {0.0000776, 0.0001280, 0.0009622, 0.0006192}}}},
+                           {"Table 8.6: D_x^2 f_test",
+                            {{{0.6418473, 0.9323099, 6.6045684, 5.8388519},
+                              {0.3094677, 0.4531853, 3.3131101, 3.0231247},
+                              {0.1524176, 0.2239878, 1.6240159, 1.5090936},
+                              {0.0757079, 0.1114145, 0.8012538, 0.7509042},
+                              {0.0377399, 0.0555706, 0.3980345, 0.3742364}}}}};
 
 void print(DerivativesOf f, std::span<const Table> tables, int most_samples, int fine) {
   std::vector<Errors> rows;
@@ -208,19 +206,23 @@ void print(DerivativesOf f, std::span<const Table> tables, int most_samples, int
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto& t = tables[o].thesis[r];
       const Errors& e = rows[r];
-      fmt::print("| 1/{} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} |\n",
-                 16 << r, t[0], t[1], t[2], t[3], e.sum[o] / e.count,
-                 std::sqrt(e.squares[o] / e.count), e.max[o], e.data[o]);
+      fmt::print(
+          "| 1/{} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} | {:.7f} |\n",
+          16 << r, t[0], t[1], t[2], t[3], e.sum[o] / e.count, std::sqrt(e.squares[o] / e.count),
+          e.max[o], e.data[o]);
     }
   }
 }
 
 int work(int most_samples, int fine) {
   fmt::print(
-      "Samples at the multiples of h on [0, 1]^3 (of ml on [-1, 1]^3, scaled), cubes round those of "
-      "the interior, derivatives\nby the scaled domain. Data: at the samples, in a tetrahedron of the "
+      "Samples at the multiples of h on [0, 1]^3 (of ml on [-1, 1]^3, scaled), cubes round those "
+      "of "
+      "the interior, derivatives\nby the scaled domain. Data: at the samples, in a tetrahedron of "
+      "the "
       "+x pyramid. The others: at the points with\nbarycentric coordinates (i + 1/4) / 3, ten a "
-      "tetrahedron, in cubes at most {} along an axis, evenly chosen.\n", fine);
+      "tetrahedron, in cubes at most {} along an axis, evenly chosen.\n",
+      fine);
   print(of_marschner_lobb, kMarschnerLobb, most_samples, fine);
   print(of_f_test, kTest, most_samples, fine);
   return 0;
@@ -233,7 +235,7 @@ int main(int argc, char** argv) {
   int most_samples = 256, fine = 128;
   crest::experiments::Program program("Tables 8.1 to 8.6");
   program.option("--most", most_samples, "1/h of the last row (256)");
-  program.option("--fine", fine, "cubes along an axis whose tetrahedra are measured, at most (128)");
-  return program.run(argc, argv,
-                     [&] { return crest::experiments::work(most_samples, fine); });
+  program.option("--fine", fine,
+                 "cubes along an axis whose tetrahedra are measured, at most (128)");
+  return program.run(argc, argv, [&] { return crest::experiments::work(most_samples, fine); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table 9.1: errors of cubic splines of scattered samples, all three extensions, beside the thesis';
-// of f_test, of a function on which nothing was chosen, and of g.
+// Table 9.1: errors of cubic splines of scattered samples, all three extensions, beside the
+// thesis'; of f_test, of a function on which nothing was chosen, and of g.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -40,9 +40,8 @@ struct Named {
   const char* name;
   Smoothness mode;
 };
-constexpr Named kModes[] = {{"local", Smoothness::local},
-                            {"c1", Smoothness::c1},
-                            {"sequential", Smoothness::sequential}};
+constexpr Named kModes[] = {
+    {"local", Smoothness::local}, {"c1", Smoothness::c1}, {"sequential", Smoothness::sequential}};
 
 struct Choice {
   std::size_t seeds = 50, least_samples = 0, most_samples = 4096000, all_seeds_up_to = 32000;
@@ -52,8 +51,7 @@ struct Choice {
 /// Fewer seeds where a row takes long.
 std::size_t seeds_of(const Row& row, const Choice& choice) {
   if (row.samples <= choice.all_seeds_up_to) return choice.seeds;
-  return std::max<std::size_t>(
-      1, std::min<std::size_t>(choice.seeds, 3 * 64000 / row.samples));
+  return std::max<std::size_t>(1, std::min<std::size_t>(choice.seeds, 3 * 64000 / row.samples));
 }
 
 void table_of(const char* title, Function f, std::span<const Row> rows, bool has_thesis,
@@ -92,15 +90,21 @@ void table_of(const char* title, Function f, std::span<const Row> rows, bool has
 
 int work(const Choice& choice) {
   fmt::print(
-      "Means over the seeds 1, 2, ..; errors at the samples (mean, largest: data) and at 20 points a "
-      "tetrahedron\n(max), on the whole box and in the cubes that are not at its border. Order: of the "
-      "mean, by the cubes' side.\nThe thesis counts cubes of the interior, 50 distributions a row.\n");
+      "Means over the seeds 1, 2, ..; errors at the samples (mean, largest: data) and at 20 points "
+      "a "
+      "tetrahedron\n(max), on the whole box and in the cubes that are not at its border. Order: of "
+      "the "
+      "mean, by the cubes' side.\nThe thesis counts cubes of the interior, 50 distributions a "
+      "row.\n");
   for (const Named& mode : kModes) {
     if (!choice.only.empty() && choice.only != mode.name) continue;
     table_of("f_test", f_test, kThesis, true, mode, choice);
     table_of("f_other", f_other, kThesis, false, mode,
-             {std::min<std::size_t>(choice.seeds, 10), choice.least_samples, choice.most_samples,
-              choice.all_seeds_up_to, {}});
+             {std::min<std::size_t>(choice.seeds, 10),
+              choice.least_samples,
+              choice.most_samples,
+              choice.all_seeds_up_to,
+              {}});
     table_of("g", g_powers, kPowers, true, mode, choice);
   }
   return 0;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
-#include "algorithms/splines/smoothness_conditions.hpp"
 #include "algorithms/splines/cubic_extension.hpp"
 #include "algorithms/splines/cubic_net.hpp"
 #include "algorithms/splines/integer_march.hpp"
 #include "algorithms/splines/normal_form.hpp"
 #include "algorithms/splines/sine_projection.hpp"
+#include "algorithms/splines/smoothness_conditions.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/support/random.hpp"
@@ -84,12 +84,13 @@ Rational residual(const CubicModel& model, const Place& cube, std::size_t corner
     for (std::size_t d = 0; d < 3; ++d) q.h[c][d] = v[d + 1] / 2;
   }
   for (std::size_t e = 0; e < 12; ++e) {
-    const auto t = exact(model.slopes[model.domain.vertex(
-        splines::corner_of(cube, splines::lower_corner(e)))]);
+    const auto t = exact(
+        model.slopes[model.domain.vertex(splines::corner_of(cube, splines::lower_corner(e)))]);
     q.t[e] = {t[e / 4 * 2], t[e / 4 * 2 + 1]};
   }
   return splines::eightfold_residual(exact(model.centres[model.domain.cube(cube)]),
-                                     splines::fourfold_targets(q), corner) / 8;
+                                     splines::fourfold_targets(q), corner) /
+         8;
 }
 
 /// Conditions per junction and word: how many there are, and how many fail.
@@ -131,8 +132,7 @@ TEST_CASE("in normal form only the inter-pyramid conditions with one C may fail,
     std::size_t failures = 0;
     for (const auto& [kind, numbers] : count_failures(model, unexplained)) {
       const auto& [junction, letters] = kind;
-      const bool may_fail =
-          junction == Junction::inter_pyramid && letters[splines::kC] == 1;
+      const bool may_fail = junction == Junction::inter_pyramid && letters[splines::kC] == 1;
       CAPTURE(static_cast<int>(junction), letters);
       CHECK(numbers[0] > 0);
       if (may_fail)
@@ -157,7 +157,8 @@ TEST_CASE("2 x 2 x 2 cubes have 576, 1152 and 576 conditions of the three kinds"
 }
 
 TEST_CASE("after projection and march all C1 conditions hold in rationals") {
-  for (const auto& cubes : {std::array<kernel::Index, 3>{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {1, 4, 2}}) {
+  for (const auto& cubes :
+       {std::array<kernel::Index, 3>{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {1, 4, 2}}) {
     CubicModel model = random_model(cubes, kSeed + 1);
     splines::project_to_c1(model);
     splines::march_to_c1(model);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cubic splines of scattered samples.
+#include "algorithms/splines/cubic_fit.hpp"
+
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 
 #include "algorithms/splines/cubic_certificate.hpp"
 #include "algorithms/splines/cubic_evaluate.hpp"
-#include "algorithms/splines/cubic_fit.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/splines/scattered_functions.hpp"
 
@@ -76,7 +77,8 @@ TEST_CASE("cubic polynomials are reproduced, values and gradients, by all three 
       double gradient = 0;
       for (const Vec3& p : s.points) {
         const Vec3 g = splines::evaluate(r.model, p).gradient, exact = f.p.gradient(p);
-        for (std::size_t d = 0; d < 3; ++d) gradient = std::max(gradient, std::fabs(g[d] - exact[d]));
+        for (std::size_t d = 0; d < 3; ++d)
+          gradient = std::max(gradient, std::fabs(g[d] - exact[d]));
       }
       CHECK(gradient < 1e-9);
     }
@@ -163,6 +165,7 @@ TEST_CASE("degrees drop where samples do not determine them") {
     const CubicFit r = fit(equal, {});
     CHECK(splines::evaluate(r.model, {5, 6, 7}).value == Approx(8));
     CHECK(r.warnings.size() == 1);
+    CHECK(r.empty_cubes == 0);
   }
   SECTION("samples in a plane across an axis: cubic in it, constant along the axis") {
     Samples s = sampled(500, kSeed, [](const Vec3&) { return 0.0; });
@@ -198,8 +201,9 @@ TEST_CASE("samples outside of the box are left out and counted, points outside h
   const CubicFit r = fit(s, {Smoothness::c1, {}, {{Vec3{0, 0, 0}, Vec3{0.5, 1, 1}}}});
   CHECK(r.samples + r.outside == 2000);
   CHECK(r.outside > 900);
-  CHECK(r.samples == static_cast<std::size_t>(std::count_if(
-                         s.points.begin(), s.points.end(), [](const Vec3& p) { return p[0] <= 0.5; })));
+  CHECK(r.samples ==
+        static_cast<std::size_t>(std::count_if(s.points.begin(), s.points.end(),
+                                               [](const Vec3& p) { return p[0] <= 0.5; })));
   const auto outside = splines::evaluate(r.model, {0.50000001, 0.5, 0.5});
   CHECK(std::isnan(outside.value));
   CHECK(std::isnan(outside.gradient[1]));

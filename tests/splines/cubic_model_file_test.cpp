@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cubic splines as files.
+#include "io/splines/cubic_model_file.hpp"
+
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstring>
@@ -7,7 +9,6 @@
 #include <sstream>
 
 #include "algorithms/splines/cubic_fit.hpp"
-#include "io/splines/cubic_model_file.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/splines/scattered_functions.hpp"
 

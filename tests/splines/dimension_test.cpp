@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dimensions of spline spaces (theorem 7.1, table 7.1) by the rank of their conditions.
+#include "algorithms/splines/dimension.hpp"
+
 #include <bit>
 #include <catch2/catch.hpp>
 
-#include "algorithms/splines/dimension.hpp"
 #include "algorithms/splines/normal_form.hpp"
 
 using namespace crest;
@@ -44,7 +45,8 @@ TEST_CASE("dimensions of C0 and C1 splines are those of table 7.1") {
   check_dimensions<3>(3);
 }
 
-TEST_CASE("the equations V and E of cubic splines are independent and leave theorem 7.1's dimension") {
+TEST_CASE(
+    "the equations V and E of cubic splines are independent and leave theorem 7.1's dimension") {
   for (const std::size_t n : {1, 2, 3}) {
     CAPTURE(n);
     const auto side = static_cast<kernel::Index>(n);

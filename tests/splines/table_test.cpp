@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of numbers.
+#include "io/splines/table.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 
-#include "io/splines/table.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/shared_data.hpp"
@@ -35,7 +36,8 @@ TEST_CASE("columns are found by their names, whatever stands between and around 
   const std::vector<double> first{1, -2.5e-3}, second{2, 1e300};
   for (const char* text : {
            "a,b\n1,2\n-2.5e-3,1e300\n",
-           "\xef\xbb\xbf" "a,b\r\n1,2\r\n-.0025,1e300",
+           "\xef\xbb\xbf"
+           "a,b\r\n1,2\r\n-.0025,1e300",
            "b;a\n2;1\n1e+300;-2.5E-3\n",
            "a\tc\tb\n1\tred\t2\n\n-0.0025\t\t1e300\n",
            " \"a\" , \"c\",\"b\" \n 1 ,\"x,y\", +2\n -0.0025 ,, 1e300 \n",
@@ -75,7 +77,8 @@ TEST_CASE("written tables read back as the same numbers") {
   Random random(kSeed);
   std::vector<double> a, b;
   for (int i = 0; i < 1000; ++i) {
-    a.push_back(std::ldexp(static_cast<double>(random()) - 0x1p63, static_cast<int>(random() % 400) - 250));
+    a.push_back(
+        std::ldexp(static_cast<double>(random()) - 0x1p63, static_cast<int>(random() % 400) - 250));
     b.push_back(static_cast<double>(i) / 7);
   }
   const std::string path = std::string(CREST_BINARY_DIR) + "/table_test.csv";

@@ -19,10 +19,13 @@ struct Noise {
 constexpr Noise kNoise[] = {{0.5, 0.0038}, {1, 0.0075}, {2.5, 0.019}};
 
 int work(std::size_t count) {
-  fmt::print("{} samples, uniform noise of at most the percentage of the range {}; seed 1. |s - d|: "
-             "to the noisy values,\n|s - f|: to the function, both at the samples.\n\n", count, kRange);
-  fmt::print("| extension | n | noise | thesis | mean noise | mean \\|s - d\\| | mean \\|s - f\\| | max "
-             "\\|s - f\\| |\n|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "{} samples, uniform noise of at most the percentage of the range {}; seed 1. |s - d|: "
+      "to the noisy values,\n|s - f|: to the function, both at the samples.\n\n",
+      count, kRange);
+  fmt::print(
+      "| extension | n | noise | thesis | mean noise | mean \\|s - d\\| | mean \\|s - f\\| | max "
+      "\\|s - f\\| |\n|---|---|---|---|---|---|---|---|\n");
   const Samples s = samples_of(f_test, count, 1);
   for (const splines::Smoothness mode :
        {splines::Smoothness::c1, splines::Smoothness::local, splines::Smoothness::sequential})
