@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -56,13 +57,17 @@ std::size_t seeds_of(const Row& row, const Choice& choice) {
 
 void table_of(const char* title, Function f, std::span<const Row> rows, bool has_thesis,
               const Named& mode, const Choice& choice) {
+  const auto wanted = [&](const Row& row) {
+    return choice.least_samples <= row.samples && row.samples <= choice.most_samples;
+  };
+  if (std::none_of(rows.begin(), rows.end(), wanted)) return;
   fmt::print("\n{}, `{}`\n\n", title, mode.name);
   fmt::print("| N | n | seeds |{} mean | data | max | interior mean | data | max | order | s |\n",
              has_thesis ? " thesis mean | data | max |" : "");
   fmt::print("|---|---|---|{}---|---|---|---|---|---|---|---|\n", has_thesis ? "---|---|---|" : "");
   double previous = 0, previous_n = 0;
   for (const Row& row : rows) {
-    if (row.samples < choice.least_samples || row.samples > choice.most_samples) continue;
+    if (!wanted(row)) continue;
     CubicErrors sum;
     double seconds = 0;
     const std::size_t seeds = seeds_of(row, choice);
