@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <optional>
 
 #include "io/formats/files.hpp"
+#include "io/formats/text_scan.hpp"
 #include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
@@ -184,6 +186,26 @@ void check_xml(std::string_view bytes) {
       const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", close + 1), text.size());
       check_array(text.substr(begin), storage, true, text.size(), array);
     }
+  }
+}
+
+void check_extents(std::string_view bytes) {
+  constexpr std::string_view name = "Extent=";
+  for (std::size_t at = bytes.find(name); at != bytes.npos; at = bytes.find(name, at + 1)) {
+    const std::string text(bytes.substr(at + name.size() + 1, 200));
+    const char* p = text.c_str();
+    double count = 1;
+    for (int k = 0; k < 3; ++k) {
+      char* end = nullptr;
+      const double low = std::strtod(p, &end), high = std::strtod(end, &end);
+      p = end;
+      count *= high - low + 1;
+    }
+    if (!(count > 0 && count < static_cast<double>(kExpansion * bytes.size())))
+      fail("header",
+           fmt::format("the extent {} is empty or more than the file holds",
+                       io::quoted(text.substr(0, text.find('"')))),
+           "the file is truncated or its header wrong; export it again");
   }
 }
 

@@ -8,37 +8,12 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
-#include <cstdlib>
-
-#include "io/formats/text_scan.hpp"
 #include "io/formats/volume_field.hpp"
 #include "io/formats/vtk_input.hpp"
 #include "io/formats/vtk_quiet.hpp"
 
 namespace crest::io {
 namespace {
-
-/// VTK allocates what an extent announces. zlib expands a byte to at most 1032.
-void check_extents(std::string_view bytes) {
-  constexpr std::size_t expansion = 1032;
-  constexpr std::string_view name = "Extent=";
-  for (std::size_t at = bytes.find(name); at != bytes.npos; at = bytes.find(name, at + 1)) {
-    const std::string text(bytes.substr(at + name.size() + 1, 200));
-    const char* p = text.c_str();
-    double count = 1;
-    for (int k = 0; k < 3; ++k) {
-      char* end = nullptr;
-      const double low = std::strtod(p, &end), high = std::strtod(end, &end);
-      p = end;
-      count *= high - low + 1;
-    }
-    if (!(count > 0 && count < static_cast<double>(expansion * bytes.size())))
-      fail("header",
-           fmt::format("the extent {} is empty or more than the file holds",
-                       io::quoted(text.substr(0, text.find('"')))),
-           "the file is truncated or its header wrong; export it again");
-  }
-}
 
 Samples samples_of(vtkDataArray& array, std::size_t count) {
   const void* from = array.GetVoidPointer(0);

@@ -16,6 +16,8 @@ namespace crest::io {
 /// Before VTK reads VTP or VTU: throws where a header or a block announces more than the bytes may
 /// hold, which VTK would allocate.
 void check_xml(std::string_view bytes);
+/// Likewise before it reads VTI: where an extent announces more.
+void check_extents(std::string_view bytes);
 
 /// Checks the bytes, reads them and takes over points and fields: a named field alone if it is a
 /// scalar of the points, else, for the message, all fields; any: all. The data set belongs to the

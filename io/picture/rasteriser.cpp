@@ -18,9 +18,13 @@ namespace {
 
 using kernel::Vec3;
 
-/// Light grey under a key light at the upper left, a fill light at the right, and a soft gloss.
-/// The normal is in the camera's axes (right, up, towards the eye).
-Rgb shade(Vec3 n) {
+int clamp_to(double x, int limit) {
+  return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(limit)));
+}
+
+}  // namespace
+
+Rgb shaded(Vec3 n) {
   if (n[2] < 0) n = combine(-1, n, 0, n);
   const Vec3 key = {-0.453, 0.566, 0.689}, fill = {0.745, 0.115, 0.657};
   const Vec3 half = {-0.246, 0.308, 0.919};  // between the key light and the eye
@@ -33,12 +37,6 @@ Rgb shade(Vec3 n) {
   };
   return {channel(240), channel(241), channel(244)};
 }
-
-int clamp_to(double x, int limit) {
-  return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(limit)));
-}
-
-}  // namespace
 
 Canvas::Canvas(int width, int height)
     : width_(width * kSamples),
@@ -94,7 +92,7 @@ void Canvas::draw_triangle(const Vec3 (&corner)[3], const Vec3 (&normal)[3],
       depth_[at] = depth;
       const Vec3 n = combine(1, combine(w0, normal[0], w1, normal[1]), w2, normal[2]);
       const double squared = dot(n, n);  // of a mean of unit vectors
-      colour_[at] = shade(squared > 0 ? combine(1 / std::sqrt(squared), n, 0, n) : Vec3{0, 0, 1});
+      colour_[at] = shaded(squared > 0 ? combine(1 / std::sqrt(squared), n, 0, n) : Vec3{0, 0, 1});
       if (tint == nullptr) continue;
       const Vec3 t = combine(1, combine(w0, (*tint)[0], w1, (*tint)[1]), w2, (*tint)[2]);
       const auto scaled = [](std::uint8_t x, double s) {

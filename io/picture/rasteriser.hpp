@@ -14,6 +14,10 @@ struct Rgb {
   std::uint8_t red, green, blue;
 };
 
+/// Light grey under a key light at the upper left, a fill light at the right, and a soft gloss.
+/// The unit normal, of either sign, is in the camera's axes (right, up, towards the eye).
+Rgb shaded(kernel::Vec3 normal);
+
 /// Shares of 255 that samples are covered, row by row from the upper left.
 struct Mask {
   const std::uint8_t* shares;

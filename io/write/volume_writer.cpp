@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write/volume_writer.hpp"
 
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
-
-#include <bit>
-#include <cstring>
-
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
+#include "io/write/image_data.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -22,18 +13,6 @@ namespace {
 
 using kernel::SampledGrid;
 using kernel::operator*;
-
-static_assert(std::endian::native == std::endian::little);
-
-std::string sample_bytes(const SampledGrid& grid) {
-  return std::visit(
-      [](const auto& x) {
-        std::string bytes(x.size() * sizeof x[0], '\0');
-        std::memcpy(bytes.data(), x.data(), bytes.size());
-        return bytes;
-      },
-      grid.samples);
-}
 
 std::string nrrd(const SampledGrid& grid) {
   constexpr const char* types[] = {"int8",   "uint8", "int16",  "uint16", "int32",
@@ -53,36 +32,12 @@ std::string nrrd(const SampledGrid& grid) {
   return text.text() + sample_bytes(grid);
 }
 
-std::string vti(const SampledGrid& grid) {
-  constexpr int types[] = {
-      VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-      VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-      VTK_FLOAT,       VTK_DOUBLE};
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(static_cast<int>(grid.size[0]), static_cast<int>(grid.size[1]),
-                      static_cast<int>(grid.size[2]));
-  data->SetOrigin(grid.origin.data());
-  data->SetSpacing(grid.spacing.data());
-  for (int k = 0; k < 3; ++k)
-    for (int r = 0; r < 3; ++r)
-      data->GetDirectionMatrix()->SetElement(
-          r, k, grid.directions[static_cast<std::size_t>(k)][static_cast<std::size_t>(r)]);
-  const auto array = vtk::TakeSmartPointer(
-      vtkDataArray::CreateDataArray(types[static_cast<std::size_t>(grid.type())]));
-  array->SetName("value");
-  array->SetNumberOfTuples(static_cast<vtkIdType>(grid.count()));
-  const std::string samples = sample_bytes(grid);
-  std::memcpy(array->GetVoidPointer(0), samples.data(), samples.size());
-  data->GetPointData()->SetScalars(array);
-  return vti_bytes(*data);
-}
-
 }  // namespace
 
 void write_volume(const std::string& path, const SampledGrid& grid) {
   const std::string extension = lower_extension(path);
   if (extension == ".nrrd") return write_atomically(path, nrrd(grid));
-  if (extension == ".vti") return write_atomically(path, vti(grid));
+  if (extension == ".vti") return write_atomically(path, vti_bytes(*image_data(grid)));
   throw kernel::InputError(path + ": file: has an unknown extension; write .nrrd or .vti");
 }
 

@@ -53,6 +53,11 @@ const std::set<std::string>& result_headers() {
       "algorithms/reeb/tile_complex.hpp",
       "algorithms/ridges/ridge_graph.hpp",
       "algorithms/smooth_ridges/smooth_ridges_result.hpp",
+      "algorithms/splines/cubic_model.hpp",
+      "algorithms/splines/isosurface.hpp",
+      "algorithms/splines/pinhole.hpp",
+      "algorithms/splines/quadratic.hpp",
+      "algorithms/splines/value_and_gradient.hpp",
       "algorithms/vector_fields/planar_field.hpp",
       "algorithms/vector_fields/skeleton_result.hpp",
   };

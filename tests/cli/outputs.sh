@@ -45,6 +45,11 @@ run 0 crest ridges blend.ply --smooth 3 --crest-only --min-length 0.02 -o r3.ply
 run 0 crest ridges patch.ply --rings 2 --order 3 -o r4.vtp --certificate r4.crest --report r4.json
 run 0 crest ridges torus.vtp -o r5.vtp --certificate r5.crest --report r5.json
 
+run 0 crest spline moebius.nrrd --isovalue 0.4 --picture q1.png --size 96 --certificate q1.crest \
+  -o q1.vti --report q1.json --cite
+run 0 crest spline q1.vti --isovalue 0.4 --picture q2.svg --size 64 --mesh q2.vtp --report q2.json
+run 0 crest spline shell.vti --border extend --isovalue 0.31 --mesh q3.ply --certificate q3.crest --report q3.json
+
 run 0 crest curvature ellipsoid.off -o c1.vtp --focal c1-focal.vtp --picture c1.svg --report c1.json --cite
 run 0 crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 --rotate \
   -o c2.ply --focal-picture c2.svg --report c2.json
@@ -86,6 +91,17 @@ run 0 crest modes twist.vtu --mode 0.6 --neutral -o m1.vtp --picture m1.png --ce
 run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --report m2.json
 
 run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
+
+# 600 samples of a function on numbers of a generator of Lehmer's.
+awk 'function draw() { state = state * 48271 % 2147483647; return state / 2147483648 }
+  BEGIN { state = 20041; print "x,y,z,value"
+    for (i = 0; i < 600; ++i) { x = draw(); y = draw(); z = draw(); printf "%.17g,%.17g,%.17g,%.17g\n", x, y, z, x * y - z * z * x } }' \
+  >samples.csv
+run 0 crest spline samples.csv -o p1.vti --certificate p1.crest --report p1.json --evaluate samples.csv \
+  --values p1.csv --cite
+run 0 crest spline samples.csv --smoothness local -n 3,4,5 --box 0,1 -o p2.vti --certificate p2.crest --report p2.json
+run 0 crest spline samples.csv --smoothness sequential -o p3.vti --report p3.json
+run 0 crest spline p1.vti --evaluate samples.csv --values p4.csv --report p4.json
 
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"

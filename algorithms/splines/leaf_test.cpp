@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/splines/leaf_test.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "kernel/arithmetic/approximate.hpp"
+#include "kernel/arithmetic/rational.hpp"
+#include "kernel/arithmetic/sign.hpp"
+
+namespace crest::splines {
+
+using kernel::kUnitRoundoff;
+using kernel::Rational;
+using kernel::Sign;
+
+namespace {
+
+using Basis = kernel::SimplexBasis<3, 2>;
+
+/// Coefficients by pairs of corners.
+constexpr auto kPair = [] {
+  std::array<std::array<std::uint8_t, 4>, 4> pair{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      Basis::Index index{};
+      ++index[i];
+      ++index[k];
+      pair[i][k] = static_cast<std::uint8_t>(Basis::position(index));
+    }
+  return pair;
+}();
+
+/// A corner from its cube's centre; exact in doubles.
+template <class T>
+std::array<T, 3> from_centre(const Cube& cube, const FinePoint& p) {
+  constexpr std::int64_t unit = std::int64_t{1} << kFineBits;
+  std::array<T, 3> d;
+  for (std::size_t k = 0; k < 3; ++k)
+    d[k] = T(static_cast<double>(p[k] - (2 * cube[k] + 1) * unit) / static_cast<double>(unit));
+  return d;
+}
+
+template <class T>
+std::array<T, 10> blossoms(const QuadraticNet<T>& root, const Cube& cube, std::size_t t,
+                           const FineCorners& corners) {
+  std::array<std::array<T, 4>, 4> l;
+  for (std::size_t i = 0; i < 4; ++i) l[i] = barycentric(t, from_centre<T>(cube, corners[i]));
+  std::array<T, 10> b;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto step = kernel::blossom_step(root, l[i]);
+    for (std::size_t k = i; k < 4; ++k) b[kPair[i][k]] = kernel::value_at(step, l[k]);
+  }
+  return b;
+}
+
+std::array<Rational, 10> exact_net(const QuadraticSpline& spline, double level, const Cube& cube,
+                                   std::size_t t, const FineCorners& corners) {
+  QuadraticNet<Rational> root;
+  if (spline.exact()) {
+    const auto net = tetrahedron_net(cube_coefficients(spline.stencil<double>(cube)), t);
+    std::copy(net.c.begin(), net.c.end(), root.c.begin());
+  } else {
+    root = tetrahedron_net(cube_coefficients(spline.stencil<Rational>(cube)), t);
+  }
+  for (Rational& x : root.c) x -= level;
+  return blossoms(root, cube, t, corners);
+}
+
+/// Signs of numbers of degree 1 and 2 in the coefficients, the latter with factors of the shape;
+/// notes where it is not sure.
+struct Filter {
+  double error, product_error;
+  bool unsure = false;
+  Sign operator()(double x, double bound) {
+    // Not: sure. So NaN is not.
+    unsure |= !(std::fabs(x) > bound) || !(std::fabs(x) < HUGE_VAL);
+    return kernel::sign_of(x);
+  }
+  Sign linear(double x) { return (*this)(x, error); }
+  Sign product(double x) { return (*this)(x, product_error); }
+};
+struct Exact {
+  static constexpr bool unsure = false;
+  static Sign linear(const Rational& x) { return kernel::sign_of(x); }
+  static Sign product(const Rational& x) { return kernel::sign_of(x); }
+};
+
+/// Zero counts as +.
+template <class T, class Signs>
+bool is_empty(std::initializer_list<T> b, Signs& signs) {
+  bool any_below = false, any_other = false;
+  for (const T& x : b) (signs.linear(x) == Sign::negative ? any_below : any_other) = true;
+  return !(any_below && any_other);
+}
+
+template <class T, class Signs>
+bool edge_is_simple(const T& b0, const T& b1, const T& b2, Signs& signs) {
+  const bool below = signs.linear(b0) == Sign::negative;
+  if (below != (signs.linear(b2) == Sign::negative)) return true;
+  if ((signs.linear(b1) == Sign::negative) == below) return true;
+  const Sign d = signs.product(T(b0 * b2 - b1 * b1));
+  return below ? d == Sign::positive : d != Sign::negative;
+}
+
+/// Edges from corner 0, the longest coordinate scaled to 1: small integers, but for a power of two.
+template <class T>
+using Edges = std::array<std::array<T, 3>, 4>;
+
+template <class T>
+T inner(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// (ii): the gradient within the face i j k.
+template <class T, class Signs>
+bool face_is_simple(const std::array<T, 10>& b, const Edges<T>& x, std::size_t i, std::size_t j,
+                    std::size_t k, Signs& signs) {
+  std::array<T, 3> u, v;
+  for (std::size_t r = 0; r < 3; ++r) {
+    u[r] = x[j][r] - x[i][r];
+    v[r] = x[k][r] - x[i][r];
+  }
+  const T uu = inner(u, u), uv = inner(u, v), vv = inner(v, v);
+  std::array<std::array<T, 2>, 3> d;
+  T mean_u(0), mean_v(0);
+  std::size_t n = 0;
+  for (const std::size_t p : {i, j, k}) {
+    d[n] = {b[kPair[p][j]] - b[kPair[p][i]], b[kPair[p][k]] - b[kPair[p][i]]};
+    mean_u = mean_u + d[n][0];
+    mean_v = mean_v + d[n][1];
+    ++n;
+  }
+  // The inverse of the metric but for a positive factor.
+  const T along_u = vv * mean_u - uv * mean_v, along_v = uu * mean_v - uv * mean_u;
+  for (const auto& [du, dv] : d)
+    if (signs.product(T(du * along_u + dv * along_v)) != Sign::positive) return false;
+  return true;
+}
+
+/// (iii).
+template <class T, class Signs>
+bool gradient_is_simple(const std::array<T, 10>& b, const Edges<T>& x, Signs& signs) {
+  std::array<std::array<T, 3>, 3> normal;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto &u = x[1 + (j + 1) % 3], &v = x[1 + (j + 2) % 3];
+    normal[j] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  }
+  std::array<std::array<T, 3>, 4> g;
+  std::array<T, 3> mean = {T(0), T(0), T(0)};
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t r = 0; r < 3; ++r) {
+      g[p][r] = T(0);
+      for (std::size_t j = 0; j < 3; ++j)
+        g[p][r] = g[p][r] + (b[kPair[p][j + 1]] - b[kPair[p][0]]) * normal[j][r];
+      mean[r] = mean[r] + g[p][r];
+    }
+  for (const auto& corner : g)
+    if (signs.product(inner(corner, mean)) != Sign::positive) return false;
+  return true;
+}
+
+template <class T, class Signs>
+bool is_settled(const std::array<T, 10>& b, const Edges<T>& x, Signs& signs) {
+  if (is_empty({b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8], b[9]}, signs)) return true;
+  const auto at = [&](std::size_t i, std::size_t k) -> const T& { return b[kPair[i][k]]; };
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = i + 1; k < 4; ++k)
+      if (!edge_is_simple(at(i, i), at(i, k), at(k, k), signs)) return false;
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    const std::size_t i = left_out == 0 ? 1 : 0, j = left_out <= 1 ? 2 : 1,
+                      k = left_out <= 2 ? 3 : 2;
+    if (!is_empty({at(i, i), at(i, j), at(i, k), at(j, j), at(j, k), at(k, k)}, signs) &&
+        !face_is_simple(b, x, i, j, k, signs))
+      return false;
+  }
+  return gradient_is_simple(b, x, signs);
+}
+
+template <class T>
+Edges<T> edges_of(const FineCorners& corners) {
+  std::int64_t longest = 1;
+  for (const FinePoint& p : corners)
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] - corners[0][k]));
+  Edges<T> x;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      x[i][k] =
+          T(static_cast<double>(corners[i][k] - corners[0][k]) / static_cast<double>(longest));
+  return x;
+}
+
+}  // namespace
+
+LeafTest::LeafTest(const QuadraticSpline& spline, double c) : spline_(spline), level_(c) {
+  const double steps = c / spline.step();
+  if (spline.exact() && std::fabs(steps) < 0x1p50 && std::floor(steps) == steps)
+    bits_ = 1 + std::max(spline.bits(), steps == 0 ? 0 : std::ilogb(steps) + 1);
+}
+
+LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::size_t t,
+                      const FineCorners* corners) const {
+  QuadraticNet<double> root = tetrahedron_net(a, t);
+  LeafNet leaf;
+  leaf.largest = 0;
+  for (double& x : root.c) {
+    x -= level_;
+    leaf.largest = std::fmax(leaf.largest, std::fabs(x));
+  }
+  leaf.error = 0;
+  if (!spline_.exact()) leaf.error = 0x1p-40 * spline_.largest_sample();
+  int bits = bits_;
+  if (corners) {
+    leaf.b = blossoms(root, cube, t, *corners);
+    // Two barycentric coordinates of as many bits as the corners have behind the point, and one.
+    std::uint64_t all = std::uint64_t{1} << kFineBits;
+    for (const FinePoint& p : *corners)
+      for (const std::int64_t x : p) all |= static_cast<std::uint64_t>(x);
+    bits += 2 * (kFineBits - std::countr_zero(all) + 1);
+    if (bits_ == 0 || bits > 51) leaf.error += 16 * kUnitRoundoff * leaf.largest;
+  } else {
+    leaf.b = root.c;  // a difference of doubles has its exact sign
+  }
+  // Of two coefficients, and edges that are multiples of 1/2 and at most 1: four bits behind the
+  // point, sums below 2^9.
+  leaf.exact_products = bits_ > 0 && 2 * bits + 13 <= 53;
+  return leaf;
+}
+
+double LeafTest::at(const LeafNet& net, std::size_t i, std::size_t k) {
+  return net.b[kPair[i][k]];
+}
+
+bool LeafTest::empty(const LeafNet& net) const {
+  bool below = true, other = true;
+  for (const double x : net.b) {
+    below &= x < -net.error;
+    other &= net.error == 0 ? x >= 0 : x > net.error;
+  }
+  return below || other;
+}
+
+bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
+                       const FineCorners& corners) const {
+  if (empty(net)) return true;
+  // Products have factors of at most 2^8 from a shape whose edges are at most 1 along each axis.
+  const double rounded = net.error + 2 * kUnitRoundoff * net.largest;
+  Filter filter{net.error, 0x1p13 * rounded * net.largest};
+  // Signs are exact, zeros too.
+  if (net.error == 0) filter.error = -1;
+  if (net.exact_products) filter.product_error = -1;
+  const bool answer = is_settled(net.b, edges_of<double>(corners), filter);
+  if (!filter.unsure) return answer;
+  Exact exact;
+  return is_settled(exact_net(spline_, level_, cube, t, corners), edges_of<Rational>(corners),
+                    exact);
+}
+
+bool LeafTest::below(const LeafNet& net, const Cube& cube, std::size_t t,
+                     const FineCorners& corners, std::size_t corner) const {
+  const double x = net.b[kPair[corner][corner]];
+  if (net.error == 0 || std::fabs(x) > net.error) return x < 0;
+  return exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]] < 0;
+}
+
+bool LeafTest::on_level(const LeafNet& net, const Cube& cube, std::size_t t,
+                        const FineCorners& corners, std::size_t corner) const {
+  const double x = net.b[kPair[corner][corner]];
+  if (net.error == 0) return x == 0;
+  return !(std::fabs(x) > net.error) &&
+         exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]] == 0;
+}
+
+}  // namespace crest::splines

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Isosurfaces of splines to files.
+#include <string>
+
+#include "algorithms/splines/isosurface.hpp"
+
+namespace crest::io {
+
+/// .vtp (with the gradients `gradient`), .obj or .ply. `data_digest`: of the certificate, or empty.
+/// Guarantees: the same bytes for the same surface; no half-written file. Throws:
+/// kernel::InputError for another extension or a place that cannot be written.
+void write_isosurface(const std::string& path, const splines::Isosurface& surface,
+                      const std::string& data_digest);
+
+}  // namespace crest::io

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/splines/ray_picture.hpp"
+
+#include <cmath>
+
+#include "io/picture/picture_file.hpp"
+#include "io/picture/rasteriser.hpp"
+
+namespace crest::io {
+
+void write_ray_picture(const std::string& path, const splines::Pinhole& camera,
+                       std::span<const splines::Hit> hits) {
+  Canvas canvas(camera.width, camera.height);
+  const auto axes = camera.axes();
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!hits[i].hit) continue;
+    const kernel::Vec3& g = hits[i].gradient;
+    // On a plateau there is no normal: as if it faced the eye.
+    const double length = std::hypot(g[0], g[1], g[2]);
+    kernel::Vec3 n = {0, 0, 1};
+    if (length > 0)
+      n = {dot(g, axes.right) / length, dot(g, axes.up) / length, -dot(g, axes.forward) / length};
+    const auto x = static_cast<double>(i % static_cast<std::size_t>(camera.width));
+    const auto y = static_cast<double>(i / static_cast<std::size_t>(camera.width));
+    canvas.fill_box(x, y, x + 1, y + 1, shaded(n));
+  }
+  write_canvas(path, canvas, camera.width, camera.height);
+}
+
+}  // namespace crest::io

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Isosurfaces as meshes: known topology, degenerate levels, the checker of their certificates.
+#include "algorithms/splines/isosurface.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/splines/quadratic_certificate.hpp"
+#include "certify/verify.hpp"
+#include "io/read/volume_reader.hpp"
+#include "tests/splines/volumes.hpp"
+#include "tests/support/shared_data.hpp"
+
+using namespace crest;
+using namespace crest::tests;
+using kernel::operator-;
+using splines::extract_isosurface;
+using splines::Isosurface;
+using splines::QuadraticSpline;
+
+namespace {
+
+/// Decided, and its certificate accepted.
+Isosurface certified(const QuadraticSpline& spline, double c) {
+  const Isosurface surface = extract_isosurface(spline, c, 30);
+  CHECK(surface.undecided.empty());
+  const auto verdict =
+      certify::verify(certify::encode(splines::isosurface_certificate(spline, c, surface)));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+  return surface;
+}
+
+double torus(double x, double y, double z) {
+  const double r = std::sqrt(x * x + y * y) - 0.6;
+  return r * r + z * z;
+}
+
+/// Six times the volume that a closed surface encloses.
+double volume_of(const Isosurface& surface) {
+  double sum = 0;
+  for (const auto& t : surface.triangles)
+    sum += kernel::determinant(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("spheres: one closed surface of Euler characteristic 2, vertices on it") {
+  for (const int n : {8, 16}) {
+    const QuadraticSpline spline(sphere_volume(n));
+    const double middle = 0.5 * (n - 1), radius = 0.3 * n + 0.013;
+    const auto surface = certified(spline, sphere_level(radius));
+    CHECK(surface.euler_characteristic == 2);
+    CHECK(surface.components == 1);
+    CHECK(surface.boundary_loops == 0);
+    CHECK(surface.coincident == 0);
+    double largest = 0;
+    for (const Vec3& p : surface.points)
+      largest =
+          std::fmax(largest, std::fabs(kernel::distance(p, {middle, middle, middle}) - radius));
+    CHECK(largest < 1e-13);
+    // s < c inside: triangles are counter-clockwise from there, and so enclose a negative volume.
+    CHECK(volume_of(surface) < 0);
+  }
+}
+
+TEST_CASE("mirrored axes turn the triangles with them") {
+  auto grid = sphere_volume(8);
+  grid.directions[2] = {0, 0, -1};
+  CHECK(volume_of(certified(QuadraticSpline(grid), sphere_level(2.3))) < 0);
+}
+
+TEST_CASE("a torus, on three grids, has Euler characteristic 0; some tetrahedra are bisected") {
+  std::size_t bisected = 0;
+  for (const int n : {14, 16, 25}) {
+    const auto surface = certified(QuadraticSpline(volume_of<float>(n, torus)), 0.06);
+    CHECK(surface.euler_characteristic == 0);
+    CHECK(surface.components == 1);
+    CHECK(surface.boundary_loops == 0);
+    bisected += surface.bisected.size();
+  }
+  CHECK(bisected > 100);
+}
+
+TEST_CASE("a hyperboloid of two sheets has two disks, of one sheet an annulus") {
+  const QuadraticSpline spline(
+      volume_of<double>(13, [](double x, double y, double z) { return z * z - x * x - y * y; }));
+  const auto two = certified(spline, 0.1), one = certified(spline, -0.1);
+  CHECK(two.components == 2);
+  CHECK(two.euler_characteristic == 2);
+  CHECK(two.boundary_loops == 2);
+  CHECK(one.components == 1);
+  CHECK(one.euler_characteristic == 0);
+  CHECK(one.boundary_loops == 2);
+}
+
+TEST_CASE(
+    "levels through vertices and samples: zero counts as +, coincident vertices are counted") {
+  const QuadraticSpline spline(sphere_volume(14));
+  // Radius 4: through six vertices of the partition, tangent there to planes of faces.
+  const auto through = certified(spline, sphere_level(4));
+  CHECK(through.euler_characteristic == 2);
+  CHECK(through.exact_corners >= 6);
+  CHECK(through.coincident > 0);
+  const auto samples = certified(spline, 4 * 9 + 3);
+  CHECK(samples.euler_characteristic == 2);
+  CHECK(samples.components == 1);
+}
+
+TEST_CASE("a level at a saddle of a piece is not decided, and listed") {
+  // s = x y + c at the middle sample: a saddle inside the central cube.
+  auto grid = volume_of<double>(5, [](double x, double y, double z) { return x * y + 0 * z; });
+  const QuadraticSpline spline(grid);
+  const auto surface = extract_isosurface(spline, 0, 5);
+  CHECK_FALSE(surface.undecided.empty());
+  for (const Vec3& p : surface.undecided) CHECK(std::fabs(p[0] * p[1]) < 0.1);
+  CHECK(certify::verify(certify::encode(splines::isosurface_certificate(spline, 0, surface)))
+            .accepted == false);
+}
+
+TEST_CASE("a plateau at the level is listed, half a step beside it is decided") {
+  const QuadraticSpline spline(volume_of<std::int8_t>(
+      7, [](double x, double y, double z) { return std::floor(3 * (x + 0.4 * y + 0.2 * z)); }));
+  CHECK_FALSE(extract_isosurface(spline, 0, 1).undecided.empty());
+  const auto surface = certified(spline, 0.5);
+  CHECK(surface.components == 1);
+}
+
+TEST_CASE("random data: whatever the topology, the certificate is accepted") {
+  for (std::uint64_t i = 0; i < scaled(4); ++i) {
+    const QuadraticSpline spline(random_volume<std::int16_t>({6, 5, 7}, 1000, kSeed + 20 + i),
+                                 i % 2 ? splines::Border::extend : splines::Border::none);
+    const auto surface = certified(spline, 17.3);
+    CHECK(surface.triangles.size() > 100);
+  }
+}
+
+TEST_CASE("an empty surface has a certificate, too") {
+  const auto surface = certified(QuadraticSpline(sphere_volume(6)), -5);
+  CHECK(surface.triangles.empty());
+  CHECK(surface.components == 0);
+}
+
+TEST_CASE("isosurfaces of the volume neghip") {
+  const auto path = shared_data("volumes/neghip.nrrd");
+  if (!path) return;
+  const QuadraticSpline spline(io::read_volume(*path).grid);
+  for (const double c : {90.37, 200.61}) {
+    const auto surface = certified(spline, c);
+    CHECK(surface.triangles.size() > 1000);
+    CHECK(surface.coincident == 0);
+  }
+}
