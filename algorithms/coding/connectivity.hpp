@@ -20,10 +20,10 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
-/// Where the mesh's vertices and faces stand in the decoded mesh's order.
+/// The mesh as it is decoded, and where it comes from.
 struct CodedOrder {
-  std::vector<Index> vertices;  ///< the mesh's vertex at each decoded one
-  std::vector<Index> corners;   ///< the mesh's half-edge from each decoded face's first corner
+  std::vector<Triangle> faces;  ///< decoded
+  std::vector<Index> corners;   ///< of each: the mesh's half-edge that starts at its first corner
 };
 
 }  // namespace crest::coding

@@ -23,6 +23,7 @@ class Surface {
   Index from(Index h) const { return faces_[h / 3][h % 3]; }
   Index to(Index h) const { return from(next_half(h)); }
   Index twin(Index h) const { return table_.opposite(h); }
+  const kernel::CornerTable& table() const { return table_; }
   std::span<const Triangle> faces() const { return faces_; }
   Index face_count() const { return table_.face_count(); }
   const Counts& counts() const { return counts_; }

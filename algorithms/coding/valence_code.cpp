@@ -126,11 +126,7 @@ class Original {
     edge_[slot] = h;
     slot_[h] = slot;
   }
-  void meet(Index v) {
-    if (seen_[v]) return;
-    seen_[v] = 1;
-    if (!s_.extra(v)) order_.vertices.push_back(v);
-  }
+  void meet(Index v) { seen_[v] = 1; }
   void finish(Index h) {
     done_[h / 3] = 1;
     if (h / 3 < s_.faces) order_.corners.push_back(h);
@@ -431,6 +427,7 @@ Bytes encode_valences(const Surface& surface, CodedOrder& order) {
   RangeEncoder range;
   ValenceRoutine routine(range, original, surface.counts(), kNone);
   routine.run();
+  order.faces = std::move(routine.faces());
   return range.finish();
 }
 
