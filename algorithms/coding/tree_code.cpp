@@ -203,7 +203,7 @@ class MixedCode {
             &lines_.of(pack(13, {e.before, e.first, e.second, e.after})),
             &lines_.of(pack(14, {e.first, e.before, t})),
             &lines_.of(pack(15, {e.second, e.after, t, std::min<std::uint64_t>(k, 1)})),
-            &lines_.of(pack(16, {e.first, e.second, symbol(0), kind}))};
+            &lines_.of(pack(16, {e.first, e.second, symbol(0), symbol(1), kind}))};
   }
   bool decide(const Context<kContexts>& context, std::size_t number, std::size_t weights, bool bit) {
     return code_mixed(range_, context, number, length_[weights], bit);
