@@ -20,13 +20,42 @@ class SmallNumber {
     const int wanted = static_cast<int>(std::bit_width(next)) - 1;
     int length = 0;
     while (code_alone(range, more_[static_cast<std::size_t>(length)], length < wanted))
-      if (++length == 32) throw StreamError("has a number above 2^32");
+      if (++length == 30) throw StreamError("has a number above 2^30");
     const auto low = code_bits(range, static_cast<std::uint32_t>(next), length);
     return static_cast<std::uint32_t>((std::uint64_t{1} << length | low) - 1);
   }
 
  private:
-  std::array<Counter, 32> more_;
+  std::array<Counter, 30> more_;
+};
+
+/// Numbers of 64 bits: the bit length in unary by counters, then the bits after the first plain.
+class LargeNumber {
+ public:
+  template <class Range>
+  std::uint64_t code(Range& range, std::uint64_t x) {
+    const int wanted = static_cast<int>(std::bit_width(x));
+    int length = 0;
+    while (length < 64 &&
+           code_alone(range, more_[static_cast<std::size_t>(length)], length < wanted))
+      ++length;
+    return length == 0 ? 0 : code_lower(range, x, length - 1) | std::uint64_t{1} << (length - 1);
+  }
+  /// The `count` lowest bits of x.
+  template <class Range>
+  static std::uint64_t code_lower(Range& range, std::uint64_t x, int count) {
+    std::uint64_t result = 0;
+    for (int left = count; left > 0;) {
+      const int part = left < 32 ? left : 32;
+      left -= part;
+      const auto bits = static_cast<std::uint32_t>(x >> left);
+      result = result << part | code_bits(range, bits, part);
+    }
+    return result;
+  }
+
+ private:
+  std::array<Counter, 64> more_;
 };
 
 /// A number below `count` in as many bits as count - 1 has.

@@ -218,7 +218,7 @@ class ValenceRoutine {
       const bool extra = open && k == 0;
       const std::uint32_t x =
           (extra ? loop_length_ : start_valence_).code(range_, mesh_.start_valence(k) - 3) + 3;
-      v[static_cast<std::size_t>(k)] = add_vertex(limited(x), extra);
+      v[static_cast<std::size_t>(k)] = add_vertex(x, extra);
     }
     mesh_.start();
     const Index base = static_cast<Index>(slots_.size());
@@ -230,11 +230,6 @@ class ValenceRoutine {
     for (Index k = 0; k < 3; ++k) wait(base + k);
     emit(v[0].number, v[1].number, v[2].number);
   }
-  static std::uint32_t limited(std::uint32_t valence) {
-    if (valence > 0x3fffffffu) throw StreamError("has a valence above 2^30");
-    return valence;
-  }
-
   void step(Index f) {
     mesh_.approach(f);
     const Index n = slots_[f].next;
@@ -301,8 +296,8 @@ class ValenceRoutine {
     for (std::uint32_t k = 7; k < 13; ++k)
       if (decide(k - 3, !extra && wanted == k)) return add_vertex(k, false);
     if (loops_left_ > 0 && code_alone(range_, closes_, extra))
-      return add_vertex(limited(loop_length_.code(range_, wanted - 3) + 3), true);
-    return add_vertex(limited(large_.code(range_, wanted - 13) + 13), false);
+      return add_vertex(loop_length_.code(range_, wanted - 3) + 3, true);
+    return add_vertex(large_.code(range_, wanted - 13) + 13, false);
   }
 
   Context<kContexts> contexts(Index sf, Index sn) {
