@@ -14,6 +14,7 @@ namespace crest::coding {
 namespace {
 
 constexpr std::int64_t kExactIntegers = std::int64_t{1} << 53;
+constexpr int kLowBits = 33;  ///< of a double's 53, that are 0 in a step
 constexpr std::int64_t kMostMultiple = std::int64_t{1} << 31;
 
 /// 10^0 .. 10^22: all are doubles.
@@ -57,6 +58,12 @@ double number(AxisForm form, std::int64_t k) {
   return from_ordered(k);
 }
 
+double checked_number(AxisForm form, std::int64_t k) {
+  if (form.form == Form::floats && k != static_cast<std::int32_t>(k))
+    throw StreamError("has a coordinate beyond its range");
+  return number(form, k);
+}
+
 /// The integer whose number is x, or is near it.
 std::int64_t integer(AxisForm form, double x) {
   switch (form.form) {
@@ -72,9 +79,8 @@ std::int64_t integer(AxisForm form, double x) {
   return ordered(x);
 }
 
-bool same(double x, double y) {
-  return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-}
+std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
+bool same(double x, double y) { return bits_of(x) == bits_of(y); }
 
 /// Vertices whose coordinate the form does not give, or nothing if they are too many.
 bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis, std::vector<Index>& found) {
@@ -150,7 +156,7 @@ class ExactRoutine {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if constexpr (!Range::kEncodes)
         for (std::size_t v = 0; v < values.size(); ++v)
-          points_[v][axis] = number(axes_[axis].form, values[v][axis]);
+          points_[v][axis] = checked_number(axes_[axis].form, values[v][axis]);
       code_exceptions(axes_[axis].exceptions, axis);
     }
   }
@@ -169,9 +175,7 @@ class ExactRoutine {
       v += gap.code(range_, Range::kEncodes ? static_cast<std::uint32_t>(list[i] - v) : 0);
       if (v >= points_.size()) throw StreamError("has an exception beyond the last vertex");
       double& x = points_[v][axis];
-      const auto bits = std::bit_cast<std::uint64_t>(x);
-      const std::uint64_t high = code_bits(range_, static_cast<std::uint32_t>(bits >> 32), 32);
-      x = std::bit_cast<double>(high << 32 | code_bits(range_, static_cast<std::uint32_t>(bits), 32));
+      x = std::bit_cast<double>(LargeNumber::code_lower(range_, bits_of(x), 64));
     }
   }
 
@@ -184,10 +188,9 @@ class ExactRoutine {
 template <class Range>
 void code_multiples(Range& range, const Surface& surface, std::span<Triple> values, double& step,
                     std::array<Hint, 3> hints) {
-  const auto bits = std::bit_cast<std::uint64_t>(step);
-  const std::uint64_t high = code_bits(range, static_cast<std::uint32_t>(bits >> 32), 32);
-  step = std::bit_cast<double>(high << 32 | code_bits(range, static_cast<std::uint32_t>(bits), 32));
-  if (!std::isfinite(step) || step <= 0) throw StreamError("has a step that is not positive");
+  step = std::bit_cast<double>(LargeNumber::code_lower(range, bits_of(step), 64));
+  if (!std::isnormal(step) || step < 0 || bits_of(step) << (64 - kLowBits) != 0)
+    throw StreamError("has a step that is no positive number of 20 bits");
   TripleRoutine<Range, std::int64_t>(range, surface, values, -kMostMultiple + 1, kMostMultiple - 1, hints).run();
 }
 
@@ -258,7 +261,26 @@ std::vector<Point> decode_exact(std::span<const std::uint8_t> bytes, const Surfa
   return points;
 }
 
-double step_within(double tolerance) { return tolerance; }
+double step_within(double tolerance) {
+  // t 2^j = tolerance with t of 53 bits; m 2^(j + e) with m of 20 bits is a step if
+  // 3 m^2 2^(2 e) <= 4 t^2: at most 112 bits, as e is 33 or 34.
+  int exponent = 0;
+  const auto t = static_cast<Int128>(std::ldexp(std::frexp(tolerance, &exponent), 53));
+  int e = 34;
+  Int128 m = (Int128{1} << 20) - 1;
+  const auto fits = [&] { return 3 * m * m << (2 * e) <= 4 * t * t; };
+  Int128 low = Int128{1} << 19, high = Int128{1} << 20;
+  m = low;
+  if (!fits()) --e;
+  while (high - low > 1) {
+    m = (low + high) / 2;
+    (fits() ? low : high) = m;
+  }
+  const double step = std::ldexp(static_cast<double>(low), exponent - 53 + e);
+  if (step < std::numeric_limits<double>::min())
+    throw kernel::InputError("tolerance: is too small for doubles; give a larger one or --exact");
+  return step;
+}
 
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step) {
   std::vector<Triple> values(points.size());

@@ -55,6 +55,7 @@ class Original {
     const Index next = mesh.slots()[gate].next, previous = mesh.slots()[gate].previous;
     if (type == NodeType::leaf || type == NodeType::right) put(next, next_half(h));
     if (type == NodeType::leaf || type == NodeType::left) put(previous, previous_half(h));
+    order_.splits += splits() ? 1 : 0;
   }
   /// The triangle that closes a component; the gate's half-edge is its first.
   void filled(Index component) { order_.corners.push_back(tree_.removed[component]); }

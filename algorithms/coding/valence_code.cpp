@@ -180,6 +180,7 @@ class ValenceRoutine {
       throw StreamError("has fewer vertices or boundary loops than the header says");
   }
   std::vector<Triangle>& faces() { return faces_; }
+  Index splits() const { return splits_; }
 
  private:
   struct Vertex {
@@ -327,6 +328,7 @@ class ValenceRoutine {
   /// The triangle meets a slot, which splits the loop or joins another.
   void meet(Index f, Index n) {
     Index after = 0;
+    ++splits_;
     const Index x = code_slot(f, mesh_.meeting(after));
     const auto inner = slots_[x].free - 2;
     const auto second_free = static_cast<std::int32_t>(
@@ -402,7 +404,7 @@ class ValenceRoutine {
   Range& range_;
   Mesh& mesh_;
   const Counts& counts_;
-  Index max_faces_, loops_left_, vertices_ = 0;
+  Index max_faces_, loops_left_, vertices_ = 0, splits_ = 0;
   std::vector<Triangle> faces_;
   std::vector<Slot> slots_;
   Waiting waiting_;
@@ -423,6 +425,7 @@ Bytes encode_valences(const Surface& surface, CodedOrder& order) {
   ValenceRoutine routine(range, original, surface.counts(), kNone);
   routine.run();
   order.faces = std::move(routine.faces());
+  order.splits = routine.splits();
   return range.finish();
 }
 
