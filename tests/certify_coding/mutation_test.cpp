@@ -43,7 +43,7 @@ Mesh grid(std::uint32_t m, std::uint32_t n, bool round, bool high) {
   return mesh;
 }
 
-/// A sphere of vertices put into random faces, -0 and far coordinates among them.
+/// A sphere of vertices put into random faces, -0 among their coordinates.
 Mesh stacked(std::uint32_t vertices, Random& random) {
   Mesh mesh;
   mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
@@ -56,7 +56,7 @@ Mesh stacked(std::uint32_t vertices, Random& random) {
   }
   for (std::uint32_t v = 0; v < vertices; ++v)
     mesh.points.push_back({std::ldexp(static_cast<double>(random() % 1000), -5),
-                           v % 7 == 0 ? -0.0 : 1.0 / (v + 1), static_cast<double>(v) * 1e10});
+                           v % 7 == 0 ? -0.0 : 1.0 / (v + 1), static_cast<double>(v) * 1e4});
   return mesh;
 }
 
