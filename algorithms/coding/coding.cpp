@@ -80,7 +80,12 @@ Bytes encode_places(const Surface& decoded, std::span<const Point> points, std::
     places.assign(points.begin(), points.end());
     return encode_exact(decoded, points);
   }
-  Bytes bytes = encode_rounded(decoded, points, step_within(options.tolerance));
+  const double step = step_within(options.tolerance);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!in_reach(points[v], step))
+      throw kernel::InputError("vertex " + std::to_string(order[v]) +
+                               ": is 2^31 steps from the origin; use a larger tolerance or --exact");
+  Bytes bytes = encode_rounded(decoded, points, step);
   places = decode_rounded(bytes, decoded);
   require_within(points, places, order, options.tolerance);
   return bytes;

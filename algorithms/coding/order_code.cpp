@@ -53,9 +53,11 @@ Bytes encode_order(const KeptOrder& order) {
 KeptOrder decode_order(std::span<const std::uint8_t> bytes, Index vertices, Index faces) {
   RangeDecoder range(bytes);
   KeptOrder order{std::vector<Index>(vertices), std::vector<Index>(faces)};
-  PermutationRoutine(range).run(order.vertices);
-  PermutationRoutine(range).run(order.faces);
-  range.finish();
+  with_position(range, [&] {
+    PermutationRoutine(range).run(order.vertices);
+    PermutationRoutine(range).run(order.faces);
+    range.finish();
+  });
   return order;
 }
 

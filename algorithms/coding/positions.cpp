@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "algorithms/coding/position_routine.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -253,8 +252,10 @@ std::vector<Point> decode_exact(std::span<const std::uint8_t> bytes, const Surfa
   std::vector<Point> points(decoded.counts().vertices);
   RangeDecoder range(bytes);
   std::vector<Triple> values(points.size());
-  ExactRoutine(range, decoded, std::span<Point>(points), {}).run(values, {});
-  range.finish();
+  with_position(range, [&] {
+    ExactRoutine(range, decoded, std::span<Point>(points), {}).run(values, {});
+    range.finish();
+  });
   for (const Point& p : points)
     for (const double x : p)
       if (!std::isfinite(x)) throw StreamError("has a coordinate that is not finite");
@@ -282,15 +283,17 @@ double step_within(double tolerance) {
   return step;
 }
 
+bool in_reach(const Point& point, double step) {
+  return std::all_of(point.begin(), point.end(), [&](double x) {
+    return std::fabs(std::nearbyint(x / step)) < static_cast<double>(kMostMultiple);
+  });
+}
+
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step) {
   std::vector<Triple> values(points.size());
   for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double q = std::nearbyint(points[v][axis] / step);
-      if (!(std::fabs(q) < static_cast<double>(kMostMultiple)))
-        throw kernel::InputError("vertex " + std::to_string(v) + ": is 2^31 steps away; give a larger tolerance or --exact");
-      values[v][axis] = static_cast<std::int64_t>(q);
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      values[v][axis] = static_cast<std::int64_t>(std::nearbyint(points[v][axis] / step));
   return smallest(decoded, values, [&](std::array<Hint, 3> hints) {
     RangeEncoder range;
     code_multiples(range, decoded, values, step, hints);
@@ -302,8 +305,10 @@ std::vector<Point> decode_rounded(std::span<const std::uint8_t> bytes, const Sur
   std::vector<Triple> values(decoded.counts().vertices);
   RangeDecoder range(bytes);
   double step = 0;
-  code_multiples(range, decoded, std::span<Triple>(values), step, {});
-  range.finish();
+  with_position(range, [&] {
+    code_multiples(range, decoded, std::span<Triple>(values), step, {});
+    range.finish();
+  });
   std::vector<Point> points(values.size());
   for (std::size_t v = 0; v < values.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -336,9 +336,11 @@ std::vector<Triangle> decode_tree(std::span<const std::uint8_t> bytes, TreeMetho
                                   const Counts& counts, Index max_faces) {
   RangeDecoder range(bytes);
   NoOriginal none;
-  std::vector<Triangle> faces = run(method, range, none, counts, max_faces);
-  range.finish();
-  return faces;
+  return with_position(range, [&] {
+    std::vector<Triangle> faces = run(method, range, none, counts, max_faces);
+    range.finish();
+    return faces;
+  });
 }
 
 }  // namespace crest::coding

@@ -106,7 +106,7 @@ TEST_CASE("brute force: conditions (i) and (ii) are not sufficient; simple codes
   CHECK_FALSE(simple_mesh({{NodeType::leaf, 1}, {NodeType::right, 1}, {NodeType::left, 3}}, true));
 }
 
-TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip with every method") {
+TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip") {
   const auto codes = all_codes(7);
   std::size_t meshes = 0;
   Failures failures;
@@ -120,8 +120,10 @@ TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip 
         if (!mesh) continue;
         ++meshes;
         failures.expect(mesh->vertices == n + 2, "vertices", n, mesh->vertices);
-        for (const Method method : {Method::valence, Method::fan, Method::zigzag, Method::fixed}) {
-          const coding::EncodeOptions options{.method = method, .places = Places::none};
+        for (std::size_t m = 0; m < 4; ++m) {
+          // Of the many largest ones each has its turn with one method.
+          if (n == 7 && multiplier() == 1 && m != meshes % 4) continue;
+          const coding::EncodeOptions options{.method = static_cast<Method>(m), .places = Places::none};
           bool same = true;
           try {
             const auto encoded = coding::encode(mesh->vertices, mesh->faces, {}, options);

@@ -41,10 +41,10 @@ TEST_CASE("round trip: every oriented manifold of the shared data, every method"
 
 TEST_CASE("round trip: random surfaces of genus 0 to 5 with holes") {
   Random random(kSeed);
-  for (std::uint64_t i = 0; i < 12 * multiplier(); ++i) {
+  for (int i = 0; i < 12 * multiplier(); ++i) {
     const auto genus = static_cast<kernel::Index>(i % 6);
     PlainMesh mesh = genus == 0 ? stacked_sphere(300, random)
-                                : joined_tori(genus, 5 + random() % 5, 5 + random() % 9);
+                                : joined_tori(genus, 5 + static_cast<kernel::Index>(random() % 5), 5 + static_cast<kernel::Index>(random() % 9));
     flip_edges(mesh, random() % 2000, random);
     mesh = punch_holes(mesh, random() % 5, random);
     INFO("genus " << genus << ", " << mesh.faces.size() << " faces");
@@ -93,7 +93,7 @@ TEST_CASE("exact places: every kind of double comes back bit for bit") {
 TEST_CASE("tolerance: halves of steps, an ulp beside, the least tolerance of a step") {
   Random random(kSeed);
   PlainMesh mesh = torus_grid(11, 13);
-  for (std::uint64_t i = 0; i < 40 * multiplier(); ++i) {
+  for (int i = 0; i < 40 * multiplier(); ++i) {
     const double step = std::ldexp(static_cast<double>((1u << 19) + random() % (1u << 19)), -25 - static_cast<int>(random() % 20));
     double tolerance = step * std::sqrt(0.75);
     while (coding::step_within(tolerance) < step) tolerance = std::nextafter(tolerance, HUGE_VAL);
