@@ -7,8 +7,11 @@
 #include <map>
 #include <memory>
 
+#include "algorithms/coding/certificate.hpp"
 #include "algorithms/coding/coding.hpp"
 #include "algorithms/coding/verify.hpp"
+#include "certify/certificate.hpp"
+#include "certify/coding/encode.hpp"
 #include "cli/run.hpp"
 #include "io/read/surface_reader.hpp"
 #include "io/write/atomic_file.hpp"
@@ -111,6 +114,12 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
     });
     run.write("--permutation",
               [&](const std::string& path) { write_permutation(path, encoded, file.numbers); });
+    if (!run.wanted("--certificate")) return;
+    const certify::Bytes certificate = certify::encode(
+        coding::make_certificate(encoded, file.faces, file.points, o.coding,
+                                 static_cast<kernel::Index>(file.cleanup.unused_vertices)));
+    run.report()["data_digest"] = certify::hex(certify::data_digest(certificate));
+    run.write_certificate("coding", certificate);
   });
   report_stream(run.report(), o, encoded, largest);
   return {summary(encoded), {"roessl2005surfaces", "touma1998triangle", "alliez2001valence"}};
@@ -128,6 +137,10 @@ std::function<int()> add_encode(CLI::App& app) {
   app.add_option("INPUT", common.input, fmt::format("mesh ({})", kMeshFormats))->required();
   app.add_option("-o,--output", common.output, "the stream (.cmc)")->type_name("FILE");
   app.add_option("--report", common.report, "counts, bytes and times (.json)")->type_name("FILE");
+  app.add_option("--certificate", common.certificate,
+                 "that the stream decodes to the mesh (crest-verify checks it with a decoder of its "
+                 "own)")
+      ->type_name("FILE");
   add_encode_options(app, *options);
   add_run_options(app, common);
   app.add_flag("--cite", common.cite, "print the references this run used (BibTeX)");
@@ -141,7 +154,7 @@ const Command encode_command = {
     "encode",
     "a triangle mesh as a small stream, lossless or within a tolerance",
     add_encode,
-    {"crest encode ellipsoid.off -o ellipsoid.cmc --report encode.json",
+    {"crest encode ellipsoid.off -o ellipsoid.cmc --certificate ellipsoid.crest",
      "crest encode ellipsoid.off --tolerance 0.001 --method valence -o coarse.cmc",
      "crest encode ellipsoid.off --keep-order -o ordered.cmc"}};
 
