@@ -52,7 +52,8 @@ void add_encode_options(CLI::App& app, EncodeCommandOptions& o) {
 
 void check_options(EncodeCommandOptions& o) {
   if (o.tolerance->count() > 0) {
-    if (o.coding.tolerance == 0) throw UsageError("--tolerance 0: take --exact, or a positive number");
+    if (o.coding.tolerance == 0)
+      throw UsageError("--tolerance 0: take --exact, or a positive number");
     o.coding.places = Places::rounded;
   }
   if (o.connectivity_only) o.coding.places = Places::none;
@@ -60,7 +61,8 @@ void check_options(EncodeCommandOptions& o) {
     if (o.method == coding::name_of(method)) o.coding.method = method;
 }
 
-void report_stream(Report& report, const EncodeCommandOptions& o, const coding::Encoded& e, double largest) {
+void report_stream(Report& report, const EncodeCommandOptions& o, const coding::Encoded& e,
+                   double largest) {
   const coding::StreamInfo& info = e.info;
   report["vertices"] = info.vertices;
   report["faces"] = info.faces;
@@ -74,7 +76,9 @@ void report_stream(Report& report, const EncodeCommandOptions& o, const coding::
                      {"attributes", info.sizes.attributes},
                      {"header", info.sizes.header},
                      {"total", info.sizes.total()}};
-  const auto per_vertex = [&](std::size_t bytes) { return 8.0 * static_cast<double>(bytes) / info.vertices; };
+  const auto per_vertex = [&](std::size_t bytes) {
+    return 8.0 * static_cast<double>(bytes) / info.vertices;
+  };
   report["bits_per_vertex"] = {{"connectivity", per_vertex(info.sizes.connectivity)},
                                {"geometry", per_vertex(info.sizes.geometry)}};
   if (info.places == Places::rounded)
@@ -89,10 +93,12 @@ std::string summary(const coding::Encoded& e) {
       "stream: {} bytes; connectivity {} ({:.3f} bits a vertex, {}), places {} ({:.2f})\n",
       info.vertices, info.faces, info.components, info.handles, info.loops, info.sizes.total(),
       info.sizes.connectivity, bits * static_cast<double>(info.sizes.connectivity),
-      coding::name_of(info.method), info.sizes.geometry, bits * static_cast<double>(info.sizes.geometry));
+      coding::name_of(info.method), info.sizes.geometry,
+      bits * static_cast<double>(info.sizes.geometry));
 }
 
-void write_permutation(const std::string& path, const coding::Encoded& e, const io::FileNumbers& numbers) {
+void write_permutation(const std::string& path, const coding::Encoded& e,
+                       const io::FileNumbers& numbers) {
   io::Text text;
   for (const kernel::Index v : e.vertex_order) text.add("{}\n", numbers.vertices[v]);
   io::write_atomically(path, text.text());
@@ -102,7 +108,8 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
   const io::SurfaceFile file = run.read(io::read_surface);
   const coding::Encoded encoded = run.step("encode", "encoding", [&] {
     return run.with_input([&] {
-      return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points, o.coding);
+      return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points,
+                            o.coding);
     });
   });
   const double largest = run.step("verify", "decoding again", [&] {
@@ -110,7 +117,8 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
   });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
-      io::write_atomically(path, {reinterpret_cast<const char*>(encoded.stream.data()), encoded.stream.size()});
+      io::write_atomically(
+          path, {reinterpret_cast<const char*>(encoded.stream.data()), encoded.stream.size()});
     });
     run.write("--permutation",
               [&](const std::string& path) { write_permutation(path, encoded, file.numbers); });
@@ -137,9 +145,10 @@ std::function<int()> add_encode(CLI::App& app) {
   app.add_option("INPUT", common.input, fmt::format("mesh ({})", kMeshFormats))->required();
   app.add_option("-o,--output", common.output, "the stream (.cmc)")->type_name("FILE");
   app.add_option("--report", common.report, "counts, bytes and times (.json)")->type_name("FILE");
-  app.add_option("--certificate", common.certificate,
-                 "that the stream decodes to the mesh (crest-verify checks it with a decoder of its "
-                 "own)")
+  app.add_option(
+         "--certificate", common.certificate,
+         "that the stream decodes to the mesh (crest-verify checks it with a decoder of its "
+         "own)")
       ->type_name("FILE");
   add_encode_options(app, *options);
   add_run_options(app, common);

@@ -11,7 +11,8 @@ certify::CodingCertificate make_certificate(const Encoded& encoded, std::span<co
   certify::CodingCertificate certificate;
   certificate.faces.assign(faces.begin(), faces.end());
   for (const auto& [x, y, z] : points)
-    certificate.positions.push_back({std::bit_cast<std::uint64_t>(x), std::bit_cast<std::uint64_t>(y),
+    certificate.positions.push_back({std::bit_cast<std::uint64_t>(x),
+                                     std::bit_cast<std::uint64_t>(y),
                                      std::bit_cast<std::uint64_t>(z)});
   certificate.dropped = dropped;
   certificate.mode = static_cast<certify::CodingMode>(options.places);

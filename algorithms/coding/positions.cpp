@@ -43,16 +43,23 @@ std::int64_t ordered(float x) {
 }
 float from_ordered_float(std::int64_t k) {
   const auto bits = static_cast<std::int32_t>(k);
-  return std::bit_cast<float>(bits < 0 ? static_cast<std::int32_t>(std::numeric_limits<std::int32_t>::min() - std::int64_t{bits} - 1) : bits);
+  return std::bit_cast<float>(
+      bits < 0 ? static_cast<std::int32_t>(std::numeric_limits<std::int32_t>::min() -
+                                           std::int64_t{bits} - 1)
+               : bits);
 }
 
 double number(AxisForm form, std::int64_t k) {
   switch (form.form) {
-    case Form::decimal: return static_cast<double>(k) / kPowers[form.exponent];
+    case Form::decimal:
+      return static_cast<double>(k) / kPowers[form.exponent];
     case Form::float_decimal:
-      return static_cast<double>(static_cast<float>(static_cast<double>(k) / kPowers[form.exponent]));
-    case Form::floats: return static_cast<double>(from_ordered_float(k));
-    case Form::doubles: break;
+      return static_cast<double>(
+          static_cast<float>(static_cast<double>(k) / kPowers[form.exponent]));
+    case Form::floats:
+      return static_cast<double>(from_ordered_float(k));
+    case Form::doubles:
+      break;
   }
   return from_ordered(k);
 }
@@ -72,21 +79,29 @@ std::int64_t integer(AxisForm form, double x) {
       const auto limit = static_cast<double>(kExactIntegers - 1);
       return static_cast<std::int64_t>(std::clamp(k, -limit, limit));
     }
-    case Form::floats: return ordered(static_cast<float>(x));
-    case Form::doubles: break;
+    case Form::floats:
+      return ordered(static_cast<float>(x));
+    case Form::doubles:
+      break;
   }
   return ordered(x);
 }
 
-std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
-bool same(double x, double y) { return bits_of(x) == bits_of(y); }
+std::uint64_t bits_of(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+bool same(double x, double y) {
+  return bits_of(x) == bits_of(y);
+}
 
 /// Vertices whose coordinate the form does not give, or nothing if they are too many.
-bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis, std::vector<Index>& found) {
+bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis,
+                std::vector<Index>& found) {
   found.clear();
   for (Index v = 0; v < points.size(); ++v) {
     const double x = points[v][axis];
-    if (form.form == Form::floats && !(std::fabs(x) <= std::numeric_limits<float>::max())) return false;
+    if (form.form == Form::floats && !(std::fabs(x) <= std::numeric_limits<float>::max()))
+      return false;
     if (same(number(form, integer(form, x)), x)) continue;
     found.push_back(v);
     if (100 * found.size() > points.size()) return false;
@@ -95,7 +110,8 @@ bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis, 
 }
 
 /// About how many bits the form costs: of the differences from one vertex to the next.
-double cost(AxisForm form, std::span<const Point> points, std::size_t axis, std::size_t exceptions) {
+double cost(AxisForm form, std::span<const Point> points, std::size_t axis,
+            std::size_t exceptions) {
   double bits = 80.0 * static_cast<double>(exceptions);
   std::int64_t before = 0;
   for (const Point& p : points) {
@@ -139,7 +155,8 @@ Axis choose_form(std::span<const Point> points, std::size_t axis) {
 template <class Range>
 class ExactRoutine {
  public:
-  ExactRoutine(Range& range, const Surface& surface, std::span<Point> points, std::array<Axis, 3> axes)
+  ExactRoutine(Range& range, const Surface& surface, std::span<Point> points,
+               std::array<Axis, 3> axes)
       : range_(range), surface_(surface), points_(points), axes_(std::move(axes)) {}
 
   void run(std::span<Triple> values, std::array<Hint, 3> hints) {
@@ -147,10 +164,14 @@ class ExactRoutine {
     bool wide = false;
     for (const Axis& axis : axes_) wide = wide || axis.form.form == Form::doubles;
     if (wide) {
-      TripleRoutine<Range, Int128>(range_, surface_, values, std::numeric_limits<std::int64_t>::min(),
-                                   std::numeric_limits<std::int64_t>::max(), hints).run();
+      TripleRoutine<Range, Int128>(range_, surface_, values,
+                                   std::numeric_limits<std::int64_t>::min(),
+                                   std::numeric_limits<std::int64_t>::max(), hints)
+          .run();
     } else {
-      TripleRoutine<Range, std::int64_t>(range_, surface_, values, -kExactIntegers, kExactIntegers, hints).run();
+      TripleRoutine<Range, std::int64_t>(range_, surface_, values, -kExactIntegers, kExactIntegers,
+                                         hints)
+          .run();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if constexpr (!Range::kEncodes)
@@ -162,7 +183,8 @@ class ExactRoutine {
 
  private:
   void code_form(Axis& axis) {
-    axis.form.form = static_cast<Form>(code_bits(range_, static_cast<std::uint32_t>(axis.form.form), 2));
+    axis.form.form =
+        static_cast<Form>(code_bits(range_, static_cast<std::uint32_t>(axis.form.form), 2));
     if (axis.form.form == Form::decimal || axis.form.form == Form::float_decimal)
       axis.form.exponent = code_below(range_, axis.form.exponent, kPowers.size());
   }
@@ -190,19 +212,24 @@ void code_multiples(Range& range, const Surface& surface, std::span<Triple> valu
   step = std::bit_cast<double>(LargeNumber::code_lower(range, bits_of(step), 64));
   if (!std::isnormal(step) || step < 0 || bits_of(step) << (64 - kLowBits) != 0)
     throw StreamError("has a step that is no positive number of 20 bits");
-  TripleRoutine<Range, std::int64_t>(range, surface, values, -kMostMultiple + 1, kMostMultiple - 1, hints).run();
+  TripleRoutine<Range, std::int64_t>(range, surface, values, -kMostMultiple + 1, kMostMultiple - 1,
+                                     hints)
+      .run();
 }
 
-/// Which hints may pay on an axis: few values far from filling their range, many edges between equal
-/// ones.
-std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values, std::size_t axis) {
+/// Which hints may pay on an axis: few values far from filling their range, many edges between
+/// equal ones.
+std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values,
+                            std::size_t axis) {
   std::vector<std::int64_t> sorted;
   for (const Triple& value : values) sorted.push_back(value[axis]);
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   std::vector<Hint> hints;
-  const auto range = static_cast<std::uint64_t>(sorted.back()) - static_cast<std::uint64_t>(sorted.front());
-  if (2 * sorted.size() <= values.size() && sorted.size() <= range / 2 + 1) hints.push_back(Hint::table);
+  const auto range =
+      static_cast<std::uint64_t>(sorted.back()) - static_cast<std::uint64_t>(sorted.front());
+  if (2 * sorted.size() <= values.size() && sorted.size() <= range / 2 + 1)
+    hints.push_back(Hint::table);
   std::size_t equal = 0;
   for (Index h = 0; h < 3 * surface.face_count(); ++h)
     equal += values[surface.from(h)][axis] == values[surface.to(h)][axis] ? 1 : 0;

@@ -46,8 +46,8 @@ class RangeEncoder {
   void shift();
 
   std::uint64_t low_ = 0, range_ = 0xffffffffu;
-  std::uint8_t held_ = 0;            ///< the last byte, to which a carry may come
-  std::uint64_t held_count_ = 0;     ///< it and the bytes 255 after it; 0: at the beginning
+  std::uint8_t held_ = 0;         ///< the last byte, to which a carry may come
+  std::uint64_t held_count_ = 0;  ///< it and the bytes 255 after it; 0: at the beginning
   Bytes bytes_;
 };
 

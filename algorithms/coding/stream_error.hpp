@@ -19,7 +19,8 @@ auto with_position(const Range& range, Decode&& decode) {
   try {
     return decode();
   } catch (const StreamError& error) {
-    throw StreamError(std::string(error.what()) + " (byte " + std::to_string(range.position()) + ")");
+    throw StreamError(std::string(error.what()) + " (byte " + std::to_string(range.position()) +
+                      ")");
   }
 }
 

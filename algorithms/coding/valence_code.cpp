@@ -19,11 +19,13 @@ constexpr std::uint8_t kExtra = 15;  ///< class of an extra vertex; of others mi
 /// A corner of an active loop, and the edge to the next one.
 struct Slot {
   Index vertex, next, previous;
-  std::int32_t free;            ///< edges between its two neighbours still to come; -1: no more there
+  std::int32_t free;  ///< edges between its two neighbours still to come; -1: no more there
   std::uint8_t kind, opposite;  ///< classes of its vertex and of that across the edge
 };
 
-std::uint8_t class_of(std::uint32_t valence) { return static_cast<std::uint8_t>(std::min(valence, 13u)); }
+std::uint8_t class_of(std::uint32_t valence) {
+  return static_cast<std::uint8_t>(std::min(valence, 13u));
+}
 
 /// Slots by free edges; of those with the fewest the latest first.
 class Waiting {
@@ -139,7 +141,6 @@ class Original {
   std::vector<Index> edge_;  ///< of a slot: the half-edge to the next slot, on the side to come
   Index gate_ = kNone, component_ = 0;
 };
-
 
 /// For decoding: there is nothing to look at.
 struct NoOriginal {
@@ -279,8 +280,9 @@ class ValenceRoutine {
   }
 
   void extend(Index f, Index n) {
-    const Vertex v = code_vertex(contexts(f, n), static_cast<std::size_t>(std::min(slots_[f].free, 3)),
-                                 mesh_.valence(), mesh_.apex_is_extra(), loops_left_ > 0);
+    const Vertex v =
+        code_vertex(contexts(f, n), static_cast<std::size_t>(std::min(slots_[f].free, 3)),
+                    mesh_.valence(), mesh_.apex_is_extra(), loops_left_ > 0);
     const Index x = add_slot(v, static_cast<std::int32_t>(v.valence) - 2, slots_[f].kind);
     mesh_.join(f, x);
     emit(slots_[f].vertex, slots_[n].vertex, v.number);
@@ -326,13 +328,14 @@ class ValenceRoutine {
     const auto ff = static_cast<std::uint64_t>(std::min(f.free, 15)),
                fn = static_cast<std::uint64_t>(std::min(n.free, 15)),
                fp = static_cast<std::uint64_t>(std::min(p.free, 15));
-    return {
-        &plain_,
-        &lines_.of(pack(1, {f.kind, n.kind, std::min<std::uint64_t>(ff, 3)})),
-        &lines_.of(pack(2, {static_cast<std::uint64_t>(five + 32) & 63, static_cast<std::uint64_t>(five_odd), ff})),
-        &lines_.of(pack(3, {static_cast<std::uint64_t>(std::clamp(all, -32, 31) + 32), static_cast<std::uint64_t>(all_odd), ff, fn})),
-        &lines_.of(pack(4, {f.kind, n.kind, f.opposite, p.kind, ff == 1 ? 1u : 0u})),
-        &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
+    return {&plain_,
+            &lines_.of(pack(1, {f.kind, n.kind, std::min<std::uint64_t>(ff, 3)})),
+            &lines_.of(pack(2, {static_cast<std::uint64_t>(five + 32) & 63,
+                                static_cast<std::uint64_t>(five_odd), ff})),
+            &lines_.of(pack(3, {static_cast<std::uint64_t>(std::clamp(all, -32, 31) + 32),
+                                static_cast<std::uint64_t>(all_odd), ff, fn})),
+            &lines_.of(pack(4, {f.kind, n.kind, f.opposite, p.kind, ff == 1 ? 1u : 0u})),
+            &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
   }
 
   /// The triangle meets a slot, which splits the loop or joins another.
@@ -341,8 +344,8 @@ class ValenceRoutine {
     ++splits_;
     const Index x = code_slot(f, mesh_.meeting(after));
     const auto inner = slots_[x].free - 2;
-    const auto second_free = static_cast<std::int32_t>(
-        code_below(range_, after, static_cast<std::uint32_t>(inner) + 1));
+    const auto second_free =
+        static_cast<std::int32_t>(code_below(range_, after, static_cast<std::uint32_t>(inner) + 1));
     const Index second = static_cast<Index>(slots_.size());
     slots_.push_back(slots_[x]);
     mesh_.split(x, second);

@@ -64,7 +64,9 @@ void renew_checksums(Bytes& stream) {
     if (at + 4 + size > stream.size()) return;
     boost::crc_32_type crc;
     crc.process_bytes(stream.data() + at + 4, size);
-    for (int k = 0; k < 4; ++k) stream[at + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(crc.checksum() >> (8 * k));
+    for (int k = 0; k < 4; ++k)
+      stream[at + static_cast<std::size_t>(k)] =
+          static_cast<std::uint8_t>(crc.checksum() >> (8 * k));
     at += 4 + size;
   }
 }
@@ -85,10 +87,19 @@ TEST_CASE("damaged streams are refused in one line, in time, even with right che
     Bytes stream = whole;
     const auto at = random() % stream.size();
     switch (random() % 5) {
-      case 0: stream.resize(at); break;
-      case 1: stream[at] = static_cast<std::uint8_t>(random()); break;
-      case 2: stream[at] ^= static_cast<std::uint8_t>(1u << random() % 8); break;
-      case 3: stream.insert(stream.begin() + static_cast<std::ptrdiff_t>(at), static_cast<std::uint8_t>(random())); break;
+      case 0:
+        stream.resize(at);
+        break;
+      case 1:
+        stream[at] = static_cast<std::uint8_t>(random());
+        break;
+      case 2:
+        stream[at] ^= static_cast<std::uint8_t>(1u << random() % 8);
+        break;
+      case 3:
+        stream.insert(stream.begin() + static_cast<std::ptrdiff_t>(at),
+                      static_cast<std::uint8_t>(random()));
+        break;
       default:
         for (int k = 0; k < 4; ++k) stream[5 + random() % 12] = static_cast<std::uint8_t>(random());
     }
@@ -109,9 +120,15 @@ TEST_CASE("damaged streams are refused in one line, in time, even with right che
 class StaticWriter {
  public:
   void leaf() { decide({true, false}); }
-  void left(kernel::Index length) { length == 1 ? decide({true, true, false}) : longer(length, true); }
-  void right(kernel::Index length) { length == 1 ? decide({true, true, true, true}) : longer(length, true); }
-  void both(kernel::Index length) { length == 1 ? decide({true, true, true, false}) : longer(length, false); }
+  void left(kernel::Index length) {
+    length == 1 ? decide({true, true, false}) : longer(length, true);
+  }
+  void right(kernel::Index length) {
+    length == 1 ? decide({true, true, true, true}) : longer(length, true);
+  }
+  void both(kernel::Index length) {
+    length == 1 ? decide({true, true, true, false}) : longer(length, false);
+  }
   Bytes finish() { return range_.finish(); }
 
  private:
@@ -150,7 +167,8 @@ TEST_CASE("forged streams: a doubled edge, pieces that are left, loops that are 
   CHECK_THAT(refusal(forged(pieces.finish(), {.vertices = 4})), Catch::Contains("components"));
   StaticWriter missing;
   missing.left(1);
-  CHECK_THAT(refusal(forged(missing.finish(), {.vertices = 3, .loops = 1})), Catch::Contains("not there"));
+  CHECK_THAT(refusal(forged(missing.finish(), {.vertices = 3, .loops = 1})),
+             Catch::Contains("not there"));
   StaticWriter disk;
   disk.leaf();
   disk.left(1);

@@ -20,22 +20,24 @@ std::size_t connectivity_bytes(const PlainMesh& mesh, std::optional<Method> meth
 
 /// What the smallest method of a prototype needed: to be reached within 1 % and 2 bytes.
 const std::map<std::string, std::size_t> kToReach = {
-    {"anchor.off", 139}, {"b9_mesh.off", 2109}, {"bones.off", 513}, {"bunny_3k.off", 909},
-    {"cheese.off", 2478}, {"cube_no_bottom.obj", 9}, {"dino.off", 433}, {"disk.obj", 670},
-    {"elephant.off", 674}, {"fandisk.off", 679},
-    {"featuretype.STL", 322}, {"fertility.off", 1103}, {"head.off", 234}, {"homer.obj", 588},
-    {"joint.off", 65}, {"kitten.obj", 1061}, {"knot1.off", 203}, {"lilium.obj", 401},
-    {"lion-head.off", 1671}, {"man.off", 3916}, {"max-planck_decimated.obj", 1467},
-    {"penguin.obj", 359}, {"pinion.off", 101}, {"plane_holes.obj", 491}, {"rocker-arm.obj", 2717},
-    {"rotor.off", 92}, {"spot.obj", 370}, {"springer.obj", 373}, {"stratocaster.ply", 442},
-    {"torus.obj", 773}};
+    {"anchor.off", 139},      {"b9_mesh.off", 2109},     {"bones.off", 513},
+    {"bunny_3k.off", 909},    {"cheese.off", 2478},      {"cube_no_bottom.obj", 9},
+    {"dino.off", 433},        {"disk.obj", 670},         {"elephant.off", 674},
+    {"fandisk.off", 679},     {"featuretype.STL", 322},  {"fertility.off", 1103},
+    {"head.off", 234},        {"homer.obj", 588},        {"joint.off", 65},
+    {"kitten.obj", 1061},     {"knot1.off", 203},        {"lilium.obj", 401},
+    {"lion-head.off", 1671},  {"man.off", 3916},         {"max-planck_decimated.obj", 1467},
+    {"penguin.obj", 359},     {"pinion.off", 101},       {"plane_holes.obj", 491},
+    {"rocker-arm.obj", 2717}, {"rotor.off", 92},         {"spot.obj", 370},
+    {"springer.obj", 373},    {"stratocaster.ply", 442}, {"torus.obj", 773}};
 
 TEST_CASE("rates: connectivity of real meshes") {
   for (const auto& [name, bytes] : kToReach) {
     const auto path = shared_data("meshes/" + name);
     if (!path) return;
     INFO(name);
-    CHECK(static_cast<double>(connectivity_bytes(read_plain(*path))) <= 1.01 * static_cast<double>(bytes) + 2);
+    CHECK(static_cast<double>(connectivity_bytes(read_plain(*path))) <=
+          1.01 * static_cast<double>(bytes) + 2);
   }
 }
 
@@ -60,7 +62,8 @@ TEST_CASE("rates: exact places of real meshes") {
     if (!path) return;
     INFO(name);
     const PlainMesh mesh = read_plain(*path);
-    const auto encoded = coding::encode(mesh.vertices(), mesh.faces, mesh.points, {.method = Method::valence});
+    const auto encoded =
+        coding::encode(mesh.vertices(), mesh.faces, mesh.points, {.method = Method::valence});
     CHECK(8.0 * static_cast<double>(encoded.info.sizes.geometry) / mesh.vertices() <= most);
   }
 }

@@ -67,6 +67,7 @@ TEST_CASE("figure 4.8: above a leaf a right child leaves lengths 1 and 2, a left
   CHECK(legal_lengths(NodeType::right, 2 * 1 + 1 - 1) == std::vector<Index>{1, 2});
   CHECK(legal_lengths(NodeType::left, 2 * 1 + 1 - 1) == std::vector<Index>{1});
   CHECK(places_in_legal_sets(nodes_of("1E2R")) == std::vector<Index>{0, 1});
+  CHECK(legal_set_sizes(nodes_of("1E2R")) == std::vector<std::size_t>{1, 2});
   CHECK_THROWS(places_in_legal_sets(nodes_of("1E3L")));
 }
 
@@ -89,7 +90,8 @@ class TopDown {
     for (Index f = 0; 3 * f < twin_.size(); ++f) {
       Triangle face;
       for (Index k = 0; k < 3; ++k)
-        face[k] = number.emplace(corners.find(3 * f + k), static_cast<Index>(number.size())).first->second;
+        face[k] = number.emplace(corners.find(3 * f + k), static_cast<Index>(number.size()))
+                      .first->second;
       mesh.faces.push_back(face);
     }
     mesh.points.resize(number.size());
@@ -151,7 +153,8 @@ TEST_CASE("algorithm 4.2, recursive, decodes what algorithm 4.3 does") {
     // Both have the root's gate at hand: the same code again means the same mesh.
     const kernel::CornerTable again(first.vertices(), first.faces);
     const std::vector<Index> gate = {0};
-    CHECK(in_preorder(kernel::grow_strips(again, first.faces, StripExits::zigzag, gate)) == preorder);
+    CHECK(in_preorder(kernel::grow_strips(again, first.faces, StripExits::zigzag, gate)) ==
+          preorder);
     CHECK(in_preorder(tree_again(second)) == preorder);
   }
 }
@@ -183,7 +186,8 @@ TEST_CASE("real meshes: n = v - 2 + 2 s nodes, s = 2 g + h - 1 splits, every tri
 }
 
 /// Rossignac's Edgebreaker with C, L, E, R, S: the tip is new, or which side is used up.
-std::string edgebreaker(const kernel::CornerTable& table, const std::vector<Triangle>& faces, Index gate) {
+std::string edgebreaker(const kernel::CornerTable& table, const std::vector<Triangle>& faces,
+                        Index gate) {
   std::vector<bool> met(table.vertex_count(), false), done(faces.size(), false);
   const auto from = [&](Index h) { return faces[h / 3][h % 3]; };
   for (Index h = 0; h < 3 * faces.size(); ++h)
@@ -197,7 +201,8 @@ std::string edgebreaker(const kernel::CornerTable& table, const std::vector<Tria
       const Index tip = from(kernel::previous_half(h));
       done[h / 3] = true;
       // Mirrored: Rossignac's right side is the one towards the tip here.
-      const Index towards = table.opposite(kernel::next_half(h)), away = table.opposite(kernel::previous_half(h));
+      const Index towards = table.opposite(kernel::next_half(h)),
+                  away = table.opposite(kernel::previous_half(h));
       const bool towards_open = towards != kNone && !done[towards / 3];
       const bool away_open = away != kNone && !done[away / 3];
       if (!met[tip]) {
@@ -258,7 +263,8 @@ TEST_CASE("thesis codes: what goes in comes out") {
     CHECK(from_zaks(zaks(preorder)) == tree);
     CHECK(zaks(preorder).size() == 2 * preorder.size() + 1);
     CHECK(from_weights(weights(preorder)) == tree);
-    for (const Traversal traversal : {Traversal::pre, Traversal::post, Traversal::in, Traversal::level}) {
+    for (const Traversal traversal :
+         {Traversal::pre, Traversal::post, Traversal::in, Traversal::level}) {
       const auto all = lengths(preorder, traversal);
       CHECK(with_lengths(tree, traversal, all) == preorder);
       CHECK(from_unary(unary(all)) == all);
