@@ -133,12 +133,11 @@ class TreeRoutine {
   /// One bit a component, if the header leaves it open.
   std::vector<bool> code_closed() {
     std::vector<bool> closed;
-    for (Index c = 0; c < counts_.components; ++c) {
+    for (Index c = 0; c < counts_.components; ++c)
       if (counts_.loops == 0 || counts_.components == 1)
         closed.push_back(counts_.loops == 0);
       else
         closed.push_back(range_.code(original_.closed(c), {1, 1}));
-    }
     return closed;
   }
   void add(NodeType type) {

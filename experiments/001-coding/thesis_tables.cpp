@@ -121,12 +121,11 @@ int run(const std::vector<std::string>& meshes, Index starts) {
       "| mesh | 4.1 HC | FIXED | F&AC | 4.2 t pre 1, pre 2, post 2 | s pre,H, pre, post, in, level "
       "| 4.3 post,H | "
       "post |\n|---|---|---|---|---|---|---|---|\n");
-  for (const std::string& mesh : meshes) {
+  for (const std::string& mesh : meshes)
     if (std::filesystem::exists(mesh))
       tables(mesh, starts);
     else
       std::cerr << mesh << ": not there, left out\n";
-  }
   return 0;
 }
 
