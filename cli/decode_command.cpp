@@ -25,7 +25,8 @@ coding::Decoded decode_file(const std::string& path, kernel::Index max_faces) {
       io::fail("file", "its extension is not .cmc", "give a stream of crest encode");
     const io::FileBytes bytes = io::load(path);
     const std::string_view text = bytes;
-    decoded = coding::decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, max_faces);
+    decoded = coding::decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                             max_faces);
   });
   return decoded;
 }
@@ -73,10 +74,11 @@ std::function<int()> add_decode(CLI::App& app) {
 }  // namespace
 
 extern const Command decode_command;
-const Command decode_command = {"decode",
-                                "the mesh of a stream that crest encode wrote",
-                                add_decode,
-                                {"crest decode ellipsoid.cmc -o ellipsoid.ply",
-                                 "crest decode ellipsoid.cmc -o ellipsoid.off --report decode.json"}};
+const Command decode_command = {
+    "decode",
+    "the mesh of a stream that crest encode wrote",
+    add_decode,
+    {"crest decode ellipsoid.cmc -o ellipsoid.ply",
+     "crest decode ellipsoid.cmc -o ellipsoid.off --report decode.json"}};
 
 }  // namespace crest::cli

@@ -7,8 +7,11 @@
 #include <map>
 #include <memory>
 
+#include "algorithms/coding/certificate.hpp"
 #include "algorithms/coding/coding.hpp"
 #include "algorithms/coding/verify.hpp"
+#include "certify/certificate.hpp"
+#include "certify/coding/encode.hpp"
 #include "cli/run.hpp"
 #include "io/read/surface_reader.hpp"
 #include "io/write/atomic_file.hpp"
@@ -49,7 +52,8 @@ void add_encode_options(CLI::App& app, EncodeCommandOptions& o) {
 
 void check_options(EncodeCommandOptions& o) {
   if (o.tolerance->count() > 0) {
-    if (o.coding.tolerance == 0) throw UsageError("--tolerance 0: take --exact, or a positive number");
+    if (o.coding.tolerance == 0)
+      throw UsageError("--tolerance 0: take --exact, or a positive number");
     o.coding.places = Places::rounded;
   }
   if (o.connectivity_only) o.coding.places = Places::none;
@@ -57,7 +61,8 @@ void check_options(EncodeCommandOptions& o) {
     if (o.method == coding::name_of(method)) o.coding.method = method;
 }
 
-void report_stream(Report& report, const EncodeCommandOptions& o, const coding::Encoded& e, double largest) {
+void report_stream(Report& report, const EncodeCommandOptions& o, const coding::Encoded& e,
+                   double largest) {
   const coding::StreamInfo& info = e.info;
   report["vertices"] = info.vertices;
   report["faces"] = info.faces;
@@ -71,7 +76,9 @@ void report_stream(Report& report, const EncodeCommandOptions& o, const coding::
                      {"attributes", info.sizes.attributes},
                      {"header", info.sizes.header},
                      {"total", info.sizes.total()}};
-  const auto per_vertex = [&](std::size_t bytes) { return 8.0 * static_cast<double>(bytes) / info.vertices; };
+  const auto per_vertex = [&](std::size_t bytes) {
+    return 8.0 * static_cast<double>(bytes) / info.vertices;
+  };
   report["bits_per_vertex"] = {{"connectivity", per_vertex(info.sizes.connectivity)},
                                {"geometry", per_vertex(info.sizes.geometry)}};
   if (info.places == Places::rounded)
@@ -86,10 +93,12 @@ std::string summary(const coding::Encoded& e) {
       "stream: {} bytes; connectivity {} ({:.3f} bits a vertex, {}), places {} ({:.2f})\n",
       info.vertices, info.faces, info.components, info.handles, info.loops, info.sizes.total(),
       info.sizes.connectivity, bits * static_cast<double>(info.sizes.connectivity),
-      coding::name_of(info.method), info.sizes.geometry, bits * static_cast<double>(info.sizes.geometry));
+      coding::name_of(info.method), info.sizes.geometry,
+      bits * static_cast<double>(info.sizes.geometry));
 }
 
-void write_permutation(const std::string& path, const coding::Encoded& e, const io::FileNumbers& numbers) {
+void write_permutation(const std::string& path, const coding::Encoded& e,
+                       const io::FileNumbers& numbers) {
   io::Text text;
   for (const kernel::Index v : e.vertex_order) text.add("{}\n", numbers.vertices[v]);
   io::write_atomically(path, text.text());
@@ -99,7 +108,8 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
   const io::SurfaceFile file = run.read(io::read_surface);
   const coding::Encoded encoded = run.step("encode", "encoding", [&] {
     return run.with_input([&] {
-      return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points, o.coding);
+      return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points,
+                            o.coding);
     });
   });
   const double largest = run.step("verify", "decoding again", [&] {
@@ -107,10 +117,17 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
   });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
-      io::write_atomically(path, {reinterpret_cast<const char*>(encoded.stream.data()), encoded.stream.size()});
+      io::write_atomically(
+          path, {reinterpret_cast<const char*>(encoded.stream.data()), encoded.stream.size()});
     });
     run.write("--permutation",
               [&](const std::string& path) { write_permutation(path, encoded, file.numbers); });
+    if (!run.wanted("--certificate")) return;
+    const certify::Bytes certificate = certify::encode(
+        coding::make_certificate(encoded, file.faces, file.points, o.coding,
+                                 static_cast<kernel::Index>(file.cleanup.unused_vertices)));
+    run.report()["data_digest"] = certify::hex(certify::data_digest(certificate));
+    run.write_certificate("coding", certificate);
   });
   report_stream(run.report(), o, encoded, largest);
   return {summary(encoded), {"roessl2005surfaces", "touma1998triangle", "alliez2001valence"}};
@@ -128,6 +145,11 @@ std::function<int()> add_encode(CLI::App& app) {
   app.add_option("INPUT", common.input, fmt::format("mesh ({})", kMeshFormats))->required();
   app.add_option("-o,--output", common.output, "the stream (.cmc)")->type_name("FILE");
   app.add_option("--report", common.report, "counts, bytes and times (.json)")->type_name("FILE");
+  app.add_option(
+         "--certificate", common.certificate,
+         "that the stream decodes to the mesh (crest-verify checks it with a decoder of its "
+         "own)")
+      ->type_name("FILE");
   add_encode_options(app, *options);
   add_run_options(app, common);
   app.add_flag("--cite", common.cite, "print the references this run used (BibTeX)");
@@ -141,7 +163,7 @@ const Command encode_command = {
     "encode",
     "a triangle mesh as a small stream, lossless or within a tolerance",
     add_encode,
-    {"crest encode ellipsoid.off -o ellipsoid.cmc --report encode.json",
+    {"crest encode ellipsoid.off -o ellipsoid.cmc --certificate ellipsoid.crest",
      "crest encode ellipsoid.off --tolerance 0.001 --method valence -o coarse.cmc",
      "crest encode ellipsoid.off --keep-order -o ordered.cmc"}};
 

@@ -29,9 +29,8 @@ struct Coded {
 
 Coded encode_connectivity(const Surface& surface, Method method) {
   Coded coded{method, {}, {}};
-  coded.bytes = method == Method::valence
-                    ? encode_valences(surface, coded.order)
-                    : encode_tree(surface, tree_method(method), coded.order);
+  coded.bytes = method == Method::valence ? encode_valences(surface, coded.order)
+                                          : encode_tree(surface, tree_method(method), coded.order);
   return coded;
 }
 
@@ -58,11 +57,13 @@ std::vector<Index> vertex_order(const Surface& surface, const CodedOrder& order)
 
 void check_points(Index vertices, std::span<const Point> points, const EncodeOptions& options) {
   if (options.places == Places::none) return;
-  if (points.size() != vertices) throw kernel::InputError("mesh: has not a point a vertex; give all points");
+  if (points.size() != vertices)
+    throw kernel::InputError("mesh: has not a point a vertex; give all points");
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v])
       if (!std::isfinite(x))
-        throw kernel::InputError("vertex " + std::to_string(v) + ": a coordinate is not a finite number; repair it");
+        throw kernel::InputError("vertex " + std::to_string(v) +
+                                 ": a coordinate is not a finite number; repair it");
 }
 
 /// What the step promises, decided exactly at every vertex.
@@ -74,13 +75,20 @@ void require_within(std::span<const Point> points, std::span<const Point> rounde
                                ": its rounded place is not within the tolerance; use --exact");
 }
 
-Bytes encode_places(const Surface& decoded, std::span<const Point> points, std::span<const Index> order,
-                    const EncodeOptions& options, std::vector<Point>& places) {
+Bytes encode_places(const Surface& decoded, std::span<const Point> points,
+                    std::span<const Index> order, const EncodeOptions& options,
+                    std::vector<Point>& places) {
   if (options.places == Places::exact) {
     places.assign(points.begin(), points.end());
     return encode_exact(decoded, points);
   }
-  Bytes bytes = encode_rounded(decoded, points, step_within(options.tolerance));
+  const double step = step_within(options.tolerance);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!in_reach(points[v], step))
+      throw kernel::InputError(
+          "vertex " + std::to_string(order[v]) +
+          ": is 2^31 steps from the origin; use a larger tolerance or --exact");
+  Bytes bytes = encode_rounded(decoded, points, step);
   places = decode_rounded(bytes, decoded);
   require_within(points, places, order, options.tolerance);
   return bytes;
@@ -98,8 +106,15 @@ void apply(const KeptOrder& order, std::vector<Triangle>& faces, std::vector<Poi
 }
 
 StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
-  StreamInfo info{c.method, c.places, c.keeps_order, c.counts.vertices, faces, c.counts.components,
-                  c.counts.loops, c.counts.handles, {}};
+  StreamInfo info{c.method,
+                  c.places,
+                  c.keeps_order,
+                  c.counts.vertices,
+                  faces,
+                  c.counts.components,
+                  c.counts.loops,
+                  c.counts.handles,
+                  {}};
   const auto size = [&](Section s) { return c.sections[static_cast<std::size_t>(s)].size(); };
   info.sizes.connectivity = size(Section::connectivity);
   info.sizes.geometry = size(Section::positions);
@@ -112,8 +127,9 @@ StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
 template <class Work>
 auto in_section(Section section, Work&& work) {
   const auto fail = [&](const std::string& problem) {
-    throw kernel::InputError(std::string("section ") + kSectionNames[static_cast<std::size_t>(section)] +
-                             ": " + problem + "; the file is damaged, get it again");
+    throw kernel::InputError(std::string("section ") +
+                             kSectionNames[static_cast<std::size_t>(section)] + ": " + problem +
+                             "; the file is damaged, get it again");
   };
   try {
     return work();
@@ -134,7 +150,8 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
                const EncodeOptions& options) {
   check_points(vertices, points, options);
   const Surface surface(vertices, faces);
-  const Coded coded = options.method ? encode_connectivity(surface, *options.method) : smallest(surface);
+  const Coded coded =
+      options.method ? encode_connectivity(surface, *options.method) : smallest(surface);
   Encoded result;
   result.vertex_order = vertex_order(surface, coded.order);
   result.splits = coded.order.splits;
@@ -186,16 +203,19 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
     if (surface->counts() != c.counts) throw StreamError("has other counts than the header says");
   });
   in_section(Section::positions, [&] {
-    if (c.places == Places::exact) result.points = decode_exact(bytes(Section::positions), *surface);
-    if (c.places == Places::rounded) result.points = decode_rounded(bytes(Section::positions), *surface);
+    if (c.places == Places::exact)
+      result.points = decode_exact(bytes(Section::positions), *surface);
+    if (c.places == Places::rounded)
+      result.points = decode_rounded(bytes(Section::positions), *surface);
   });
   in_section(Section::order, [&] {
     if (!c.keeps_order) return;
-    apply(decode_order(bytes(Section::order), c.counts.vertices, surface->face_count()), result.faces,
-          result.points);
+    apply(decode_order(bytes(Section::order), c.counts.vertices, surface->face_count()),
+          result.faces, result.points);
   });
   if (mesh_digest(c.counts.vertices, result.faces, result.points) != c.digest)
-    throw kernel::InputError("digest: the decoded mesh has another one; the file is damaged, get it again");
+    throw kernel::InputError(
+        "digest: the decoded mesh has another one; the file is damaged, get it again");
   result.info = info_of(c, static_cast<Index>(result.faces.size()), stream.size());
   return result;
 }

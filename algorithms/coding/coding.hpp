@@ -55,7 +55,8 @@ struct StreamInfo {
 struct Encoded {
   Bytes stream;
   StreamInfo info;
-  Index splits = 0;  ///< of the method: triangles that join two parts of a boundary or two boundaries
+  Index splits =
+      0;  ///< of the method: triangles that join two parts of a boundary or two boundaries
   std::vector<Index> vertex_order;  ///< of each decoded vertex: which of the input it is
 };
 

@@ -24,7 +24,7 @@ struct Counts {
 struct CodedOrder {
   std::vector<Triangle> faces;  ///< decoded
   std::vector<Index> corners;   ///< of each: the mesh's half-edge that starts at its first corner
-  Index splits = 0;  ///< triangles that join two parts of a boundary or two boundaries
+  Index splits = 0;             ///< triangles that join two parts of a boundary or two boundaries
 };
 
 }  // namespace crest::coding

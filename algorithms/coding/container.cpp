@@ -24,7 +24,8 @@ void put_varint(Bytes& out, std::uint32_t x) {
 
 template <class Word>
 void put_word(Bytes& out, Word x) {
-  for (std::size_t i = 0; i < sizeof(Word); ++i) out.push_back(static_cast<std::uint8_t>(x >> (8 * i)));
+  for (std::size_t i = 0; i < sizeof(Word); ++i)
+    out.push_back(static_cast<std::uint8_t>(x >> (8 * i)));
 }
 
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
@@ -38,8 +39,10 @@ class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  [[noreturn]] void fail(const std::string& problem, const char* remedy = "get the file again") const {
-    throw kernel::InputError("header, byte " + std::to_string(at_) + ": " + problem + "; " + remedy);
+  [[noreturn]] void fail(const std::string& problem,
+                         const char* remedy = "get the file again") const {
+    throw kernel::InputError("header, byte " + std::to_string(at_) + ": " + problem + "; " +
+                             remedy);
   }
   std::span<const std::uint8_t> take(std::size_t count) {
     if (bytes_.size() - at_ < count) fail("the stream ends too early");
@@ -82,21 +85,26 @@ Index announced(Reader& reader, bool follows, Index otherwise) {
 
 bool Container::has(Section section) const {
   switch (section) {
-    case Section::connectivity: return true;
-    case Section::positions: return places != Places::none;
-    case Section::order: break;
+    case Section::connectivity:
+      return true;
+    case Section::positions:
+      return places != Places::none;
+    case Section::order:
+      break;
   }
   return keeps_order;
 }
 
 Bytes compose(const Container& c) {
   Bytes out(kMagic.begin(), kMagic.end());
-  const auto flag = [](bool set, int bit) { return static_cast<std::uint8_t>((set ? 1 : 0) << bit); };
+  const auto flag = [](bool set, int bit) {
+    return static_cast<std::uint8_t>((set ? 1 : 0) << bit);
+  };
   out.push_back(kVersion);
-  out.push_back(static_cast<std::uint8_t>(
-      flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
-      flag(c.counts.handles != 0, 2) | static_cast<std::uint8_t>(c.places) << 3 |
-      flag(c.keeps_order, 6)));
+  out.push_back(
+      static_cast<std::uint8_t>(flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
+                                flag(c.counts.handles != 0, 2) |
+                                static_cast<std::uint8_t>(c.places) << 3 | flag(c.keeps_order, 6)));
   out.push_back(static_cast<std::uint8_t>(c.method));
   put_varint(out, c.counts.vertices);
   if (c.counts.components != 1) put_varint(out, c.counts.components);

@@ -37,8 +37,8 @@ struct LogisticTables {
           static_cast<std::uint16_t>(logistic(x));
     int x = -kLogitLimit;
     for (std::size_t i = 0; i < logit.size(); ++i) {
-      while (x < kLogitLimit && probability[static_cast<std::size_t>(x + kLogitLimit)] <
-                                    16 * static_cast<int>(i) + 8)
+      while (x < kLogitLimit &&
+             probability[static_cast<std::size_t>(x + kLogitLimit)] < 16 * static_cast<int>(i) + 8)
         ++x;
       logit[i] = static_cast<std::int16_t>(x);
     }
@@ -47,8 +47,8 @@ struct LogisticTables {
 
 /// What counters do after n decisions, n up to 1023.
 struct CounterTables {
-  std::array<std::uint32_t, 1024> step{};        ///< 65536 / (n + 3/2)
-  std::array<std::int32_t, 1024> confidence{};   ///< 65536 (n + 3/10) / (n + 9/10); 0 for n = 0
+  std::array<std::uint32_t, 1024> step{};       ///< 65536 / (n + 3/2)
+  std::array<std::int32_t, 1024> confidence{};  ///< 65536 (n + 3/10) / (n + 9/10); 0 for n = 0
 
   constexpr CounterTables() {
     for (std::uint32_t n = 0; n < 1024; ++n) {

@@ -15,13 +15,14 @@
 
 namespace crest::coding {
 
-/// How often a decision was 1: a probability of 22 bits and the number of decisions, of 10. All zero
-/// is 1/2 after none, so that fresh memory is fresh counters.
+/// How often a decision was 1: a probability of 22 bits and the number of decisions, of 10. All
+/// zero is 1/2 after none, so that fresh memory is fresh counters.
 class Counter {
  public:
   constexpr Counter() = default;
   /// Of probability `ones` / 2^22 as if after `count` decisions.
-  constexpr Counter(std::uint32_t ones, std::uint32_t count) : word_((ones << 10 | count) ^ kHalf) {}
+  constexpr Counter(std::uint32_t ones, std::uint32_t count)
+      : word_((ones << 10 | count) ^ kHalf) {}
 
   std::uint32_t ones() const { return (word_ ^ kHalf) >> 10; }
   std::uint32_t count() const { return word_ & 1023u; }
@@ -99,15 +100,16 @@ bool code_mixed(Range& range, const Context<K>& context, std::size_t number, Wei
     input[i] = (kLogistic.logit[counter.ones() >> 10] * kCounter.confidence[counter.count()]) >> 16;
     sum += std::int64_t{weights.weight[i]} * input[i];
   }
-  const auto logit = static_cast<int>(
-      std::clamp<std::int64_t>(sum >> 16, -kLogitLimit, kLogitLimit));
+  const auto logit =
+      static_cast<int>(std::clamp<std::int64_t>(sum >> 16, -kLogitLimit, kLogitLimit));
   const std::int32_t p = kLogistic.probability[static_cast<std::size_t>(logit + kLogitLimit)];
   bit = range.code(bit, {static_cast<std::uint64_t>(p), 16});
   const std::int32_t error = (bit ? 65536 : 0) - p;
   const int shift = weights.uses < 24 ? 12 : weights.uses < 200 ? 13 : 15;
   if (weights.uses < 200) ++weights.uses;
   for (std::size_t i = 0; i < K; ++i) {
-    weights.weight[i] = std::clamp(weights.weight[i] + ((input[i] * error) >> shift), -(1 << 20), 1 << 20);
+    weights.weight[i] =
+        std::clamp(weights.weight[i] + ((input[i] * error) >> shift), -(1 << 20), 1 << 20);
     (*context[i])[number].learn(bit, kCounterLimit);
   }
   return bit;

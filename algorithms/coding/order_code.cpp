@@ -21,8 +21,8 @@ class PermutationRoutine {
     for (Index& number : numbers) {
       const std::int64_t step = std::int64_t{number} - before;
       const bool down = code_alone(range_, down_[last_down_ ? 1 : 0], step < 0);
-      const auto size = static_cast<std::int64_t>(
-          size_[down ? 1 : 0].code(range_, static_cast<std::uint64_t>((step < 0 ? -step : step) - 1)));
+      const auto size = static_cast<std::int64_t>(size_[down ? 1 : 0].code(
+          range_, static_cast<std::uint64_t>((step < 0 ? -step : step) - 1)));
       const std::int64_t limit = down ? before : count - 1 - before;
       if (size < 0 || size >= limit) throw StreamError("has a number that is out of range");
       before += down ? -(size + 1) : size + 1;
@@ -53,9 +53,11 @@ Bytes encode_order(const KeptOrder& order) {
 KeptOrder decode_order(std::span<const std::uint8_t> bytes, Index vertices, Index faces) {
   RangeDecoder range(bytes);
   KeptOrder order{std::vector<Index>(vertices), std::vector<Index>(faces)};
-  PermutationRoutine(range).run(order.vertices);
-  PermutationRoutine(range).run(order.faces);
-  range.finish();
+  with_position(range, [&] {
+    PermutationRoutine(range).run(order.vertices);
+    PermutationRoutine(range).run(order.faces);
+    range.finish();
+  });
   return order;
 }
 

@@ -5,7 +5,9 @@ namespace crest::coding {
 namespace {
 
 /// The apex of the face at a half-edge.
-Index apex(const Surface& surface, Index h) { return surface.from(previous_half(h)); }
+Index apex(const Surface& surface, Index h) {
+  return surface.from(previous_half(h));
+}
 
 /// Calls `each` with the half-edges from v, counter-clockwise, from that without a twin on, or from
 /// the lowest.

@@ -26,7 +26,10 @@ using Triple = std::array<std::int64_t, 3>;
 class VisitOrder {
  public:
   explicit VisitOrder(const Surface& surface)
-      : surface_(surface), known_(surface.counts().vertices, 0), count_(known_.size(), 0), queued_(known_.size(), 0) {}
+      : surface_(surface),
+        known_(surface.counts().vertices, 0),
+        count_(known_.size(), 0),
+        queued_(known_.size(), 0) {}
 
   bool known(Index v) const { return known_[v] != 0; }
   /// The next vertex, or kNone.
@@ -75,12 +78,20 @@ class TripleRoutine {
   /// `least`, `most`: bounds of all values. `hints`: what is special on each axis.
   TripleRoutine(Range& range, const Surface& surface, std::span<Triple> values, std::int64_t least,
                 std::int64_t most, std::array<Hint, 3> hints)
-      : range_(range), surface_(surface), values_(values), least_(least), most_(most), hints_(hints),
-        lines_(16), lengths_(values.size()), order_(surface) {}
+      : range_(range),
+        surface_(surface),
+        values_(values),
+        least_(least),
+        most_(most),
+        hints_(hints),
+        lines_(16),
+        lengths_(values.size()),
+        order_(surface) {}
 
   void run() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      hints_[axis] = static_cast<Hint>(code_below(range_, static_cast<std::uint32_t>(hints_[axis]), 3));
+      hints_[axis] =
+          static_cast<Hint>(code_below(range_, static_cast<std::uint32_t>(hints_[axis]), 3));
       if (hints_[axis] == Hint::table) code_table(axis);
     }
     for (Index v = order_.take(); v != kNone; v = order_.take()) {
@@ -106,7 +117,8 @@ class TripleRoutine {
     if (x < 0) x = -x;
     const auto low = static_cast<std::uint64_t>(x);
     if constexpr (sizeof(Wide) > 8)
-      if (const auto high = static_cast<std::uint64_t>(x >> 64)) return 64 + static_cast<int>(std::bit_width(high));
+      if (const auto high = static_cast<std::uint64_t>(x >> 64))
+        return 64 + static_cast<int>(std::bit_width(high));
     return static_cast<int>(std::bit_width(low));
   }
 
@@ -122,11 +134,14 @@ class TripleRoutine {
     }
     if (s.neighbours > 0) {
       near = mean(near, s.neighbours);
-      p.expected = (2 * lengths + static_cast<int>(s.neighbours)) / (2 * static_cast<int>(s.neighbours));
+      p.expected =
+          (2 * lengths + static_cast<int>(s.neighbours)) / (2 * static_cast<int>(s.neighbours));
     }
     if (s.predictions == 0) {
-      if (s.neighbours > 0) p.value = near;
-      else if (last_ != kNone) p.value = values_[last_][axis];
+      if (s.neighbours > 0)
+        p.value = near;
+      else if (last_ != kNone)
+        p.value = values_[last_][axis];
       return p;
     }
     Wide sum = 0, low = 0, high = 0;
@@ -146,7 +161,8 @@ class TripleRoutine {
   static constexpr std::uint64_t clip(int bits) {
     return static_cast<std::uint64_t>(std::clamp(bits, 0, 63));
   }
-  static constexpr std::uint64_t pack(std::uint64_t which, std::initializer_list<std::uint64_t> parts) {
+  static constexpr std::uint64_t pack(std::uint64_t which,
+                                      std::initializer_list<std::uint64_t> parts) {
     for (const std::uint64_t part : parts) which = which << 6 | part;
     return which;
   }
@@ -168,14 +184,16 @@ class TripleRoutine {
     bool minus = false;
     if (bits > 0) {
       minus = code_sign(axis, s, p, bits, wanted < 0);
-      const auto size = code_size(axis, bits, static_cast<std::uint64_t>(wanted < 0 ? -wanted : wanted));
+      const auto size =
+          code_size(axis, bits, static_cast<std::uint64_t>(wanted < 0 ? -wanted : wanted));
       residual = minus ? -static_cast<Wide>(size) : static_cast<Wide>(size);
     }
     const Wide result = base + residual;
     if (listed ? result < 0 || result >= static_cast<Wide>(table_[axis].size())
                : result < least_ || result > most_)
       throw StreamError("has a coordinate beyond its range");
-    value = listed ? table_[axis][static_cast<std::size_t>(result)] : static_cast<std::int64_t>(result);
+    value =
+        listed ? table_[axis][static_cast<std::size_t>(result)] : static_cast<std::int64_t>(result);
     here_[axis] = bits;
     minus_[axis] = minus;
     lengths_[v][axis] = static_cast<std::uint8_t>(bits);
@@ -186,34 +204,37 @@ class TripleRoutine {
     const std::uint64_t spread = clip(length(p.spread)), pull = clip(length(p.pull));
     const std::uint64_t one = axis > 0 ? clip(here_[axis - 1] + 1) : 0;
     const std::uint64_t two = axis > 1 ? clip(here_[0] + 1) : 0;
-    const Context<kContexts> context = {&lines_.of(pack(1, {axis, e, n})),
-                                        &lines_.of(pack(2, {e, spread, n})),
-                                        &lines_.of(pack(3, {axis, e, pull})),
-                                        &lines_.of(pack(4, {axis, e, one, two})),
-                                        &lines_.of(pack(5, {spread, pull, e})),
-                                        &lines_.of(pack(6, {e, clip(p.most), one}))};
+    const Context<kContexts> context = {
+        &lines_.of(pack(1, {axis, e, n})),      &lines_.of(pack(2, {e, spread, n})),
+        &lines_.of(pack(3, {axis, e, pull})),   &lines_.of(pack(4, {axis, e, one, two})),
+        &lines_.of(pack(5, {spread, pull, e})), &lines_.of(pack(6, {e, clip(p.most), one}))};
     const auto decide = [&](int number, bool bit) {
       const auto d = static_cast<std::size_t>(number);
       return code_mixed(range_, context, d, weights_[axis][d], bit);
     };
     int bits = p.expected;
     if (decide(0, wanted > bits)) {
-      for (int k = 1; ++bits < 64 && decide(std::min(k, 7), wanted > bits); ++k) {}
+      for (int k = 1; ++bits < 64 && decide(std::min(k, 7), wanted > bits); ++k) {
+      }
     } else {
       for (int k = 0; bits > 0 && decide(8 + std::min(k, 7), wanted < bits); ++k) --bits;
     }
     return bits;
   }
 
-  bool code_sign(std::size_t axis, const Surroundings& s, const Prediction& p, int bits, bool minus) {
+  bool code_sign(std::size_t axis, const Surroundings& s, const Prediction& p, int bits,
+                 bool minus) {
     const std::uint64_t side = p.pull < 0 ? 2 : p.pull > 0 ? 1 : 0;
     const std::uint64_t size = clip(length(p.pull) - bits + 8);
     const std::uint64_t n = std::min<std::size_t>(s.predictions, 3);
-    const std::uint64_t others = axis == 0 ? 0 : axis == 1 ? 1 + minus_[0] : 3 + 2 * minus_[1] + minus_[0];
-    const Context<4> context = {&lines_.of(pack(7, {side, std::min<std::uint64_t>(size, 15), n})),
-                                &lines_.of(pack(8, {axis, side, others})),
-                                &lines_.of(pack(9, {axis, side, clip(bits), std::min<std::uint64_t>(size, 15)})),
-                                &lines_.of(pack(10, {axis, others}))};
+    const std::uint64_t others = axis == 0   ? 0
+                                 : axis == 1 ? 1 + minus_[0]
+                                             : 3 + 2 * minus_[1] + minus_[0];
+    const Context<4> context = {
+        &lines_.of(pack(7, {side, std::min<std::uint64_t>(size, 15), n})),
+        &lines_.of(pack(8, {axis, side, others})),
+        &lines_.of(pack(9, {axis, side, clip(bits), std::min<std::uint64_t>(size, 15)})),
+        &lines_.of(pack(10, {axis, others}))};
     return code_mixed(range_, context, 0, sign_weights_[axis], minus);
   }
 
@@ -223,7 +244,8 @@ class TripleRoutine {
     int left = bits - 1;
     for (std::size_t node = 1; left > 0 && node < 8;) {
       --left;
-      const bool bit = code_alone(range_, top_[axis][static_cast<std::size_t>(bits)][node], (wanted >> left & 1) != 0);
+      const bool bit = code_alone(range_, top_[axis][static_cast<std::size_t>(bits)][node],
+                                  (wanted >> left & 1) != 0);
       size = size << 1 | (bit ? 1 : 0);
       node = node << 1 | (bit ? 1 : 0);
     }
@@ -246,7 +268,8 @@ class TripleRoutine {
     auto least = static_cast<std::uint64_t>(least_);
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint64_t more = gap.code(range_, static_cast<std::uint64_t>(table[i]) - least);
-      if (more > static_cast<std::uint64_t>(most_) - least || (more == static_cast<std::uint64_t>(most_) - least && i + 1 < n))
+      if (more > static_cast<std::uint64_t>(most_) - least ||
+          (more == static_cast<std::uint64_t>(most_) - least && i + 1 < n))
         throw StreamError("lists a value beyond its range");
       table[i] = static_cast<std::int64_t>(least + more);
       least += more + 1;
@@ -270,7 +293,9 @@ class TripleRoutine {
     std::size_t n = 0;
     for (std::size_t i = 0; i < s.neighbours && n < 3; ++i) {
       const std::int64_t x = values_[s.neighbour[i]][axis];
-      if (std::find(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(n), x) != tried.begin() + static_cast<std::ptrdiff_t>(n)) continue;
+      if (std::find(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(n), x) !=
+          tried.begin() + static_cast<std::ptrdiff_t>(n))
+        continue;
       tried[n] = x;
       if (code_alone(range_, repeat_[axis][n], value == x)) {
         value = x;
@@ -291,7 +316,7 @@ class TripleRoutine {
   std::vector<std::array<std::uint8_t, 3>> lengths_;  ///< of residuals, in bits
   VisitOrder order_;
   Index last_ = kNone;
-  std::array<int, 3> here_{};      ///< lengths at this vertex
+  std::array<int, 3> here_{};  ///< lengths at this vertex
   std::array<bool, 3> minus_{};
   std::array<std::array<Weights<kContexts>, 16>, 3> weights_;
   std::array<Weights<4>, 3> sign_weights_;

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "algorithms/coding/position_routine.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -44,16 +43,23 @@ std::int64_t ordered(float x) {
 }
 float from_ordered_float(std::int64_t k) {
   const auto bits = static_cast<std::int32_t>(k);
-  return std::bit_cast<float>(bits < 0 ? static_cast<std::int32_t>(std::numeric_limits<std::int32_t>::min() - std::int64_t{bits} - 1) : bits);
+  return std::bit_cast<float>(
+      bits < 0 ? static_cast<std::int32_t>(std::numeric_limits<std::int32_t>::min() -
+                                           std::int64_t{bits} - 1)
+               : bits);
 }
 
 double number(AxisForm form, std::int64_t k) {
   switch (form.form) {
-    case Form::decimal: return static_cast<double>(k) / kPowers[form.exponent];
+    case Form::decimal:
+      return static_cast<double>(k) / kPowers[form.exponent];
     case Form::float_decimal:
-      return static_cast<double>(static_cast<float>(static_cast<double>(k) / kPowers[form.exponent]));
-    case Form::floats: return static_cast<double>(from_ordered_float(k));
-    case Form::doubles: break;
+      return static_cast<double>(
+          static_cast<float>(static_cast<double>(k) / kPowers[form.exponent]));
+    case Form::floats:
+      return static_cast<double>(from_ordered_float(k));
+    case Form::doubles:
+      break;
   }
   return from_ordered(k);
 }
@@ -73,21 +79,29 @@ std::int64_t integer(AxisForm form, double x) {
       const auto limit = static_cast<double>(kExactIntegers - 1);
       return static_cast<std::int64_t>(std::clamp(k, -limit, limit));
     }
-    case Form::floats: return ordered(static_cast<float>(x));
-    case Form::doubles: break;
+    case Form::floats:
+      return ordered(static_cast<float>(x));
+    case Form::doubles:
+      break;
   }
   return ordered(x);
 }
 
-std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
-bool same(double x, double y) { return bits_of(x) == bits_of(y); }
+std::uint64_t bits_of(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+bool same(double x, double y) {
+  return bits_of(x) == bits_of(y);
+}
 
 /// Vertices whose coordinate the form does not give, or nothing if they are too many.
-bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis, std::vector<Index>& found) {
+bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis,
+                std::vector<Index>& found) {
   found.clear();
   for (Index v = 0; v < points.size(); ++v) {
     const double x = points[v][axis];
-    if (form.form == Form::floats && !(std::fabs(x) <= std::numeric_limits<float>::max())) return false;
+    if (form.form == Form::floats && !(std::fabs(x) <= std::numeric_limits<float>::max()))
+      return false;
     if (same(number(form, integer(form, x)), x)) continue;
     found.push_back(v);
     if (100 * found.size() > points.size()) return false;
@@ -96,7 +110,8 @@ bool exceptions(AxisForm form, std::span<const Point> points, std::size_t axis, 
 }
 
 /// About how many bits the form costs: of the differences from one vertex to the next.
-double cost(AxisForm form, std::span<const Point> points, std::size_t axis, std::size_t exceptions) {
+double cost(AxisForm form, std::span<const Point> points, std::size_t axis,
+            std::size_t exceptions) {
   double bits = 80.0 * static_cast<double>(exceptions);
   std::int64_t before = 0;
   for (const Point& p : points) {
@@ -140,7 +155,8 @@ Axis choose_form(std::span<const Point> points, std::size_t axis) {
 template <class Range>
 class ExactRoutine {
  public:
-  ExactRoutine(Range& range, const Surface& surface, std::span<Point> points, std::array<Axis, 3> axes)
+  ExactRoutine(Range& range, const Surface& surface, std::span<Point> points,
+               std::array<Axis, 3> axes)
       : range_(range), surface_(surface), points_(points), axes_(std::move(axes)) {}
 
   void run(std::span<Triple> values, std::array<Hint, 3> hints) {
@@ -148,10 +164,14 @@ class ExactRoutine {
     bool wide = false;
     for (const Axis& axis : axes_) wide = wide || axis.form.form == Form::doubles;
     if (wide) {
-      TripleRoutine<Range, Int128>(range_, surface_, values, std::numeric_limits<std::int64_t>::min(),
-                                   std::numeric_limits<std::int64_t>::max(), hints).run();
+      TripleRoutine<Range, Int128>(range_, surface_, values,
+                                   std::numeric_limits<std::int64_t>::min(),
+                                   std::numeric_limits<std::int64_t>::max(), hints)
+          .run();
     } else {
-      TripleRoutine<Range, std::int64_t>(range_, surface_, values, -kExactIntegers, kExactIntegers, hints).run();
+      TripleRoutine<Range, std::int64_t>(range_, surface_, values, -kExactIntegers, kExactIntegers,
+                                         hints)
+          .run();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if constexpr (!Range::kEncodes)
@@ -163,7 +183,8 @@ class ExactRoutine {
 
  private:
   void code_form(Axis& axis) {
-    axis.form.form = static_cast<Form>(code_bits(range_, static_cast<std::uint32_t>(axis.form.form), 2));
+    axis.form.form =
+        static_cast<Form>(code_bits(range_, static_cast<std::uint32_t>(axis.form.form), 2));
     if (axis.form.form == Form::decimal || axis.form.form == Form::float_decimal)
       axis.form.exponent = code_below(range_, axis.form.exponent, kPowers.size());
   }
@@ -191,19 +212,24 @@ void code_multiples(Range& range, const Surface& surface, std::span<Triple> valu
   step = std::bit_cast<double>(LargeNumber::code_lower(range, bits_of(step), 64));
   if (!std::isnormal(step) || step < 0 || bits_of(step) << (64 - kLowBits) != 0)
     throw StreamError("has a step that is no positive number of 20 bits");
-  TripleRoutine<Range, std::int64_t>(range, surface, values, -kMostMultiple + 1, kMostMultiple - 1, hints).run();
+  TripleRoutine<Range, std::int64_t>(range, surface, values, -kMostMultiple + 1, kMostMultiple - 1,
+                                     hints)
+      .run();
 }
 
-/// Which hints may pay on an axis: few values far from filling their range, many edges between equal
-/// ones.
-std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values, std::size_t axis) {
+/// Which hints may pay on an axis: few values far from filling their range, many edges between
+/// equal ones.
+std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values,
+                            std::size_t axis) {
   std::vector<std::int64_t> sorted;
   for (const Triple& value : values) sorted.push_back(value[axis]);
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   std::vector<Hint> hints;
-  const auto range = static_cast<std::uint64_t>(sorted.back()) - static_cast<std::uint64_t>(sorted.front());
-  if (2 * sorted.size() <= values.size() && sorted.size() <= range / 2 + 1) hints.push_back(Hint::table);
+  const auto range =
+      static_cast<std::uint64_t>(sorted.back()) - static_cast<std::uint64_t>(sorted.front());
+  if (2 * sorted.size() <= values.size() && sorted.size() <= range / 2 + 1)
+    hints.push_back(Hint::table);
   std::size_t equal = 0;
   for (Index h = 0; h < 3 * surface.face_count(); ++h)
     equal += values[surface.from(h)][axis] == values[surface.to(h)][axis] ? 1 : 0;
@@ -253,8 +279,10 @@ std::vector<Point> decode_exact(std::span<const std::uint8_t> bytes, const Surfa
   std::vector<Point> points(decoded.counts().vertices);
   RangeDecoder range(bytes);
   std::vector<Triple> values(points.size());
-  ExactRoutine(range, decoded, std::span<Point>(points), {}).run(values, {});
-  range.finish();
+  with_position(range, [&] {
+    ExactRoutine(range, decoded, std::span<Point>(points), {}).run(values, {});
+    range.finish();
+  });
   for (const Point& p : points)
     for (const double x : p)
       if (!std::isfinite(x)) throw StreamError("has a coordinate that is not finite");
@@ -282,15 +310,17 @@ double step_within(double tolerance) {
   return step;
 }
 
+bool in_reach(const Point& point, double step) {
+  return std::all_of(point.begin(), point.end(), [&](double x) {
+    return std::fabs(std::nearbyint(x / step)) < static_cast<double>(kMostMultiple);
+  });
+}
+
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step) {
   std::vector<Triple> values(points.size());
   for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double q = std::nearbyint(points[v][axis] / step);
-      if (!(std::fabs(q) < static_cast<double>(kMostMultiple)))
-        throw kernel::InputError("vertex " + std::to_string(v) + ": is 2^31 steps away; give a larger tolerance or --exact");
-      values[v][axis] = static_cast<std::int64_t>(q);
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      values[v][axis] = static_cast<std::int64_t>(std::nearbyint(points[v][axis] / step));
   return smallest(decoded, values, [&](std::array<Hint, 3> hints) {
     RangeEncoder range;
     code_multiples(range, decoded, values, step, hints);
@@ -302,8 +332,10 @@ std::vector<Point> decode_rounded(std::span<const std::uint8_t> bytes, const Sur
   std::vector<Triple> values(decoded.counts().vertices);
   RangeDecoder range(bytes);
   double step = 0;
-  code_multiples(range, decoded, std::span<Triple>(values), step, {});
-  range.finish();
+  with_position(range, [&] {
+    code_multiples(range, decoded, std::span<Triple>(values), step, {});
+    range.finish();
+  });
   std::vector<Point> points(values.size());
   for (std::size_t v = 0; v < values.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -28,8 +28,10 @@ std::vector<Point> decode_exact(std::span<const std::uint8_t> bytes, const Surfa
 /// Throws: kernel::InputError if it is below 2^-1022.
 double step_within(double tolerance);
 
-/// The same for points rounded to multiples of `step`.
-/// Throws: kernel::InputError naming the vertex if a multiple is 2^31 or more, or not finite.
+/// Are the nearest multiples of `step` below 2^31?
+bool in_reach(const Point& point, double step);
+
+/// The same for points, all in reach, rounded to the nearest multiples of `step`.
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step);
 std::vector<Point> decode_rounded(std::span<const std::uint8_t> bytes, const Surface& decoded);
 

@@ -11,7 +11,7 @@ namespace crest::coding {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A probability in units of 2^-bits, bits at most 32, neither 0 nor 1.
+/// A probability in units of 2^-bits, bits at most 32, from 2^-24 to 1 - 2^-bits.
 struct Probability {
   std::uint64_t units;
   int bits;
@@ -46,8 +46,8 @@ class RangeEncoder {
   void shift();
 
   std::uint64_t low_ = 0, range_ = 0xffffffffu;
-  std::uint8_t held_ = 0;            ///< the last byte, to which a carry may come
-  std::uint64_t held_count_ = 0;     ///< it and the bytes 255 after it; 0: at the beginning
+  std::uint8_t held_ = 0;         ///< the last byte, to which a carry may come
+  std::uint64_t held_count_ = 0;  ///< it and the bytes 255 after it; 0: at the beginning
   Bytes bytes_;
 };
 
@@ -75,8 +75,8 @@ class RangeDecoder {
   }
   /// Throws StreamError unless all bytes were needed.
   void finish() const;
-  /// Bits of the bytes read so far, for messages.
-  std::uint64_t position() const { return 8 * static_cast<std::uint64_t>(at_); }
+  /// Bytes read so far.
+  std::size_t position() const { return at_; }
 
  private:
   std::uint32_t next() {

@@ -13,9 +13,9 @@ namespace crest::coding {
 enum class NodeType : std::uint8_t { leaf, left, right, both };
 
 /// Pieces of surface, their boundaries as loops of slots, and the stack of the pieces' gates. A new
-/// triangle is (a, b, c): its gate runs from a to b, its left edge from b to c, its right one from c
-/// to a.
-/// Throws: StreamError for what glues nothing or makes a loop of fewer than three edges or a vertex
+/// triangle is (a, b, c): its gate runs from a to b, its left edge from b to c, its right one from
+/// c to a. Throws: StreamError for what glues nothing or makes a loop of fewer than three edges or
+/// a vertex
 ///   of fewer than three; that two vertices have two edges is not noticed.
 class ReverseMesh {
  public:

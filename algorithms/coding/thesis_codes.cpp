@@ -9,10 +9,15 @@
 namespace crest::coding {
 namespace {
 
-bool has_left(NodeType type) { return type == NodeType::left || type == NodeType::both; }
-bool has_right(NodeType type) { return type == NodeType::right || type == NodeType::both; }
+bool has_left(NodeType type) {
+  return type == NodeType::left || type == NodeType::both;
+}
+bool has_right(NodeType type) {
+  return type == NodeType::right || type == NodeType::both;
+}
 NodeType type_of(bool left, bool right) {
-  return left ? (right ? NodeType::both : NodeType::left) : (right ? NodeType::right : NodeType::leaf);
+  return left ? (right ? NodeType::both : NodeType::left)
+              : (right ? NodeType::right : NodeType::leaf);
 }
 
 /// Children of nodes in preorder, or kNone.
@@ -21,7 +26,8 @@ struct Links {
 };
 
 Links links_of(const std::vector<TreeNode>& preorder) {
-  Links links{std::vector<Index>(preorder.size(), kNone), std::vector<Index>(preorder.size(), kNone)};
+  Links links{std::vector<Index>(preorder.size(), kNone),
+              std::vector<Index>(preorder.size(), kNone)};
   std::vector<Index*> open;  // where the next node is to be linked
   for (Index i = 0; i < preorder.size(); ++i) {
     if (i > 0) {
@@ -96,10 +102,18 @@ class Subtrees {
 
 void add_node(ReverseMesh& mesh, const TreeNode& node) {
   switch (node.type) {
-    case NodeType::leaf: mesh.add_leaf(); break;
-    case NodeType::left: mesh.add_left(); break;
-    case NodeType::right: mesh.add_right(); break;
-    case NodeType::both: mesh.add_both(); break;
+    case NodeType::leaf:
+      mesh.add_leaf();
+      break;
+    case NodeType::left:
+      mesh.add_left();
+      break;
+    case NodeType::right:
+      mesh.add_right();
+      break;
+    case NodeType::both:
+      mesh.add_both();
+      break;
   }
   for (Index k = node.length - 1; k > 0; --k) mesh.close(k % 2 == 1);
 }
@@ -195,7 +209,8 @@ Bits letters(const std::vector<TreeNode>& nodes) {
 
 std::vector<TreeNode> from_letters(const Bits& bits) {
   std::vector<TreeNode> nodes;
-  for (std::size_t i = 0; i + 1 < bits.size(); i += 2) nodes.push_back({type_of(bits[i], bits[i + 1]), 1});
+  for (std::size_t i = 0; i + 1 < bits.size(); i += 2)
+    nodes.push_back({type_of(bits[i], bits[i + 1]), 1});
   return nodes;
 }
 
@@ -223,7 +238,8 @@ std::vector<TreeNode> from_weights(const std::vector<Index>& weights) {
   std::vector<TreeNode> nodes;
   std::vector<Index> sizes{static_cast<Index>(weights.size())};  // of subtrees to come
   for (const Index left : weights) {
-    if (sizes.empty() || left >= sizes.back()) throw std::invalid_argument("a left subtree is too large");
+    if (sizes.empty() || left >= sizes.back())
+      throw std::invalid_argument("a left subtree is too large");
     const Index right = sizes.back() - 1 - left;
     sizes.pop_back();
     nodes.push_back({type_of(left > 0, right > 0), 1});
@@ -314,18 +330,37 @@ std::vector<Index> legal_lengths(NodeType type, Index most) {
   return legal;
 }
 
-std::vector<Index> places_in_legal_sets(const std::vector<TreeNode>& postorder) {
-  std::vector<Index> places;
+namespace {
+
+/// Calls `each` with every node and its legal lengths.
+template <class Each>
+void for_legal_sets(const std::vector<TreeNode>& postorder, Each&& each) {
   Subtrees subtrees;
   for (const TreeNode& node : postorder) {
     const auto [nodes, triangles] = subtrees.children(node.type);
-    const std::vector<Index> legal = legal_lengths(node.type, 2 * nodes + 1 - triangles);
+    each(node, legal_lengths(node.type, 2 * nodes + 1 - triangles));
+    subtrees.add({nodes + 1, triangles + node.length});
+  }
+}
+
+}  // namespace
+
+std::vector<Index> places_in_legal_sets(const std::vector<TreeNode>& postorder) {
+  std::vector<Index> places;
+  for_legal_sets(postorder, [&](const TreeNode& node, const std::vector<Index>& legal) {
     const auto place = std::find(legal.begin(), legal.end(), node.length);
     if (place == legal.end()) throw std::invalid_argument("a length is not legal");
     places.push_back(static_cast<Index>(place - legal.begin()));
-    subtrees.add({nodes + 1, triangles + node.length});
-  }
+  });
   return places;
+}
+
+std::vector<std::size_t> legal_set_sizes(const std::vector<TreeNode>& postorder) {
+  std::vector<std::size_t> sizes;
+  for_legal_sets(postorder, [&](const TreeNode&, const std::vector<Index>& legal) {
+    sizes.push_back(legal.size());
+  });
+  return sizes;
 }
 
 std::vector<TreeNode> from_places(const std::vector<TreeNode>& tree_in_postorder,

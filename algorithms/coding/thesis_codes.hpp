@@ -64,9 +64,10 @@ struct Huffman {
 };
 
 /// Section 4.3.4, nodes in postorder with the tree known: each length's place in the set of legal
-/// ones, from 0; and back.
+/// ones, from 0, and back; how many each set has.
 std::vector<Index> legal_lengths(NodeType type, Index most);
 std::vector<Index> places_in_legal_sets(const std::vector<TreeNode>& postorder);
+std::vector<std::size_t> legal_set_sizes(const std::vector<TreeNode>& postorder);
 std::vector<TreeNode> from_places(const std::vector<TreeNode>& tree_in_postorder,
                                   const std::vector<Index>& places);
 

@@ -92,23 +92,29 @@ template <class Range, class Mesh, class Code>
 class TreeRoutine {
  public:
   TreeRoutine(Range& range, Mesh& original, const Counts& counts, Index max_faces)
-      : range_(range), original_(original), counts_(counts), mesh_(max_faces), code_(range, mesh_) {}
+      : range_(range),
+        original_(original),
+        counts_(counts),
+        mesh_(max_faces),
+        code_(range, mesh_) {}
 
   std::vector<Triangle> run() {
     const std::vector<bool> closed = code_closed();
     std::int64_t open = 0;
     for (const bool c : closed) open += c ? 0 : 1;
     const std::int64_t splits = 2 * std::int64_t{counts_.handles} + counts_.loops - open;
-    const std::int64_t nodes = std::int64_t{counts_.vertices} - 2 * std::int64_t{counts_.components} + 2 * splits;
+    const std::int64_t nodes =
+        std::int64_t{counts_.vertices} - 2 * std::int64_t{counts_.components} + 2 * splits;
     if (splits < 0) throw StreamError("has more open components than boundary loops");
     splits_left_ = splits;
     for (std::int64_t i = 0; i < nodes; ++i) {
       original_.next_node();
-      code_.node(original_, [&](NodeType type) { add(type); },
-                 [&](bool left, Index back) {
-                   mesh_.close(left);
-                   original_.added(mesh_, back);
-                 });
+      code_.node(
+          original_, [&](NodeType type) { add(type); },
+          [&](bool left, Index back) {
+            mesh_.close(left);
+            original_.added(mesh_, back);
+          });
     }
     if (mesh_.depth() != counts_.components || splits_left_ != 0)
       throw StreamError("has other components or splits than the header says");
@@ -127,25 +133,33 @@ class TreeRoutine {
   /// One bit a component, if the header leaves it open.
   std::vector<bool> code_closed() {
     std::vector<bool> closed;
-    for (Index c = 0; c < counts_.components; ++c) {
+    for (Index c = 0; c < counts_.components; ++c)
       if (counts_.loops == 0 || counts_.components == 1)
         closed.push_back(counts_.loops == 0);
       else
         closed.push_back(range_.code(original_.closed(c), {1, 1}));
-    }
     return closed;
   }
   void add(NodeType type) {
     switch (type) {
-      case NodeType::leaf: mesh_.add_leaf(); break;
-      case NodeType::left: mesh_.add_left(); break;
-      case NodeType::right: mesh_.add_right(); break;
-      case NodeType::both: add_both(); break;
+      case NodeType::leaf:
+        mesh_.add_leaf();
+        break;
+      case NodeType::left:
+        mesh_.add_left();
+        break;
+      case NodeType::right:
+        mesh_.add_right();
+        break;
+      case NodeType::both:
+        add_both();
+        break;
     }
     original_.added(mesh_, 0);
   }
   void add_both() {
-    if (splits_left_ == 0 || !code_alone(range_, split_, original_.splits())) return mesh_.add_both();
+    if (splits_left_ == 0 || !code_alone(range_, split_, original_.splits()))
+      return mesh_.add_both();
     --splits_left_;
     const auto slots = static_cast<std::uint32_t>(mesh_.slots().size());
     mesh_.add_split(code_below(range_, original_.split_slot(), slots));
@@ -164,7 +178,8 @@ class TreeRoutine {
 template <class Range>
 class MixedCode {
  protected:
-  MixedCode(Range& range, const ReverseMesh& mesh) : range_(range), mesh_(mesh), lines_(kLineBits) {}
+  MixedCode(Range& range, const ReverseMesh& mesh)
+      : range_(range), mesh_(mesh), lines_(kLineBits) {}
 
   /// Triangles at the vertices before, at the ends of, and after a gate.
   struct Ends {
@@ -189,7 +204,8 @@ class MixedCode {
         &lines_.of(pack(4, {last, before, third})),
         &lines_.of(pack(5, {top.before, top.first, top.second, top.after})),
         &lines_.of(pack(6, {top.second, second.first, last, before}))};
-    const bool left = code_mixed(range_, context, 0, type_[0], type == NodeType::left || type == NodeType::both);
+    const bool left =
+        code_mixed(range_, context, 0, type_[0], type == NodeType::left || type == NodeType::both);
     const bool right = code_mixed(range_, context, left ? 1 : 2, type_[left ? 1 : 2],
                                   type == NodeType::right || type == NodeType::both);
     return left ? (right ? NodeType::both : NodeType::left)
@@ -206,7 +222,8 @@ class MixedCode {
             &lines_.of(pack(15, {e.second, e.after, t, std::min<std::uint64_t>(k, 1)})),
             &lines_.of(pack(16, {e.first, e.second, symbol(0), symbol(1), kind}))};
   }
-  bool decide(const Context<kContexts>& context, std::size_t number, std::size_t weights, bool bit) {
+  bool decide(const Context<kContexts>& context, std::size_t number, std::size_t weights,
+              bool bit) {
     return code_mixed(range_, context, number, length_[weights], bit);
   }
   void remember(NodeType type, Index length) {
@@ -261,10 +278,12 @@ class ZigzagCode : MixedCode<Range> {
       const auto context = this->length_context(type, 1);
       if (this->decide(context, 0, t, original.length() > 1)) {
         bool even = type == NodeType::right;
-        if (type == NodeType::both) even = this->decide(context, 1, t + 1, original.length() % 2 == 0);
+        if (type == NodeType::both)
+          even = this->decide(context, 1, t + 1, original.length() % 2 == 0);
         if (!even) close(false, length++);
         close(true, length++);
-        while (this->decide(this->length_context(type, length), 2, t + 2, length < original.length())) {
+        while (this->decide(this->length_context(type, length), 2, t + 2,
+                            length < original.length())) {
           close(false, length++);
           close(true, length++);
         }
@@ -317,7 +336,8 @@ std::vector<Triangle> run(TreeMethod method, Range& range, Mesh& original, const
       return TreeRoutine<Range, Mesh, FanCode<Range>>(range, original, counts, max_faces).run();
     case TreeMethod::zigzag:
       return TreeRoutine<Range, Mesh, ZigzagCode<Range>>(range, original, counts, max_faces).run();
-    case TreeMethod::fixed: break;
+    case TreeMethod::fixed:
+      break;
   }
   return TreeRoutine<Range, Mesh, FixedCode<Range>>(range, original, counts, max_faces).run();
 }
@@ -325,7 +345,8 @@ std::vector<Triangle> run(TreeMethod method, Range& range, Mesh& original, const
 }  // namespace
 
 Bytes encode_tree(const Surface& surface, TreeMethod method, CodedOrder& order) {
-  const auto exits = method == TreeMethod::fan ? kernel::StripExits::fan : kernel::StripExits::zigzag;
+  const auto exits =
+      method == TreeMethod::fan ? kernel::StripExits::fan : kernel::StripExits::zigzag;
   Original original(surface, exits, order);
   RangeEncoder range;
   order.faces = run(method, range, original, surface.counts(), kNone);
@@ -336,9 +357,11 @@ std::vector<Triangle> decode_tree(std::span<const std::uint8_t> bytes, TreeMetho
                                   const Counts& counts, Index max_faces) {
   RangeDecoder range(bytes);
   NoOriginal none;
-  std::vector<Triangle> faces = run(method, range, none, counts, max_faces);
-  range.finish();
-  return faces;
+  return with_position(range, [&] {
+    std::vector<Triangle> faces = run(method, range, none, counts, max_faces);
+    range.finish();
+    return faces;
+  });
 }
 
 }  // namespace crest::coding

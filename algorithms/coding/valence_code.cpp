@@ -19,11 +19,13 @@ constexpr std::uint8_t kExtra = 15;  ///< class of an extra vertex; of others mi
 /// A corner of an active loop, and the edge to the next one.
 struct Slot {
   Index vertex, next, previous;
-  std::int32_t free;            ///< edges between its two neighbours still to come; -1: no more there
+  std::int32_t free;  ///< edges between its two neighbours still to come; -1: no more there
   std::uint8_t kind, opposite;  ///< classes of its vertex and of that across the edge
 };
 
-std::uint8_t class_of(std::uint32_t valence) { return static_cast<std::uint8_t>(std::min(valence, 13u)); }
+std::uint8_t class_of(std::uint32_t valence) {
+  return static_cast<std::uint8_t>(std::min(valence, 13u));
+}
 
 /// Slots by free edges; of those with the fewest the latest first.
 class Waiting {
@@ -81,7 +83,7 @@ class Original {
     finish(gate_);
   }
   /// The valence of the k-th corner of the first triangle.
-  Index start_valence(int k) const {
+  Index start_valence(std::size_t k) const {
     Index h = s_.starts[component_];
     for (; k > 0; --k) h = next(h);
     return s_.valence[s_.from(h)];
@@ -140,12 +142,11 @@ class Original {
   Index gate_ = kNone, component_ = 0;
 };
 
-
 /// For decoding: there is nothing to look at.
 struct NoOriginal {
   bool has_extra() const { return false; }
   void start() {}
-  Index start_valence(int) const { return 0; }
+  Index start_valence(std::size_t) const { return 0; }
   void approach(Index) {}
   bool is_new() const { return false; }
   bool apex_is_extra() const { return false; }
@@ -215,11 +216,23 @@ class ValenceRoutine {
   void start() {
     const bool open = loops_left_ > 0 && code_alone(range_, open_, mesh_.has_extra());
     std::array<Vertex, 3> v;
-    for (int k = 0; k < 3; ++k) {
-      const bool extra = open && k == 0;
-      const std::uint32_t x =
-          (extra ? loop_length_ : start_valence_).code(range_, mesh_.start_valence(k) - 3) + 3;
-      v[static_cast<std::size_t>(k)] = add_vertex(x, extra);
+    const std::array<std::uint8_t, 3> before = first_kinds_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t wanted = mesh_.start_valence(k);
+      if (open && k == 0) {
+        v[k] = add_vertex(loop_length_.code(range_, wanted - 3) + 3, true);
+      } else {
+        const std::uint64_t last = k == 0 ? 0 : v[k - 1].kind();
+        const Context<kContexts> context = {
+            &plain_,
+            &lines_.of(pack(6, {k})),
+            &lines_.of(pack(7, {k, last})),
+            &lines_.of(pack(8, {k, before[k]})),
+            &lines_.of(pack(9, {k, before[k], last})),
+            &lines_.of(pack(10, {k, before[0], before[1], before[2], last}))};
+        v[k] = code_vertex(context, 0, wanted, false, false);
+      }
+      first_kinds_[k] = v[k].kind();
     }
     mesh_.start();
     const Index base = static_cast<Index>(slots_.size());
@@ -267,7 +280,9 @@ class ValenceRoutine {
   }
 
   void extend(Index f, Index n) {
-    const Vertex v = code_vertex(f, n);
+    const Vertex v =
+        code_vertex(contexts(f, n), static_cast<std::size_t>(std::min(slots_[f].free, 3)),
+                    mesh_.valence(), mesh_.apex_is_extra(), loops_left_ > 0);
     const Index x = add_slot(v, static_cast<std::int32_t>(v.valence) - 2, slots_[f].kind);
     mesh_.join(f, x);
     emit(slots_[f].vertex, slots_[n].vertex, v.number);
@@ -281,14 +296,11 @@ class ValenceRoutine {
     wait(f);
   }
 
-  Vertex code_vertex(Index f, Index n) {
-    const Context<kContexts> context = contexts(f, n);
-    const auto row = static_cast<std::size_t>(std::min(slots_[f].free, 3));
+  Vertex code_vertex(const Context<kContexts>& context, std::size_t row, std::uint32_t wanted,
+                     bool extra, bool may_be_extra) {
     const auto decide = [&](std::size_t number, bool bit) {
       return code_mixed(range_, context, number, weights_[row][number], bit);
     };
-    const std::uint32_t wanted = mesh_.valence();
-    const bool extra = mesh_.apex_is_extra();
     if (decide(0, !extra && wanted == 6)) return add_vertex(6, false);
     if (decide(1, !extra && wanted < 6)) {
       if (decide(2, wanted == 5)) return add_vertex(5, false);
@@ -296,11 +308,15 @@ class ValenceRoutine {
     }
     for (std::uint32_t k = 7; k < 13; ++k)
       if (decide(k - 3, !extra && wanted == k)) return add_vertex(k, false);
-    if (loops_left_ > 0 && code_alone(range_, closes_, extra))
+    if (may_be_extra && code_alone(range_, closes_, extra))
       return add_vertex(loop_length_.code(range_, wanted - 3) + 3, true);
     return add_vertex(large_.code(range_, wanted - 13) + 13, false);
   }
 
+  static std::uint64_t pack(std::uint64_t which, std::initializer_list<std::uint64_t> parts) {
+    for (const std::uint64_t part : parts) which = which << 6 | part;
+    return which;
+  }
   Context<kContexts> contexts(Index sf, Index sn) {
     const Slot &f = slots_[sf], &n = slots_[sn], &p = slots_[f.previous], &nn = slots_[n.next];
     const auto dev = [](std::uint8_t kind) { return kind == kExtra ? 0 : int{kind} - 6; };
@@ -312,17 +328,14 @@ class ValenceRoutine {
     const auto ff = static_cast<std::uint64_t>(std::min(f.free, 15)),
                fn = static_cast<std::uint64_t>(std::min(n.free, 15)),
                fp = static_cast<std::uint64_t>(std::min(p.free, 15));
-    const auto pack = [](std::uint64_t which, std::initializer_list<std::uint64_t> parts) {
-      for (const std::uint64_t part : parts) which = which << 6 | part;
-      return which;
-    };
-    return {
-        &plain_,
-        &lines_.of(pack(1, {f.kind, n.kind, std::min<std::uint64_t>(ff, 3)})),
-        &lines_.of(pack(2, {static_cast<std::uint64_t>(five + 32) & 63, static_cast<std::uint64_t>(five_odd), ff})),
-        &lines_.of(pack(3, {static_cast<std::uint64_t>(std::clamp(all, -32, 31) + 32), static_cast<std::uint64_t>(all_odd), ff, fn})),
-        &lines_.of(pack(4, {f.kind, n.kind, f.opposite, p.kind, ff == 1 ? 1u : 0u})),
-        &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
+    return {&plain_,
+            &lines_.of(pack(1, {f.kind, n.kind, std::min<std::uint64_t>(ff, 3)})),
+            &lines_.of(pack(2, {static_cast<std::uint64_t>(five + 32) & 63,
+                                static_cast<std::uint64_t>(five_odd), ff})),
+            &lines_.of(pack(3, {static_cast<std::uint64_t>(std::clamp(all, -32, 31) + 32),
+                                static_cast<std::uint64_t>(all_odd), ff, fn})),
+            &lines_.of(pack(4, {f.kind, n.kind, f.opposite, p.kind, ff == 1 ? 1u : 0u})),
+            &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
   }
 
   /// The triangle meets a slot, which splits the loop or joins another.
@@ -331,8 +344,8 @@ class ValenceRoutine {
     ++splits_;
     const Index x = code_slot(f, mesh_.meeting(after));
     const auto inner = slots_[x].free - 2;
-    const auto second_free = static_cast<std::int32_t>(
-        code_below(range_, after, static_cast<std::uint32_t>(inner) + 1));
+    const auto second_free =
+        static_cast<std::int32_t>(code_below(range_, after, static_cast<std::uint32_t>(inner) + 1));
     const Index second = static_cast<Index>(slots_.size());
     slots_.push_back(slots_[x]);
     mesh_.split(x, second);
@@ -413,7 +426,8 @@ class ValenceRoutine {
   std::array<std::array<Weights<kContexts>, 10>, 4> weights_;
   std::array<std::array<Counter, 16>, 16> new_;
   Counter open_, closes_, same_loop_, forward_;
-  SmallNumber start_valence_, loop_length_, large_, distance_;
+  SmallNumber loop_length_, large_, distance_;
+  std::array<std::uint8_t, 3> first_kinds_{};  ///< of the last component's first triangle
 };
 
 }  // namespace
@@ -434,9 +448,11 @@ std::vector<Triangle> decode_valences(std::span<const std::uint8_t> bytes, const
   RangeDecoder range(bytes);
   NoOriginal none;
   ValenceRoutine routine(range, none, counts, max_faces);
-  routine.run();
-  range.finish();
-  return std::move(routine.faces());
+  return with_position(range, [&] {
+    routine.run();
+    range.finish();
+    return std::move(routine.faces());
+  });
 }
 
 }  // namespace crest::coding

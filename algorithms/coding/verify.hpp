@@ -13,7 +13,7 @@ namespace crest::coding {
 ///   order face by face; its points are the mesh's bit for bit, or within the tolerance.
 /// Returns the largest distance between a point and its decoded place, rounded.
 /// Throws: std::logic_error if one of these does not hold.
-double verify(const Encoded& encoded, std::span<const Triangle> faces, std::span<const Point> points,
-              const EncodeOptions& options);
+double verify(const Encoded& encoded, std::span<const Triangle> faces,
+              std::span<const Point> points, const EncodeOptions& options);
 
 }  // namespace crest::coding

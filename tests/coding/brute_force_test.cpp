@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All codes of up to seven nodes, all rooted triangulations of the disk and the sphere of up to nine
-// vertices: theorem 4.2 of paper 001 is necessary, not sufficient.
+// All codes of up to seven nodes, all rooted triangulations of the disk and the sphere of up to
+// nine vertices: theorem 4.2 of paper 001 is necessary, not sufficient.
 #include <catch2/catch.hpp>
 #include <map>
 #include <optional>
@@ -47,7 +47,8 @@ std::vector<std::vector<Code>> all_codes(std::size_t most) {
   add(1, {}, NodeType::leaf, 0);
   for (std::size_t n = 2; n <= most; ++n) {
     for (const Code& child : codes[n - 1])
-      for (const NodeType type : {NodeType::left, NodeType::right}) add(n, child, type, length(child));
+      for (const NodeType type : {NodeType::left, NodeType::right})
+        add(n, child, type, length(child));
     for (std::size_t k = 1; k + 1 < n; ++k)
       for (const Code& left : codes[k])
         for (const Code& right : codes[n - 1 - k]) {
@@ -79,7 +80,8 @@ std::optional<Simple> simple_mesh(const Code& code, bool closed) {
   return result;
 }
 
-TEST_CASE("brute force: conditions (i) and (ii) are not sufficient; simple codes are Tutte's numbers") {
+TEST_CASE(
+    "brute force: conditions (i) and (ii) are not sufficient; simple codes are Tutte's numbers") {
   const auto codes = all_codes(7);
   std::vector<std::size_t> obeying, simple;
   std::size_t longest = 0;
@@ -106,7 +108,7 @@ TEST_CASE("brute force: conditions (i) and (ii) are not sufficient; simple codes
   CHECK_FALSE(simple_mesh({{NodeType::leaf, 1}, {NodeType::right, 1}, {NodeType::left, 3}}, true));
 }
 
-TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip with every method") {
+TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip") {
   const auto codes = all_codes(7);
   std::size_t meshes = 0;
   Failures failures;
@@ -120,8 +122,11 @@ TEST_CASE("brute force: all disks and spheres of up to nine vertices round trip 
         if (!mesh) continue;
         ++meshes;
         failures.expect(mesh->vertices == n + 2, "vertices", n, mesh->vertices);
-        for (const Method method : {Method::valence, Method::fan, Method::zigzag, Method::fixed}) {
-          const coding::EncodeOptions options{.method = method, .places = Places::none};
+        for (std::size_t m = 0; m < 4; ++m) {
+          // Of the many largest ones each has its turn with one method.
+          if (n == 7 && multiplier() == 1 && m != meshes % 4) continue;
+          const coding::EncodeOptions options{.method = static_cast<Method>(m),
+                                              .places = Places::none};
           bool same = true;
           try {
             const auto encoded = coding::encode(mesh->vertices, mesh->faces, {}, options);
