@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Container and order (docs/cmc-format.md, sections 1 and 9).
+#include "certify/coding/stream.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "certify/coding/decisions.hpp"
+#include "certify/container/byte_writer.hpp"
+#include "certify/container/sha256.hpp"
+
+namespace crest::certify {
+namespace {
+
+using u32 = std::uint32_t;
+using Span = std::span<const std::uint8_t>;
+
+class Bytes8 {
+ public:
+  explicit Bytes8(Span bytes) : left_(bytes) {}
+
+  Span take(std::size_t n) {
+    require(n <= left_.size(), "stream: ends early");
+    const Span piece = left_.first(n);
+    left_ = left_.subspan(n);
+    return piece;
+  }
+  u32 byte() { return take(1)[0]; }
+  u32 varint() {
+    std::uint64_t x = 0;
+    for (int shift = 0;; shift += 7) {
+      require(shift < 35, "stream: a count is too long");
+      const u32 b = byte();
+      x |= std::uint64_t{b & 0x7f} << shift;
+      if (b >> 7 != 0) continue;
+      require((b != 0 || shift == 0) && x >> 32 == 0, "stream: a count not in its one form");
+      return static_cast<u32>(x);
+    }
+  }
+  Span section() {
+    const u32 n = varint();
+    u32 stated = 0;
+    const Span sum = take(4);
+    for (std::size_t i = 4; i-- > 0;) stated = stated << 8 | sum[i];
+    const Span bytes = take(n);
+    require(crc_of(bytes) == stated, "stream: a section's checksum is another");
+    return bytes;
+  }
+  bool empty() const { return left_.empty(); }
+
+ private:
+  static u32 crc_of(Span bytes) {
+    u32 crc = 0xffffffffu;
+    for (const std::uint8_t b : bytes) {
+      crc ^= b;
+      for (int k = 0; k < 8; ++k) crc = crc >> 1 ^ (0xedb88320u & (0u - (crc & 1u)));
+    }
+    return ~crc;
+  }
+  Span left_;
+};
+
+std::vector<u32> read_permutation(Decisions& in, std::size_t size) {
+  std::array<Counter, 2> down;
+  std::array<std::array<Counter, 64>, 2> gap;
+  std::vector<bool> taken(size, false);
+  std::vector<u32> numbers;
+  std::int64_t before = -1;
+  bool was_down = false;
+  while (numbers.size() < size) {
+    was_down = in.alone(down[was_down]);
+    const std::uint64_t g = in.large(gap[was_down]);
+    require(g < size, "stream: an order's number is out of range");
+    before += was_down ? -1 - static_cast<std::int64_t>(g) : 1 + static_cast<std::int64_t>(g);
+    require(before >= 0 && before < static_cast<std::int64_t>(size),
+            "stream: an order's number is out of range");
+    const auto number = static_cast<std::size_t>(before);
+    require(!taken[number], "stream: an order's number stands twice");
+    taken[number] = true;
+    numbers.push_back(static_cast<u32>(number));
+  }
+  return numbers;
+}
+
+void reorder(DecodedMesh& mesh, Span section) {
+  Decisions in(section);
+  const std::vector<u32> vertex = read_permutation(in, mesh.vertices),
+                         face = read_permutation(in, mesh.faces.size());
+  in.finish();
+  FaceList faces(mesh.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) faces[face[f]][k] = vertex[mesh.faces[f][k]];
+  mesh.faces = std::move(faces);
+  if (mesh.positions.empty()) return;
+  auto positions = mesh.positions;
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[vertex[v]] = mesh.positions[v];
+  mesh.positions = std::move(positions);
+}
+
+void check_digest(const DecodedMesh& mesh, Span stated) {
+  ByteWriter out;
+  out.integer(mesh.vertices);
+  out.integer(static_cast<u32>(mesh.faces.size()));
+  for (auto face : mesh.faces) {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    for (const u32 v : face) out.integer(v);
+  }
+  for (const auto& point : mesh.positions)
+    for (const std::uint64_t pattern : point) out.integer(pattern);
+  const auto digest = sha256({out.result()});
+  require(std::equal(stated.begin(), stated.end(), digest.begin()),
+          "stream: the mesh's digest is another");
+}
+
+}  // namespace
+
+DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) {
+  constexpr std::array<std::uint8_t, 5> magic = {0x43, 0x4d, 0x43, 0x1a, 1};
+  Bytes8 in(stream);
+  const Span start = in.take(magic.size());
+  require(std::equal(magic.begin(), magic.end(), start.begin()), "stream: is not .cmc, version 1");
+  const u32 flags = in.byte();
+  DecodedMesh mesh;
+  mesh.positions_mode = static_cast<int>(flags >> 3 & 3);
+  mesh.ordered = (flags & 64) != 0;
+  require((flags & 0xa0) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
+  mesh.method = static_cast<int>(in.byte());
+  require(mesh.method < 4, "stream: no such method");
+  mesh.vertices = in.varint();
+  const auto optional = [&](u32 flag, u32 otherwise) {
+    if ((flags & flag) == 0) return otherwise;
+    const u32 x = in.varint();
+    require(x != otherwise, "stream: a count that needs no telling");
+    return x;
+  };
+  mesh.components = optional(1, 1);
+  mesh.loops = optional(2, 0);
+  mesh.handles = optional(4, 0);
+  require(mesh.vertices == vertices && mesh.components >= 1 &&
+              std::uint64_t{3} * mesh.components <= vertices && mesh.loops <= 3 * faces &&
+              mesh.handles <= 3 * faces,
+          "stream: its counts are not the mesh's");
+  const StreamCounts counts = {mesh.vertices, mesh.components, mesh.loops, mesh.handles};
+  const Span connectivity = in.section();
+  mesh.connectivity_bytes = connectivity.size();
+  mesh.faces = mesh.method == 0 ? decode_valences(connectivity, counts, faces)
+                                : decode_strips(connectivity, counts, mesh.method, faces);
+  require(mesh.faces.size() == faces, "stream: {} faces, the mesh has {}", mesh.faces.size(),
+          faces);
+  if (mesh.positions_mode > 0)
+    mesh.positions = decode_positions(in.section(), mesh.faces, vertices, mesh.positions_mode);
+  if (mesh.ordered) reorder(mesh, in.section());
+  check_digest(mesh, in.take(8));
+  require(in.empty(), "stream: bytes left over");
+  return mesh;
+}
+
+}  // namespace crest::certify
