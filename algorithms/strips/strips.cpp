@@ -98,11 +98,6 @@ Strips write_paths(std::span<const Triangle> faces, const std::vector<Path>& pat
   return writer.take();
 }
 
-Triangle least_first(Triangle t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
-}
-
 }  // namespace
 
 Strips strips_of(const CornerTable& mesh, std::span<const Triangle> faces, Links start,
@@ -118,18 +113,26 @@ double saved_per_cent(const Strips& strips, std::size_t faces) {
   return 100 * (1 - static_cast<double>(strips.vertices.size()) / (3 * static_cast<double>(faces)));
 }
 
+Triangle least_first(Triangle t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+std::vector<Triangle> triangles_of(const Strips& strips, std::size_t s) {
+  const std::span<const Index> v = strips.strip(s);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i + 2 < v.size(); ++i) {
+    if (v[i] == v[i + 1] || v[i + 1] == v[i + 2] || v[i] == v[i + 2]) continue;
+    triangles.push_back(least_first(i % 2 == 0 ? Triangle{v[i], v[i + 1], v[i + 2]}
+                                               : Triangle{v[i + 1], v[i], v[i + 2]}));
+  }
+  return triangles;
+}
+
 bool covers(const Strips& strips, std::span<const Triangle> faces) {
   std::vector<Triangle> sent, wanted;
-  sent.reserve(faces.size());
-  for (std::size_t s = 0; s < strips.count(); ++s) {
-    const std::span<const Index> v = strips.strip(s);
-    for (std::size_t i = 0; i + 2 < v.size(); ++i) {
-      if (v[i] == v[i + 1] || v[i + 1] == v[i + 2] || v[i] == v[i + 2]) continue;
-      sent.push_back(least_first(i % 2 == 0 ? Triangle{v[i], v[i + 1], v[i + 2]}
-                                            : Triangle{v[i + 1], v[i], v[i + 2]}));
-    }
-  }
-  if (sent.size() != faces.size()) return false;
+  for (std::size_t s = 0; s < strips.count(); ++s)
+    for (const Triangle& t : triangles_of(strips, s)) sent.push_back(t);
   for (const Triangle& t : faces) wanted.push_back(least_first(t));
   std::sort(sent.begin(), sent.end());
   std::sort(wanted.begin(), wanted.end());

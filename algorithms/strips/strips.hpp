@@ -40,7 +40,13 @@ Strips strips_of(const CornerTable& mesh, std::span<const Triangle> faces, Links
 /// The share of the three vertices a face that is not sent, in per cent.
 double saved_per_cent(const Strips& strips, std::size_t faces);
 
-/// Whether the triangles with three different corners are the faces: each once, turned as it is.
+/// The same triangle with its least corner first.
+Triangle least_first(Triangle t);
+
+/// The triangles of strip s with three different corners, least corners first.
+std::vector<Triangle> triangles_of(const Strips& strips, std::size_t s);
+
+/// Whether the strips' triangles are the faces: each once, turned as it is.
 bool covers(const Strips& strips, std::span<const Triangle> faces);
 
 }  // namespace crest::strips
