@@ -34,10 +34,8 @@ class Cleaning {
       leave_out();
     }
     separate();
-    if (purpose_ == Purpose::geometry) {
-      orient();
-      collapse();
-    }
+    if (purpose_ != Purpose::function) orient();
+    if (purpose_ == Purpose::geometry) collapse();
     count_coincident();
     return std::move(surface_);
   }

@@ -8,7 +8,8 @@
 namespace crest::io {
 
 enum class Purpose {
-  geometry,  ///< an oriented manifold without faces of area zero
+  geometry,      ///< an oriented manifold without faces of area zero
+  connectivity,  ///< an oriented manifold: areas play no part
   function   ///< a manifold that carries values: one-sided parts, faces of area zero and mid-side
              ///< nodes stay, since nothing of the values may be lost
 };

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/coding/position_routine.hpp"
+
+namespace crest::coding {
+namespace {
+
+/// The apex of the face at a half-edge.
+Index apex(const Surface& surface, Index h) { return surface.from(previous_half(h)); }
+
+/// Calls `each` with the half-edges from v, counter-clockwise, from that without a twin on, or from
+/// the lowest.
+template <class Each>
+void turn(const Surface& surface, Index v, Each&& each) {
+  const Index first = surface.table().half_of(v);
+  Index h = first;
+  do {
+    each(h);
+    h = surface.twin(previous_half(h));
+  } while (h != kNone && h != first);
+}
+
+}  // namespace
+
+Index VisitOrder::take() {
+  for (;; --highest_) {
+    Queue& queue = queues_[highest_];
+    while (queue.head < queue.entries.size()) {
+      const Index v = queue.entries[queue.head++];
+      if (!known_[v] && count_[v] == highest_) return v;
+    }
+    queue = {};
+    if (highest_ == 0) break;
+  }
+  while (lowest_ < known_.size() && known_[lowest_]) ++lowest_;
+  return lowest_ < known_.size() ? lowest_ : kNone;
+}
+
+void VisitOrder::visit(Index w) {
+  known_[w] = 1;
+  turn(surface_, w, [&](Index h) {
+    const Index a = surface_.to(h), b = apex(surface_, h);
+    for (const Index v : {a, b}) {
+      if (known_[v] || queued_[v]) continue;
+      queued_[v] = 1;
+      queues_[0].entries.push_back(v);
+    }
+    if (!known_[a]) return;
+    if (const Index across = surface_.twin(next_half(h)); across != kNone && known_[b]) {
+      if (const Index d = apex(surface_, across); !known_[d]) credit(d);
+    }
+    if (const Index across = surface_.twin(h); across != kNone) {
+      const Index c = apex(surface_, across);
+      if (known_[b] != known_[c]) credit(known_[b] ? c : b);
+    }
+  });
+}
+
+Surroundings surroundings(const Surface& surface, const VisitOrder& order, Index v) {
+  Surroundings s;
+  const auto add = [&](Index w) {
+    if (order.known(w) && s.neighbours < Surroundings::kMost) s.neighbour[s.neighbours++] = w;
+  };
+  turn(surface, v, [&](Index h) {
+    const Index a = surface.to(h), b = apex(surface, h), across = surface.twin(next_half(h));
+    add(a);
+    if (surface.twin(previous_half(h)) == kNone) add(b);
+    if (across == kNone || !order.known(a) || !order.known(b)) return;
+    const Index d = apex(surface, across);
+    if (order.known(d) && s.predictions < Surroundings::kMost)
+      s.parallelogram[s.predictions++] = {a, b, d};
+  });
+  return s;
+}
+
+}  // namespace crest::coding
