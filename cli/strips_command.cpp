@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "algorithms/strips/strips.hpp"
+#include "algorithms/strips/tree_links.hpp"
 #include "algorithms/strips/vertex_cache.hpp"
 #include "cli/run.hpp"
 #include "io/strips/strip_writer.hpp"
@@ -18,7 +19,7 @@ struct StripsOptions {
   CommonOptions common;
   strips::StripOptions strips;
   std::string index_buffer;
-  bool no_swaps = false;
+  bool no_swaps = false, tree = false;
 };
 
 /// What a graphics card with room for this many vertices is expected to keep.
@@ -27,7 +28,8 @@ constexpr std::size_t kCacheEntries = 16;
 strips::Strips make_strips(Run& run, const StripsOptions& o, const kernel::TriangleMesh& mesh) {
   const kernel::CornerTable table(mesh.vertex_count(), mesh.faces());
   strips::Strips found = run.step("strips", "joining faces", [&] {
-    return strips::strips_of(table, mesh.faces(), strips::Links(mesh.face_count(), 0), o.strips);
+    return strips::strips_of(table, mesh.faces(), strips::tree_links(table, mesh.faces()),
+                             o.strips);
   });
   strips::Strips ordered = run.step("order", "ordering strips", [&] {
     return strips::in_cache_order(found, mesh.vertex_count(), kCacheEntries);
@@ -71,6 +73,7 @@ Outcome work(Run& run, const StripsOptions& o) {
 
 int run_strips(StripsOptions& o) {
   o.strips.swaps = !o.no_swaps;
+  if (o.tree) o.strips.effort = 0;
   return run_command({"strips", o.common, {".vtp"}, {{"--index-buffer", o.index_buffer, {".bin"}}}},
                      [&](Run& run) { return work(run, o); });
 }
@@ -86,9 +89,11 @@ std::function<int()> add_strips(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--picture", common.picture, "the strips by tints (.svg .png)")->type_name("FILE");
   app.add_option("--report", common.report, "counts and times (.json)")->type_name("FILE");
-  app.add_option("--effort", options->strips.effort, "sweeps of annealing (default 20)")
-      ->check(CLI::Range(0, 100000))
-      ->type_name("N");
+  auto* effort = app.add_option("--effort", options->strips.effort,
+                                "sweeps of annealing that improve the tree's strips (default 20)");
+  effort->check(CLI::Range(0, 100000))->type_name("N");
+  app.add_flag("--tree", options->tree, "the strips of the strip tree as they are")
+      ->excludes(effort);
   app.add_flag("--no-swaps", options->no_swaps,
                "start a new strip where a vertex would be sent twice: no triangle is empty");
   add_view_options(app, common.viewpoint);
@@ -105,6 +110,7 @@ const Command strips_command = {
     "the faces of a mesh as triangle strips",
     add_strips,
     {"crest strips ellipsoid.off -o strips.vtp --picture strips.png",
+     "crest strips ellipsoid.off --tree -o tree.vtp",
      "crest strips ellipsoid.off --no-swaps --index-buffer strips.bin --report strips.json"}};
 
 }  // namespace crest::cli
