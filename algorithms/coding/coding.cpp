@@ -103,7 +103,7 @@ StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
   const auto size = [&](Section s) { return c.sections[static_cast<std::size_t>(s)].size(); };
   info.sizes.connectivity = size(Section::connectivity);
   info.sizes.geometry = size(Section::positions);
-  info.sizes.attributes = size(Section::attributes) + size(Section::order);
+  info.sizes.attributes = size(Section::order);
   info.sizes.header = total - info.sizes.total();
   return info;
 }
@@ -158,11 +158,11 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
     KeptOrder kept{result.vertex_order, {}};
     for (const Index h : coded.order.corners) kept.faces.push_back(h / 3);
     order = encode_order(kept);
-    c.sections[3] = order;
+    c.sections[2] = order;
     apply(kept, final_faces, places);
     for (Index v = 0; v < vertices; ++v) result.vertex_order[v] = v;
   }
-  c.digest = mesh_digest(vertices, final_faces, places, {});
+  c.digest = mesh_digest(vertices, final_faces, places);
   result.stream = compose(c);
   result.info = info_of(c, surface.face_count(), result.stream.size());
   return result;
@@ -194,7 +194,7 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
     apply(decode_order(bytes(Section::order), c.counts.vertices, surface->face_count()), result.faces,
           result.points);
   });
-  if (mesh_digest(c.counts.vertices, result.faces, result.points, {}) != c.digest)
+  if (mesh_digest(c.counts.vertices, result.faces, result.points) != c.digest)
     throw kernel::InputError("digest: the decoded mesh has another one; the file is damaged, get it again");
   result.info = info_of(c, static_cast<Index>(result.faces.size()), stream.size());
   return result;

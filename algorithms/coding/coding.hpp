@@ -37,7 +37,7 @@ struct EncodeOptions {
   bool keep_order = false;  ///< decoding gives vertices and faces in their order
 };
 
-/// Bytes of a stream by what they are for.
+/// Bytes of a stream by what they are for; a kept order counts as attributes.
 struct StreamSizes {
   std::size_t connectivity = 0, geometry = 0, attributes = 0, header = 0;
   std::size_t total() const { return connectivity + geometry + attributes + header; }

@@ -84,7 +84,6 @@ bool Container::has(Section section) const {
   switch (section) {
     case Section::connectivity: return true;
     case Section::positions: return places != Places::none;
-    case Section::attributes: return has_attributes;
     case Section::order: break;
   }
   return keeps_order;
@@ -97,7 +96,7 @@ Bytes compose(const Container& c) {
   out.push_back(static_cast<std::uint8_t>(
       flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
       flag(c.counts.handles != 0, 2) | static_cast<std::uint8_t>(c.places) << 3 |
-      flag(c.has_attributes, 5) | flag(c.keeps_order, 6)));
+      flag(c.keeps_order, 6)));
   out.push_back(static_cast<std::uint8_t>(c.method));
   put_varint(out, c.counts.vertices);
   if (c.counts.components != 1) put_varint(out, c.counts.components);
@@ -122,9 +121,8 @@ Container parse(std::span<const std::uint8_t> stream) {
                 "use a newer crest");
   const std::uint8_t flags = reader.byte();
   Container c;
-  if ((flags & 128) != 0 || (flags >> 3 & 3) == 3) reader.fail("a flag has no meaning");
+  if ((flags & (128 | 32)) != 0 || (flags >> 3 & 3) == 3) reader.fail("a flag has no meaning");
   c.places = static_cast<Places>(flags >> 3 & 3);
-  c.has_attributes = (flags & 32) != 0;
   c.keeps_order = (flags & 64) != 0;
   const std::uint8_t method = reader.byte();
   if (method > 3) reader.fail("the method has no meaning");
@@ -150,10 +148,9 @@ Container parse(std::span<const std::uint8_t> stream) {
 }
 
 std::array<std::uint8_t, 8> mesh_digest(Index vertices, std::span<const Triangle> faces,
-                                        std::span<const Point> points,
-                                        std::span<const std::uint8_t> attributes) {
+                                        std::span<const Point> points) {
   Bytes bytes;
-  bytes.reserve(8 + 12 * faces.size() + 24 * points.size() + attributes.size());
+  bytes.reserve(8 + 12 * faces.size() + 24 * points.size());
   put_word(bytes, vertices);
   put_word(bytes, static_cast<std::uint32_t>(faces.size()));
   for (const Triangle& f : faces) {
@@ -162,7 +159,6 @@ std::array<std::uint8_t, 8> mesh_digest(Index vertices, std::span<const Triangle
   }
   for (const Point& p : points)
     for (const double x : p) put_word(bytes, std::bit_cast<std::uint64_t>(x));
-  bytes.insert(bytes.end(), attributes.begin(), attributes.end());
   std::array<std::uint8_t, 32> whole;
   if (EVP_Digest(bytes.data(), bytes.size(), whole.data(), nullptr, EVP_sha256(), nullptr) != 1)
     throw std::runtime_error("OpenSSL has no SHA-256");

@@ -11,16 +11,15 @@
 
 namespace crest::coding {
 
-enum class Section : std::uint8_t { connectivity, positions, attributes, order };
-inline constexpr std::array<const char*, 4> kSectionNames = {"connectivity", "positions",
-                                                             "attributes", "order"};
+enum class Section : std::uint8_t { connectivity, positions, order };
+inline constexpr std::array<const char*, 3> kSectionNames = {"connectivity", "positions", "order"};
 
 struct Container {
   Method method = Method::valence;
   Places places = Places::none;
-  bool has_attributes = false, keeps_order = false;
+  bool keeps_order = false;
   Counts counts;
-  std::array<std::span<const std::uint8_t>, 4> sections;  ///< empty: not there
+  std::array<std::span<const std::uint8_t>, 3> sections;  ///< empty: not there
   std::array<std::uint8_t, 8> digest{};
 
   bool has(Section section) const;
@@ -32,7 +31,6 @@ Container parse(std::span<const std::uint8_t> stream);
 
 /// The head of the digest of a mesh in the order in which it is decoded.
 std::array<std::uint8_t, 8> mesh_digest(Index vertices, std::span<const Triangle> faces,
-                                        std::span<const Point> points,
-                                        std::span<const std::uint8_t> attributes);
+                                        std::span<const Point> points);
 
 }  // namespace crest::coding

@@ -23,6 +23,14 @@ void refuse_mended(const CleanUp& done) {
   refuse(done.turned_faces, "faces oriented against their neighbours");
 }
 
+/// One line that names what is left out.
+void warn_of_fields(const Soup& soup, std::vector<std::string>& warnings) {
+  std::string names;
+  for (const auto* fields : {&soup.point_fields, &soup.cell_fields})
+    for (const Field& field : *fields) names += (names.empty() ? "" : ", ") + field.name;
+  if (!names.empty()) warnings.push_back("left out the fields " + names);
+}
+
 SurfaceFile surface_of(const Soup& soup) {
   SurfaceFile file;
   Surface surface = clean(soup, {}, Purpose::connectivity, file.cleanup);
@@ -30,6 +38,7 @@ SurfaceFile surface_of(const Soup& soup) {
   file.warnings = soup.warnings;
   const std::vector<std::string> lines = words(file.cleanup);
   file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
+  warn_of_fields(soup, file.warnings);
   file.numbers = file_numbers(soup, surface);
   file.points = std::move(surface.points);
   file.faces = std::move(surface.faces);

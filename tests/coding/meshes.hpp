@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Meshes for the tests of coding and strips: generated ones and those of the shared data.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "algorithms/coding/coding.hpp"
+#include "io/read/surface_reader.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/shared_data.hpp"
+
+namespace crest::tests {
+
+struct PlainMesh {
+  std::vector<kernel::Vec3> points;
+  std::vector<kernel::Triangle> faces;
+  kernel::Index vertices() const { return static_cast<kernel::Index>(points.size()); }
+};
+
+/// The oriented manifolds of the shared data, polygons cut into triangles.
+inline const std::vector<std::string> kSharedMeshes = {
+    "anchor.off", "armadillo.off", "b9_mesh.off", "bones.off", "bunny_3k.off", "cheese.off",
+    "cube_no_bottom.obj", "dino.off", "disk.obj", "double-torus-example.off", "elephant.off",
+    "fandisk.off", "featuretype.STL", "fertility.off", "head.off", "homer.obj", "horse.ply",
+    "joint.off", "kitten.obj", "knot1.off", "lilium.obj", "lion-head.off", "man.off",
+    "max-planck_decimated.obj", "penguin.obj", "pinion.off", "plane_holes.obj", "rocker-arm.obj",
+    "rotor.off", "spot.obj", "springer.obj", "stanford-bunny.obj", "stratocaster.ply", "torus.obj"};
+
+inline PlainMesh read_plain(const std::string& path) {
+  io::SurfaceFile file = io::read_surface(path);
+  return {std::move(file.points), std::move(file.faces)};
+}
+
+/// A torus of m times n squares, each cut in two.
+inline PlainMesh torus_grid(kernel::Index m, kernel::Index n) {
+  PlainMesh mesh;
+  for (kernel::Index i = 0; i < m; ++i)
+    for (kernel::Index j = 0; j < n; ++j) {
+      mesh.points.push_back({double(i), double(j), double((i * 7 + j * 13) % 5)});
+      const kernel::Index a = i * n + j, b = (i + 1) % m * n + j;
+      const kernel::Index c = (i + 1) % m * n + (j + 1) % n, d = i * n + (j + 1) % n;
+      mesh.faces.push_back({a, b, c});
+      mesh.faces.push_back({a, c, d});
+    }
+  return mesh;
+}
+
+/// A sphere of v vertices, each put into a random face of the one before.
+inline PlainMesh stacked_sphere(kernel::Index v, Random& random) {
+  PlainMesh mesh;
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  for (kernel::Index w = 4; w < v; ++w) {
+    const auto f = random() % mesh.faces.size();
+    const auto [a, b, c] = mesh.faces[f];
+    mesh.faces[f] = {a, b, w};
+    mesh.faces.push_back({b, c, w});
+    mesh.faces.push_back({c, a, w});
+  }
+  for (kernel::Index w = 0; w < v; ++w)
+    mesh.points.push_back({double(random() % 1000), double(random() % 1000), double(random() % 1000)});
+  return mesh;
+}
+
+/// Flips random edges where no doubled edge comes of it.
+inline void flip_edges(PlainMesh& mesh, std::size_t flips, Random& random) {
+  using Index = kernel::Index;
+  const auto vertices = static_cast<std::uint64_t>(mesh.points.size());
+  std::set<std::uint64_t> edges;
+  std::vector<Index> twin(3 * mesh.faces.size(), kernel::kNone);
+  const auto key = [&](Index a, Index b) { return std::min(a, b) * vertices + std::max(a, b); };
+  std::vector<std::pair<std::uint64_t, Index>> sides;
+  const auto from = [&](Index h) -> Index& { return mesh.faces[h / 3][h % 3]; };
+  const auto next = [](Index h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  for (Index h = 0; h < twin.size(); ++h) {
+    sides.emplace_back(key(from(h), from(next(h))), h);
+    edges.insert(sides.back().first);
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i].first == sides[i + 1].first) {
+      twin[sides[i].second] = sides[i + 1].second;
+      twin[sides[i + 1].second] = sides[i].second;
+    }
+  for (std::size_t i = 0; i < flips; ++i) {
+    const auto h = static_cast<Index>(random() % twin.size());
+    const Index g = twin[h];
+    if (g == kernel::kNone) continue;
+    // Faces (a, b, c) and (b, a, d) become (c, d, b) and (d, c, a).
+    const Index hn = next(h), hp = next(hn), gn = next(g), gp = next(gn);
+    const Index a = from(h), b = from(hn), c = from(hp), d = from(gp);
+    if (c == d || edges.count(key(c, d)) > 0) continue;
+    edges.erase(key(a, b));
+    edges.insert(key(c, d));
+    const Index bc = twin[hn], ca = twin[hp], ad = twin[gn], db = twin[gp];
+    mesh.faces[h / 3] = {c, d, b};
+    mesh.faces[g / 3] = {d, c, a};
+    const Index f0 = h / 3 * 3, g0 = g / 3 * 3;
+    const auto pair = [&](Index x, Index y) {
+      twin[x] = y;
+      if (y != kernel::kNone) twin[y] = x;
+    };
+    pair(f0, g0);
+    pair(f0 + 1, db);
+    pair(f0 + 2, bc);
+    pair(g0 + 1, ca);
+    pair(g0 + 2, ad);
+  }
+}
+
+/// Leaves out the faces around some vertices that are not close to one another, and these vertices.
+inline PlainMesh punch_holes(const PlainMesh& mesh, std::size_t holes, Random& random) {
+  using Index = kernel::Index;
+  std::vector<bool> near(mesh.points.size(), false), gone(mesh.points.size(), false);
+  for (std::size_t tries = 0; holes > 0 && tries < 200; ++tries) {
+    const auto v = static_cast<Index>(random() % mesh.points.size());
+    std::set<Index> ring{v};
+    for (int round = 0; round < 2; ++round) {
+      const std::set<Index> before = ring;
+      for (const kernel::Triangle& f : mesh.faces)
+        if (before.count(f[0]) + before.count(f[1]) + before.count(f[2]) > 0) ring.insert(f.begin(), f.end());
+    }
+    if (std::any_of(ring.begin(), ring.end(), [&](Index w) { return near[w]; })) continue;
+    for (const Index w : ring) near[w] = true;
+    gone[v] = true;
+    --holes;
+  }
+  PlainMesh result;
+  std::vector<Index> number(mesh.points.size(), kernel::kNone);
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    if (gone[v]) continue;
+    number[v] = result.vertices();
+    result.points.push_back(mesh.points[v]);
+  }
+  for (const kernel::Triangle& f : mesh.faces)
+    if (!gone[f[0]] && !gone[f[1]] && !gone[f[2]])
+      result.faces.push_back({number[f[0]], number[f[1]], number[f[2]]});
+  return result;
+}
+
+/// A surface of this genus: tori joined at triangles that are left out.
+inline PlainMesh joined_tori(kernel::Index genus, kernel::Index m, kernel::Index n) {
+  using Index = kernel::Index;
+  PlainMesh mesh = torus_grid(m, n);
+  for (Index g = 1; g < genus; ++g) {
+    const PlainMesh other = torus_grid(m, n);
+    const kernel::Triangle end = mesh.faces.back();
+    mesh.faces.pop_back();
+    // The other's first face, turned around, is where it is joined.
+    const kernel::Triangle first = other.faces.front();
+    std::vector<Index> number(other.points.size());
+    for (Index v = 0; v < other.points.size(); ++v) {
+      if (v == first[0]) number[v] = end[0];
+      else if (v == first[1]) number[v] = end[2];
+      else if (v == first[2]) number[v] = end[1];
+      else {
+        number[v] = mesh.vertices();
+        mesh.points.push_back(other.points[v]);
+      }
+    }
+    for (std::size_t f = 1; f < other.faces.size(); ++f)
+      mesh.faces.push_back({number[other.faces[f][0]], number[other.faces[f][1]], number[other.faces[f][2]]});
+  }
+  return mesh;
+}
+
+}  // namespace crest::tests
