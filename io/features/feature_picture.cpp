@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/features/feature_writer.hpp"
+#include "io/picture/patches.hpp"
 #include "io/picture/picture_file.hpp"
 
 namespace crest::io {
@@ -21,15 +22,6 @@ std::vector<StrokeClass> palette() {
           {"loop", {22, 158, 60}, {}},
           {"lone line", {250, 208, 20}, {}},
           {"node", {30, 30, 30}, {}}};
-}
-
-std::vector<Vec3> area_vectors(const kernel::TriangleMesh& mesh) {
-  std::vector<Vec3> area;
-  for (const auto& [a, b, c] : mesh.faces()) {
-    const Vec3& p = mesh.points()[a];
-    area.push_back(cross(combine(1, mesh.points()[b], -1, p), combine(1, mesh.points()[c], -1, p)));
-  }
-  return area;
 }
 
 /// Cuts mesh edges where the surface hides them.
@@ -83,38 +75,6 @@ class Pen {
   std::vector<bool> front_;  ///< F: turned to the eye
 };
 
-/// Corners of their own for each face, so that neither tints nor shading cross a patch's border.
-struct PatchedSurface {
-  std::vector<Vec3> points, normals, tints;
-  std::vector<kernel::Triangle> faces;
-};
-
-PatchedSurface patched(const kernel::TriangleMesh& mesh, const std::vector<Index>& face_patch) {
-  constexpr std::array<Vec3, 8> palette = {{{1, 0.93, 0.82},
-                                            {0.84, 0.93, 1},
-                                            {0.88, 1, 0.86},
-                                            {1, 0.87, 0.9},
-                                            {0.92, 0.88, 1},
-                                            {1, 1, 0.8},
-                                            {0.82, 1, 0.97},
-                                            {0.95, 0.9, 0.84}}};
-  const std::vector<Vec3> area = area_vectors(mesh);
-  PatchedSurface surface;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const Index first = static_cast<Index>(surface.points.size());
-    surface.faces.push_back({first, first + 1, first + 2});
-    for (const Index v : mesh.faces()[f]) {
-      Vec3 normal{};
-      for (const Index g : mesh.fan(v))
-        if (face_patch[g] == face_patch[f]) normal = combine(1, normal, 1, area[g]);
-      surface.points.push_back(mesh.points()[v]);
-      surface.normals.push_back(normalised(normal, {0, 0, 1}));
-      surface.tints.push_back(palette[face_patch[f] % palette.size()]);
-    }
-  }
-  return surface;
-}
-
 void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
   for (const auto& line : graph.lines) {
     StrokeClass& to = drawing.classes[static_cast<std::size_t>(line.kind)];
@@ -138,12 +98,10 @@ void write_feature_picture(const std::string& path, const kernel::TriangleMesh& 
   check_viewpoint(viewpoint);
   const Camera camera = make_camera(mesh, viewpoint, 1200);
   Canvas canvas(camera.width, camera.height);
-  if (patches) {
-    const PatchedSurface surface = patched(mesh, graph.face_patch);
-    canvas.draw_surface(camera, {surface.points, surface.faces}, surface.normals, &surface.tints);
-  } else {
+  if (patches)
+    draw_patches(canvas, camera, mesh, graph.face_patch);
+  else
     canvas.draw_surface(camera, mesh, vertex_normals(mesh));
-  }
   Drawing drawing{};
   drawing.classes = palette();
   draw_graph(Pen(camera, canvas, mesh), graph, drawing);

@@ -39,6 +39,10 @@ Columns& PolyData::add_polygon(std::span<const Id> corners) {
   return add_cell(kPolygon, corners);
 }
 
+Columns& PolyData::add_strip(std::span<const Id> points) {
+  return add_cell(kStrip, points);
+}
+
 Columns& PolyData::add_cell(Kind kind, std::span<const Id> points) {
   if (points.empty()) throw std::logic_error("a cell without points");
   for (const Id p : points)
@@ -54,6 +58,7 @@ std::string PolyData::bytes() {
   if (cells_[kVertex]->GetNumberOfCells() > 0) data->SetVerts(cells_[kVertex]);
   if (cells_[kLine]->GetNumberOfCells() > 0) data->SetLines(cells_[kLine]);
   if (cells_[kPolygon]->GetNumberOfCells() > 0) data->SetPolys(cells_[kPolygon]);
+  if (cells_[kStrip]->GetNumberOfCells() > 0) data->SetStrips(cells_[kStrip]);
   point_rows_.move_to(*data->GetPointData());
   for (const auto& array : point_arrays_) data->GetPointData()->AddArray(array);
   Columns cell_rows;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Points, polylines and polygons, with a row of numbers each, as a .vtp file: the one way there
-// from what systems draw.
+// Points, polylines, polygons and triangle strips, with a row of numbers each, as a .vtp file: the
+// one way there from what systems draw.
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -17,8 +17,8 @@
 
 namespace crest::io {
 
-/// Cells may come in any order: VTK numbers vertices, then lines, then polygons, and so stand
-/// their rows. Either every point (cell) has a row or none, with the same columns.
+/// Cells may come in any order: VTK numbers vertices, then lines, polygons, strips, and so
+/// stand their rows. Either every point (cell) has a row or none, with the same columns.
 class PolyData {
  public:
   using Id = vtkIdType;
@@ -39,6 +39,7 @@ class PolyData {
   Columns& add_line(std::span<const Id> points);
   Columns& add_triangle(Id a, Id b, Id c);
   Columns& add_polygon(std::span<const Id> corners);
+  Columns& add_strip(std::span<const Id> points);
 
   /// Numbers and texts of the whole.
   Columns& fields() { return fields_; }
@@ -47,12 +48,12 @@ class PolyData {
   std::string bytes();
 
  private:
-  enum Kind { kVertex, kLine, kPolygon };
+  enum Kind { kVertex, kLine, kPolygon, kStrip };
   Columns& add_cell(Kind kind, std::span<const Id> points);
 
   vtkNew<vtkPoints> points_;
-  std::array<vtkNew<vtkCellArray>, 3> cells_;
-  std::array<Columns, 3> cell_rows_;
+  std::array<vtkNew<vtkCellArray>, 4> cells_;
+  std::array<Columns, 4> cell_rows_;
   Columns point_rows_, fields_;
   std::vector<vtkSmartPointer<vtkDataArray>> point_arrays_;
 };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/strips/strip_writer.hpp"
+
+#include "io/formats/files.hpp"
+#include "io/picture/patches.hpp"
+#include "io/picture/picture_file.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/poly_data.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+namespace {
+
+using kernel::Index;
+
+/// The number of the strip each face is in.
+std::vector<Index> strip_of_faces(const kernel::TriangleMesh& mesh, const strips::Strips& strips) {
+  std::vector<Index> strip_of(mesh.face_count(), kernel::kNone);
+  for (std::size_t s = 0; s < strips.count(); ++s)
+    for (const kernel::Triangle& t : strips::triangles_of(strips, s))
+      for (const Index f : mesh.fan(t[0])) {
+        const kernel::Triangle& face = mesh.faces()[f];
+        if (strips::least_first(face) == t) strip_of[f] = static_cast<Index>(s);
+      }
+  return strip_of;
+}
+
+}  // namespace
+
+void write_strips(const std::string& path, const std::vector<kernel::Vec3>& points,
+                  const strips::Strips& strips) {
+  if (lower_extension(path) != ".vtp")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+  PolyData data;
+  data.add_points(points);
+  for (std::size_t s = 0; s < strips.count(); ++s) {
+    const auto strip = strips.strip(s);
+    const std::vector<PolyData::Id> ids(strip.begin(), strip.end());
+    Columns& row = data.add_strip(ids);
+    row.add("strip", static_cast<int>(s));
+    row.add("faces", static_cast<int>(strips::triangles_of(strips, s).size()));
+  }
+  write_atomically(path, data.bytes());
+}
+
+void write_index_buffer(const std::string& path, const strips::Strips& strips) {
+  std::string bytes;
+  bytes.reserve(4 * (strips.vertices.size() + strips.count()));
+  const auto add = [&](std::uint32_t v) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(v >> shift & 0xff);
+  };
+  for (std::size_t s = 0; s < strips.count(); ++s) {
+    if (s > 0) add(0xffffffffu);
+    for (const Index v : strips.strip(s)) add(v);
+  }
+  write_atomically(path, bytes);
+}
+
+void write_strip_picture(const std::string& path, const kernel::TriangleMesh& mesh,
+                         const strips::Strips& strips, const Viewpoint& viewpoint) {
+  check_picture_path(path);
+  check_viewpoint(viewpoint);
+  const Camera camera = make_camera(mesh, viewpoint, 1200);
+  Canvas canvas(camera.width, camera.height);
+  draw_patches(canvas, camera, mesh, strip_of_faces(mesh, strips));
+  write_drawing(path, camera, canvas, Drawing{}, false);
+}
+
+}  // namespace crest::io
