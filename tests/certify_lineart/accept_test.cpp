@@ -41,7 +41,7 @@ TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
     if (soup.parallel) soup.view.scale = {1.0 / 256, 1.0 / 4096};
     auto drawing = reference_drawing(soup);
     if (!drawing) continue;
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < 40; ++k) {
       const auto number = [&](double width) {
         return width * (static_cast<double>(random() % 2000001) / 1000000 - 1);
       };
