@@ -15,7 +15,7 @@ namespace {
 
 TEST_CASE("line art: what all pairs in rationals give is accepted") {
   std::size_t tried = 0, pieces = 0, events = 0;
-  for (std::uint64_t seed = 1; seed <= scaled(400); ++seed) {
+  for (std::uint64_t seed = 1; seed <= scaled(150); ++seed) {
     Random random(seed);
     const auto drawing = reference_drawing(random_soup(random, seed % 2 == 0, 1000));
     if (!drawing) continue;
@@ -28,20 +28,20 @@ TEST_CASE("line art: what all pairs in rationals give is accepted") {
       events += edge.breaks.size();
     }
   }
-  CHECK(tried > scaled(300));
+  CHECK(tried > scaled(110));
   CHECK(events > tried);
   CHECK(pieces > 2 * events);
 }
 
 TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
   std::size_t good = 0, bad = 0;
-  for (std::uint64_t seed = 1; seed <= scaled(200); ++seed) {
+  for (std::uint64_t seed = 1; seed <= scaled(40); ++seed) {
     Random random(seed);
     LineArtCertificate soup = random_soup(random, seed % 2 == 0, 16);
     if (soup.parallel) soup.view.scale = {1.0 / 256, 1.0 / 4096};
     auto drawing = reference_drawing(soup);
     if (!drawing) continue;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < 24; ++k) {
       const auto number = [&](double width) {
         return width * (static_cast<double>(random() % 2000001) / 1000000 - 1);
       };
@@ -51,8 +51,14 @@ TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
         at = {at[0] + number(3), at[1] + number(3)};
         hatch.push_back(at);
       }
-      const auto face = static_cast<std::uint32_t>(random() % drawing->faces.size());
-      const auto expected = reference_hatch(*drawing, hatch, face);
+      // A face that is right, if there is one, for two of three.
+      auto face = static_cast<std::uint32_t>(random() % drawing->faces.size());
+      auto expected = reference_hatch(*drawing, hatch, face);
+      for (std::uint32_t f = 0; k % 3 != 0 && f < drawing->faces.size(); ++f)
+        if (const auto other = reference_hatch(*drawing, hatch, f); other && *other) {
+          face = f;
+          expected = other;
+        }
       if (!expected) continue;
       LineArtCertificate c = *drawing;
       c.hatches = {hatch};
@@ -64,7 +70,7 @@ TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
     }
   }
   CHECK(good > 20);
-  CHECK(bad > 200);
+  CHECK(bad > 100);
 }
 
 }  // namespace

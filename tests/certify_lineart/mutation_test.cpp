@@ -20,7 +20,7 @@ namespace {
 const std::vector<LineArtCertificate>& originals() {
   static const auto all = [] {
     std::vector<LineArtCertificate> list;
-    for (std::uint64_t seed = 1; list.size() < 6; ++seed) {
+    for (std::uint64_t seed = 1; list.size() < 4; ++seed) {
       Random random(seed);
       LineArtCertificate soup = random_soup(random, seed % 2 == 0, 16);
       if (soup.parallel) soup.view.scale = {1.0 / 256, 1.0 / 4096};
@@ -175,7 +175,7 @@ TEST_CASE("line art: every changed claim is rejected") {
   std::map<std::string, std::size_t> tried;
   for (const auto& original : originals())
     for (const auto& [name, edit] : edits())
-      for (std::uint64_t seed = 1; seed <= scaled(12); ++seed) {
+      for (std::uint64_t seed = 1; seed <= scaled(5); ++seed) {
         Random random(seed);
         LineArtCertificate mutant = original;
         if (!edit(mutant, random)) continue;
@@ -194,21 +194,20 @@ TEST_CASE("line art: every changed byte of the claim is rejected") {
     const Bytes bytes = encode(original);
     const Container parts = open_container(bytes);
     const std::size_t from = kHeaderSize + parts.data.size(), to = from + parts.claims.size();
-    for (std::size_t at = from; at < to; ++at)
-      for (const int flip : {1, 128}) {
-        Bytes mutant = bytes;
-        mutant[at] = static_cast<std::uint8_t>(mutant[at] ^ flip);
-        rebind(mutant);
-        INFO("byte " << at - from);
-        CHECK_FALSE(verify(mutant).accepted);
-      }
+    for (std::size_t at = from; at < to; ++at) {
+      Bytes mutant = bytes;
+      mutant[at] = static_cast<std::uint8_t>(mutant[at] ^ (at % 2 == 0 ? 1 : 128));
+      rebind(mutant);
+      INFO("byte " << at - from);
+      CHECK_FALSE(verify(mutant).accepted);
+    }
   }
 }
 
 TEST_CASE("line art: other data keep a claim only where it is true of them") {
   std::size_t accepted = 0, rejected = 0;
   for (const auto& original : originals())
-    for (std::uint64_t seed = 1; seed <= scaled(60); ++seed) {
+    for (std::uint64_t seed = 1; seed <= scaled(40); ++seed) {
       Random random(seed);
       LineArtCertificate mutant = original;
       mutant.hatches.clear();
@@ -256,7 +255,7 @@ TEST_CASE("line art: data that are no scene are rejected") {
   }
   // Every truncation.
   const Bytes bytes = encode(plain);
-  for (std::size_t size = 0; size < bytes.size(); size += 3)
+  for (std::size_t size = 0; size < bytes.size(); size += 17)
     CHECK_FALSE(verify(std::span(bytes).first(size)).accepted);
 }
 
