@@ -29,19 +29,18 @@ const std::vector<LineArtCertificate>& originals() {
       std::size_t events = 0;
       for (const LineEdge& edge : drawing->edges) events += edge.breaks.size();
       if (events < 4) continue;
-      for (int k = 0; k < 4000; ++k) {
+      for (int k = 0; k < 400; ++k) {
         const auto number = [&](double width) {
           return width * (static_cast<double>(random() % 2000001) / 1000000 - 1);
         };
         const std::array<double, 2> at = {number(20), number(20)};
         const std::vector<std::array<double, 2>> hatch = {at,
                                                           {at[0] + number(1), at[1] + number(1)}};
-        const auto face = static_cast<std::uint32_t>(random() % drawing->faces.size());
-        const auto good = reference_hatch(*drawing, hatch, face);
-        if (!good || !*good) continue;
+        const auto truth = reference_hatch(*drawing, hatch);
+        if (!truth || truth->crosses || truth->faces.empty()) continue;
         list.push_back(*drawing);
         list.back().hatches = {hatch};
-        list.back().hatch_faces = {face};
+        list.back().hatch_faces = truth->faces;
         break;
       }
     }
