@@ -42,15 +42,10 @@ TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
     auto drawing = reference_drawing(soup);
     if (!drawing) continue;
     for (int k = 0; k < 24; ++k) {
-      const auto number = [&](double width) {
-        return width * (static_cast<double>(random() % 2000001) / 1000000 - 1);
-      };
-      std::array<double, 2> at = {number(20), number(20)};
-      std::vector<std::array<double, 2>> hatch = {at};
-      for (std::size_t n = 1 + random() % 3; n > 0; --n) {
-        at = {at[0] + number(3), at[1] + number(3)};
-        hatch.push_back(at);
-      }
+      const auto reach = static_cast<double>(1 + random() % 40) / 16;
+      auto hatch = hatch_on(*drawing, static_cast<std::uint32_t>(random() % drawing->faces.size()),
+                            random() % 3, reach);
+      if (k % 4 == 0) hatch.push_back({hatch[0][0], hatch[1][1] + 0.5});
       const auto truth = reference_hatch(*drawing, hatch);
       if (!truth) continue;
       // The right face, if there is one, for two of three.

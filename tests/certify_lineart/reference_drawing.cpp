@@ -199,6 +199,21 @@ bool crosses(const Scene& s, const LineEdge& line, const std::vector<Vec>& hatch
 
 }  // namespace
 
+std::vector<std::array<double, 2>> hatch_on(const LineArtCertificate& drawing, u32 face,
+                                            std::size_t corner, double reach) {
+  std::array<double, 2> middle{}, towards{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec p = seen(drawing, drawing.points[drawing.faces[face][k]]);
+    for (std::size_t n = 0; n < 2; ++n) {
+      middle[n] += p[n].convert_to<double>() / 3;
+      if (k == corner) towards[n] = p[n].convert_to<double>();
+    }
+  }
+  return {
+      middle,
+      {middle[0] + reach * (towards[0] - middle[0]), middle[1] + reach * (towards[1] - middle[1])}};
+}
+
 std::optional<HatchTruth> reference_hatch(const LineArtCertificate& drawing,
                                           const std::vector<std::array<double, 2>>& hatch) {
   try {

@@ -13,6 +13,10 @@ namespace crest::tests {
 /// Data with claims but for hatches. Nothing if two things coincide on the page.
 std::optional<certify::LineArtCertificate> reference_drawing(certify::LineArtCertificate data);
 
+/// A hatch from the middle of a face on the page towards one of its corners, `reach` of the way.
+std::vector<std::array<double, 2>> hatch_on(const certify::LineArtCertificate& drawing,
+                                            std::uint32_t face, std::size_t corner, double reach);
+
 /// What is so of a hatch.
 struct HatchTruth {
   bool crosses = false;              ///< a visible contour
