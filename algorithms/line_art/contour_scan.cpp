@@ -185,6 +185,7 @@ void EdgeScan::add_contact(Index a, Index b, Index face) {
 void EdgeScan::make_pieces(Index a, Index b) {
   int in_front = static_cast<int>(start), touching = static_cast<int>(touching_start_);
   double from = 0;
+  bool ended = false;
   const auto close = [&](double to) {
     pieces.push_back({from, to, static_cast<Index>(in_front), static_cast<Index>(touching)});
     from = to;
@@ -201,13 +202,17 @@ void EdgeScan::make_pieces(Index a, Index b) {
       seen = seen || !touches;
     }
     const kernel::EventPlace& place = events[i].place;
-    if ((seen || contact != 0) && !place.at_start() && !place.at_end())
+    if (place.at_end() && !ended) {
+      close(1);
+      ended = true;
+    } else if ((seen || contact != 0) && !place.at_start() && !ended) {
       close(place.guess());
+    }
     in_front += change;
     touching += contact;
     if (in_front < 0) throw std::logic_error("contours: fewer than no faces in front");
   }
-  close(1);
+  if (!ended) close(1);
   finish = static_cast<Index>(in_front);
 }
 

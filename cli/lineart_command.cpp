@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest lineart: a pen-and-ink drawing (paper 001, section 3.5).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+
+#include "cli/lineart_report.hpp"
+#include "cli/run.hpp"
+#include "io/line_art/drawing_writer.hpp"
+#include "io/picture/camera.hpp"
+#include "io/read/face_soup_reader.hpp"
+
+namespace crest::cli {
+namespace {
+
+using kernel::Vec3;
+using kernel::operator+, kernel::operator-, kernel::operator*;
+
+enum class Style { contours, streamlines, fishbone };
+
+struct LineArtOptions {
+  CommonOptions common;
+  Style style = Style::fishbone;
+  std::optional<std::array<double, 2>> angles;  ///< --view: azimuth, elevation
+  std::optional<Vec3> up;
+  std::optional<std::array<double, 6>> camera;  ///< eye, target
+  std::optional<double> perspective;            ///< degrees
+  std::string crease = "60";
+  double width = 160, line_width = 0.35;
+};
+
+/// Numbers between commas.
+template <std::size_t N>
+void add_numbers(CLI::App& app, const char* name, std::optional<std::array<double, N>>& numbers,
+                 const char* type, const char* help) {
+  const auto take = [name, &numbers](const std::string& text) {
+    std::array<double, N> x{};
+    const std::vector<std::string> words = CLI::detail::split(text, ',');
+    for (std::size_t k = 0; k < N; ++k)
+      if (words.size() != N || !CLI::detail::lexical_cast(words[k], x[k]) || !std::isfinite(x[k]))
+        throw CLI::ValidationError(name, fmt::format("{} is not {} finite numbers", text, N));
+    numbers = x;
+  };
+  app.add_option_function<std::string>(name, take, help)->type_name(type);
+}
+
+/// The direction towards the eye and what is up, of --view or as the shape asks for.
+struct Direction {
+  Vec3 towards, up;
+};
+Direction direction_of(const LineArtOptions& o, const line_art::Scene& scene) {
+  if (!o.angles) {
+    const io::Camera camera =
+        io::make_camera(io::SurfaceView(scene.points, scene.faces), {std::nullopt, o.up}, 1000);
+    return {-1.0 * camera.forward, o.up.value_or(camera.up)};
+  }
+  const double a = (*o.angles)[0] * std::numbers::pi / 180;
+  const double e = (*o.angles)[1] * std::numbers::pi / 180;
+  const bool along_y = std::abs(std::cos(e)) < 1e-3;
+  return {{std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)},
+          o.up.value_or(along_y ? Vec3{0, 0, 1} : Vec3{0, 1, 0})};
+}
+
+/// A sphere around the scene.
+std::pair<Vec3, double> ball_around(const line_art::Scene& scene) {
+  Vec3 low = scene.points[0], high = low;
+  for (const Vec3& p : scene.points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  const Vec3 centre = 0.5 * low + 0.5 * high;
+  double radius = 0;
+  for (const Vec3& p : scene.points) radius = std::max(radius, kernel::distance(p, centre));
+  return {centre, radius};
+}
+
+line_art::ViewRequest view_request(const LineArtOptions& o, const line_art::Scene& scene) {
+  line_art::ViewRequest request;
+  request.width = o.width;
+  if (o.camera) {
+    const auto& c = *o.camera;
+    const Vec3 eye = {c[0], c[1], c[2]}, target = {c[3], c[4], c[5]};
+    request.towards = eye - target;
+    const Vec3 t = io::normalised(request.towards, {0, 0, 1});
+    request.up = o.up.value_or(std::abs(t[1]) > 0.999 ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
+    if (o.perspective) {
+      request.eye = eye;
+      request.target = target;
+    }
+    return request;
+  }
+  const Direction direction = direction_of(o, scene);
+  request.towards = direction.towards;
+  request.up = direction.up;
+  if (o.perspective) {
+    const auto [centre, radius] = ball_around(scene);
+    const double distance = 1.01 * radius / std::sin(*o.perspective * std::numbers::pi / 360);
+    request.eye = centre + distance * io::normalised(direction.towards, {0, 0, 1});
+    request.target = centre;
+  }
+  return request;
+}
+
+std::optional<double> crease_of(const LineArtOptions& o) {
+  if (o.crease == "none") return std::nullopt;
+  double degrees = 0;
+  if (!CLI::detail::lexical_cast(o.crease, degrees) || !(degrees >= 0 && degrees <= 180))
+    throw UsageError("--crease: " + o.crease + " is neither none nor degrees from 0 to 180");
+  return degrees;
+}
+
+Outcome work(Run& run, const LineArtOptions& o) {
+  line_art::Drawing drawing;
+  const std::optional<double> crease = crease_of(o);
+  const io::FaceSoup file = run.read([](const std::string& path) { return io::read_face_soup(path); });
+  run.with_input([&] {
+    drawing.scene = line_art::weld(file.points, file.faces);
+    drawing.view = line_art::make_view(view_request(o, drawing.scene), drawing.scene);
+  });
+  drawing.contours = run.step("contours", "contours", [&] {
+    return line_art::find_contours(drawing.scene, drawing.view, {crease});
+  });
+  run.step("strokes", "strokes", [&] {
+    drawing.lines =
+        line_art::draw_contours(drawing.scene, drawing.view, drawing.contours, {o.line_width});
+  });
+  drawing.title = o.common.input;
+  report_line_art(run.report(), drawing);
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) { io::write_drawing(path, drawing); });
+  });
+  return {line_art_summary(drawing), {"roessl2005surfaces"}};
+}
+
+void add_view(CLI::App& app, LineArtOptions& o) {
+  add_numbers(app, "--view", o.angles, "AZ,EL", "from where: azimuth, elevation in degrees");
+  const auto take_up = [&o](const std::string& text) {
+    Vec3 v{};
+    const std::vector<std::string> words = CLI::detail::split(text, ',');
+    for (std::size_t k = 0; k < 3; ++k)
+      if (words.size() != 3 || !CLI::detail::lexical_cast(words[k], v[k]))
+        throw CLI::ValidationError("--up", text + " is not three numbers X,Y,Z");
+    o.up = v;
+  };
+  app.add_option_function<std::string>("--up", take_up, "what points up in the drawing")
+      ->type_name("X,Y,Z");
+  add_numbers(app, "--camera", o.camera, "EX,EY,EZ,TX,TY,TZ", "eye and target");
+  app.add_option("--perspective", o.perspective, "seen from a point, the view DEG wide")
+      ->check(CLI::Range(1.0, 170.0))
+      ->type_name("DEG");
+}
+
+std::function<int()> add(CLI::App& app) {
+  auto options = std::make_shared<LineArtOptions>();
+  LineArtOptions& o = *options;
+  app.add_option("INPUT", o.common.input,
+                 std::string("a mesh, or any faces with --style contours (") + kMeshFormats + ")")
+      ->required();
+  app.add_option("-o,--output", o.common.output, "the drawing (.svg .pdf .eps .vtp)")
+      ->type_name("FILE");
+  app.add_option("--report", o.common.report, "counts and times (.json)")->type_name("FILE");
+  add_view(app, o);
+  const std::map<std::string, Style> styles = {{"contours", Style::contours},
+                                               {"streamlines", Style::streamlines},
+                                               {"fishbone", Style::fishbone}};
+  app.add_option("--style", o.style, "contours, streamlines or fishbone (default)")
+      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+      ->type_name("WORD");
+  app.add_option("--crease", o.crease, "draw edges sharper than DEG, or none (default: 60)")
+      ->type_name("DEG");
+  app.add_option("--width", o.width, "of the page, mm (default: 160)")
+      ->check(CLI::Range(10.0, 5000.0))
+      ->type_name("MM");
+  app.add_option("--line-width", o.line_width, "of contours, mm (default: 0.35)")
+      ->check(CLI::Range(0.02, 10.0))
+      ->type_name("MM");
+  add_run_options(app, o.common);
+  app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
+  return [options] {
+    return run_command({"lineart", options->common, {".svg", ".pdf", ".eps", ".vtp"}},
+                       [&](Run& run) { return work(run, *options); });
+  };
+}
+
+}  // namespace
+
+extern const Command lineart_command;
+const Command lineart_command = {
+    "lineart",
+    "a pen-and-ink drawing: exact contours, hatches along principal directions",
+    add,
+    {"crest lineart bunny.obj -o bunny.svg",
+     "crest lineart part.stl --style contours --camera 3,2,4,0,0,0 -o part.pdf"}};
+
+}  // namespace crest::cli
