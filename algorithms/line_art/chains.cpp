@@ -12,13 +12,29 @@ using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kBridge = 1.3, kShortest = 2.5, kShortestCrease = 8, kTaper = 4;  // line widths
+constexpr double kTouch = 1.5;  // line widths: nearer ink is a junction
 constexpr double kAgree = 0.5;  // cosine of 60 degrees
+constexpr double kWideBridge = 2.6, kStraight = 0.9;  // line widths, where chains go on straight
 
 /// A visible piece: its ends are numbered 2 i and 2 i + 1.
 struct Segment {
   Vec2 from, to;
   bool crease;
 };
+
+/// Joined segments.
+struct Chain {
+  std::vector<Vec2> points;
+  bool crease, closed;
+  bool held_start, held_end;  ///< other ink is there
+  double length = 0;
+};
+
+double length_of(const std::vector<Vec2>& line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += norm(line[i] - line[i - 1]);
+  return sum;
+}
 
 Vec2 unit(const Vec2& a) {
   const double n = norm(a);
@@ -36,6 +52,7 @@ class Chainer {
     for (const auto& [node, ends] : nodes_) join(ends);
     bridge();
     trace();
+    finish();
     return std::move(result_);
   }
 
@@ -104,7 +121,7 @@ class Chainer {
   }
 
   void bridge() {
-    const double reach = kBridge * width_;
+    const double reach = kWideBridge * width_;
     std::map<std::pair<long, long>, std::vector<Index>> cells;
     std::vector<std::tuple<double, Index, Index>> pairs;
     for (Index end = 0; end < link_.size(); ++end) {
@@ -115,7 +132,10 @@ class Chainer {
           if (const auto cell = cells.find({i + di, j + dj}); cell != cells.end())
             for (const Index other : cell->second) {
               const double gap = norm(place(end) - place(other));
-              if (gap < reach && -dot(direction_at(end), direction_at(other)) > kAgree)
+              const Vec2 out = direction_at(end), there = direction_at(other);
+              const Vec2 across = unit(place(other) - place(end));
+              const bool straight = -dot(out, there) > kStraight && dot(out, across) > kStraight;
+              if (gap < (straight ? kWideBridge : kBridge) * width_ && -dot(out, there) > kAgree)
                 pairs.emplace_back(gap, other, end);
             }
       cells[{i, j}].push_back(end);
@@ -143,7 +163,9 @@ class Chainer {
         if (closed) break;
         end = next;
       }
-      finish(std::move(stroke), crease, closed, held_[start], held_[end ^ 1U]);
+      if (closed && stroke.points.back() != stroke.points.front())
+        stroke.points.push_back(stroke.points.front());
+      chains_.push_back({std::move(stroke.points), crease, closed, held_[start], held_[end ^ 1U]});
     };
     for (Index end = 0; end < link_.size(); ++end)
       if (!done[end / 2] && link_[end] == kNone) follow(end);
@@ -151,23 +173,60 @@ class Chainer {
       if (!done[end / 2]) follow(end);
   }
 
-  void finish(Stroke stroke, bool crease, bool closed, bool held_start, bool held_end) {
-    const double length = stroke.length();
-    if (length < (crease ? kShortestCrease : kShortest) * width_) {
-      ++result_.suppressed;
-      result_.suppressed_length += length;
-      return;
+  /// Leaves out what is too short, and finds which ends touch other ink: these are not free.
+  void finish() {
+    std::vector<Chain> kept;
+    for (Chain& c : chains_) {
+      c.length = length_of(c.points);
+      if (c.length < (c.crease ? kShortestCrease : kShortest) * width_) {
+        ++result_.suppressed;
+        result_.suppressed_length += c.length;
+        continue;
+      }
+      c.points = resample(c.points, 0.5 * width_);
+      kept.push_back(std::move(c));
     }
-    if (closed && stroke.points.back() != stroke.points.front())
-      stroke.points.push_back(stroke.points.front());
-    stroke.points = smooth(resample(stroke.points, 0.5 * width_), closed);
+    hold_ends(kept);
+    for (const Chain& c : kept) add_stroke(c);
+  }
+
+  void hold_ends(std::vector<Chain>& chains) const {
+    const double reach = kTouch * width_;
+    std::map<std::pair<long, long>, std::vector<std::pair<std::size_t, std::size_t>>> cells;
+    const auto cell = [&](const Vec2& p) {
+      return std::pair{std::lround(p[0] / reach), std::lround(p[1] / reach)};
+    };
+    for (std::size_t c = 0; c < chains.size(); ++c)
+      for (std::size_t i = 0; i < chains[c].points.size(); ++i)
+        cells[cell(chains[c].points[i])].emplace_back(c, i);
+    const auto touches = [&](std::size_t c, std::size_t i) {
+      const Vec2& p = chains[c].points[i];
+      const auto [x, y] = cell(p);
+      for (long dx = -1; dx <= 1; ++dx)
+        for (long dy = -1; dy <= 1; ++dy)
+          if (const auto found = cells.find({x + dx, y + dy}); found != cells.end())
+            for (const auto& [d, j] : found->second) {
+              const bool own = d == c && (i > j ? i - j : j - i) < 12;
+              if (!own && norm(chains[d].points[j] - p) < reach) return true;
+            }
+      return false;
+    };
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      chains[c].held_start = chains[c].held_start || touches(c, 0);
+      chains[c].held_end = chains[c].held_end || touches(c, chains[c].points.size() - 1);
+    }
+  }
+
+  void add_stroke(const Chain& c) {
+    Stroke stroke;
+    stroke.points = smooth(c.points, c.closed);
     const auto last = static_cast<double>(stroke.points.size() - 1);
-    const double step = length / last, taper = std::min(kTaper * width_, 0.4 * length);
-    const double full = (crease ? 0.7 : 1) * width_;
+    const double step = c.length / last, taper = std::min(kTaper * width_, 0.4 * c.length);
+    const double full = (c.crease ? 0.7 : 1) * width_;
     for (std::size_t i = 0; i < stroke.points.size(); ++i) {
       double reach = HUGE_VAL;
-      if (!closed && !held_start) reach = step * static_cast<double>(i);
-      if (!closed && !held_end) reach = std::min(reach, step * (last - static_cast<double>(i)));
+      if (!c.closed && !c.held_start) reach = step * static_cast<double>(i);
+      if (!c.closed && !c.held_end) reach = std::min(reach, step * (last - static_cast<double>(i)));
       stroke.widths.push_back(full * (0.15 + 0.85 * std::min(1.0, reach / taper)));
     }
     stroke.rank = static_cast<Index>(result_.strokes.size());
@@ -213,6 +272,7 @@ class Chainer {
   std::map<Node, std::vector<Index>> nodes_;
   std::vector<bool> held_;
   std::vector<Index> link_;
+  std::vector<Chain> chains_;
   DrawnContours result_;
 };
 
