@@ -8,6 +8,8 @@
 #include <memory>
 #include <numbers>
 
+#include "algorithms/curvature/curvature.hpp"
+#include "algorithms/line_art/line_art.hpp"
 #include "cli/lineart_report.hpp"
 #include "cli/run.hpp"
 #include "io/line_art/drawing_writer.hpp"
@@ -31,6 +33,7 @@ struct LineArtOptions {
   std::optional<double> perspective;            ///< degrees
   std::string crease = "60";
   double width = 160, line_width = 0.35;
+  line_art::HatchOptions hatch;
 };
 
 /// Numbers between commas.
@@ -114,21 +117,70 @@ std::optional<double> crease_of(const LineArtOptions& o) {
   return degrees;
 }
 
+/// Reads any faces, or a mesh with its principal directions.
+struct Input {
+  std::vector<Vec3> points;
+  std::vector<kernel::Triangle> faces;
+  kernel::TriangleMesh mesh;
+  std::vector<line_art::PrincipalFrame> frames;
+};
+
+void read_surface(Run& run, Input& input) {
+  io::MeshFile file = run.read_mesh();
+  input.mesh = std::move(file.mesh);
+  input.points = input.mesh.points();
+  input.faces = input.mesh.faces();
+  const curvature::Result estimate = run.step("curvature", "curvature", [&] {
+    return run.with_input([&] { return curvature::estimate(input.mesh, {}); });
+  });
+  for (kernel::Index v = 0; v < input.mesh.vertex_count(); ++v) {
+    const curvature::PointCurvature& c = estimate.vertices[v];
+    input.frames.push_back({c.k1, c.k2, c.d1, c.d2, estimate.normals[v]});
+  }
+}
+
+Input read_input(Run& run, const LineArtOptions& o) {
+  Input input;
+  if (o.style == Style::contours) {
+    io::FaceSoup file = run.read([](const std::string& path) { return io::read_face_soup(path); });
+    input.points = std::move(file.points);
+    input.faces = std::move(file.faces);
+    return input;
+  }
+  try {
+    read_surface(run, input);
+  } catch (const kernel::InputError& error) {
+    throw kernel::InputError(std::string(error.what()) +
+                             ", or draw its contours alone with --style contours");
+  }
+  return input;
+}
+
 Outcome work(Run& run, const LineArtOptions& o) {
   line_art::Drawing drawing;
   const std::optional<double> crease = crease_of(o);
-  const io::FaceSoup file = run.read([](const std::string& path) { return io::read_face_soup(path); });
+  const Input input = read_input(run, o);
   run.with_input([&] {
-    drawing.scene = line_art::weld(file.points, file.faces);
+    drawing.scene = line_art::weld(input.points, input.faces);
     drawing.view = line_art::make_view(view_request(o, drawing.scene), drawing.scene);
   });
   drawing.contours = run.step("contours", "contours", [&] {
     return line_art::find_contours(drawing.scene, drawing.view, {crease});
   });
-  run.step("strokes", "strokes", [&] {
+  run.step("strokes", "strokes of contours", [&] {
     drawing.lines =
         line_art::draw_contours(drawing.scene, drawing.view, drawing.contours, {o.line_width});
   });
+  if (o.style != Style::contours) {
+    line_art::HatchOptions hatch = o.hatch;
+    hatch.crease = crease;
+    hatch.style = o.style == Style::streamlines ? line_art::HatchStyle::streamlines
+                                                : line_art::HatchStyle::fishbone;
+    line_art::add_hatches(drawing, input.mesh, input.frames, hatch,
+                          [&](const char* name, const std::function<void()>& part) {
+                            run.step(name, name, part);
+                          });
+  }
   drawing.title = o.common.input;
   report_line_art(run.report(), drawing);
   run.step("write", "writing", [&] {
@@ -155,6 +207,54 @@ void add_view(CLI::App& app, LineArtOptions& o) {
       ->type_name("DEG");
 }
 
+void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
+  const std::map<std::string, bool> fields = {{"line", false}, {"cross", true}};
+  app.add_option("--field", o.cross_field, "line (default) or cross: what is smoothed")
+      ->transform(CLI::CheckedTransformer(fields, CLI::ignore_case))
+      ->type_name("WORD");
+  const std::map<std::string, line_art::ToneStyle> tones = {
+      {"width", line_art::ToneStyle::width},
+      {"bands", line_art::ToneStyle::bands},
+      {"length", line_art::ToneStyle::length}};
+  app.add_option("--tone", o.tone_style, "width (default), bands or length")
+      ->transform(CLI::CheckedTransformer(tones, CLI::ignore_case))
+      ->type_name("WORD");
+  app.add_flag("--cross-hatch", o.cross_hatch, "a second layer where it is darker than cmin");
+  app.add_option("--spacing", o.tone.spacing, "of hatches, mm (default: 0.8)")
+      ->check(CLI::Range(0.2, 20.0))
+      ->type_name("MM");
+  app.add_option("--smooth", o.smooth, "length of the field's smoothing, spacings (default: 5)")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("L");
+  const auto numbers = [&app](const char* name, std::size_t count, const char* type,
+                              const char* help, std::function<void(const std::vector<double>&)> take) {
+    app.add_option_function<std::string>(
+           name,
+           [name, count, take](const std::string& text) {
+             std::vector<double> x;
+             for (const std::string& word : CLI::detail::split(text, ',')) {
+               x.push_back(0);
+               if (!CLI::detail::lexical_cast(word, x.back()) || !std::isfinite(x.back()))
+                 throw CLI::ValidationError(name, word + " is not a finite number");
+             }
+             if (x.size() != count)
+               throw CLI::ValidationError(name, fmt::format("{} is not {} numbers", text, count));
+             take(x);
+           },
+           help)
+        ->type_name(type);
+  };
+  numbers("--light", 3, "X,Y,Z", "where light comes from: right, up, towards the eye",
+          [&o](const std::vector<double>& x) { o.light.light = {x[0], x[1], x[2]}; });
+  numbers("--tones", 2, "CMIN,CMAX", "darkest and brightest tone of hatches (default: 0.35,0.95)",
+          [&o](const std::vector<double>& x) {
+            if (!(x[0] >= 0 && x[0] < x[1] && x[1] <= 1))
+              throw CLI::ValidationError("--tones", "cmin and cmax ascend within 0 to 1");
+            o.tone.darkest = x[0];
+            o.tone.brightest = x[1];
+          });
+}
+
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<LineArtOptions>();
   LineArtOptions& o = *options;
@@ -179,6 +279,7 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--line-width", o.line_width, "of contours, mm (default: 0.35)")
       ->check(CLI::Range(0.02, 10.0))
       ->type_name("MM");
+  add_hatch(app, o.hatch);
   add_run_options(app, o.common);
   app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
   return [options] {

@@ -30,6 +30,23 @@ Json contours(const Drawing& drawing) {
           {"sheets", "not claimed"}};
 }
 
+void report_hatches(Report& report, const Drawing& drawing) {
+  const HatchCounts& h = drawing.counts;
+  report["field"] = Json({{"singularities", h.singularities}, {"index_sum", h.index_sum}});
+  report["segments"] =
+      Json({{"count", h.segments}, {"key_ribs", h.key_ribs}, {"blended", h.blended}});
+  report["strokes"] = Json({{"count", drawing.hatches.size()},
+                            {"length", h.length},
+                            {"median_length", h.median_length},
+                            {"spacing", {{"p5", h.p5}, {"median", h.median}, {"p95", h.p95}}},
+                            {"bare", h.bare},
+                            {"over_contours", h.over_contours}});
+  report["tone_error"] = Json({{"mean", h.tone.mean},
+                               {"p95", h.tone.p95},
+                               {"max", h.tone.max},
+                               {"cells", h.tone.cells}});
+}
+
 }  // namespace
 
 void report_line_art(Report& report, const Drawing& drawing) {
@@ -37,6 +54,7 @@ void report_line_art(Report& report, const Drawing& drawing) {
   report["faces"] = drawing.scene.faces.size();
   report["page"] = std::vector<double>(drawing.view.page.begin(), drawing.view.page.end());
   report["contours"] = contours(drawing);
+  if (!drawing.hatches.empty()) report_hatches(report, drawing);
   const kernel::SightCounts& d = drawing.contours.decisions;
   report["predicates"] = Json({{"side_of_edge", to_json(d.side)},
                                {"volume", to_json(d.volume)},

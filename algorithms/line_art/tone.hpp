@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// From grey to widths of strokes.
+#include "algorithms/line_art/line_art_result.hpp"
+#include "algorithms/line_art/streamlines.hpp"
+
+namespace crest::line_art {
+
+struct ToneOptions {
+  double spacing = 0.8;           ///< s, mm
+  double darkest = 0.35;          ///< cmin: what one layer of hatches reaches
+  double brightest = 0.95;        ///< cmax: no stroke above
+  double thinnest = 0.05;         ///< mm
+  double cap = 0.85;              ///< of the spacing: no stroke wider
+  int corrections = 3;
+};
+
+/// The page's part and length that belong to every vertex of every hatch: pixels nearer to it than
+/// to any other, not across contours nor farther than one and a half spacings.
+struct OwnedArea {
+  std::vector<std::vector<double>> area, spacing;  ///< mm^2; area over length, mean over 2 mm
+  std::vector<std::uint8_t> covered;               ///< pixels that belong to some vertex
+};
+OwnedArea owned_area(const Buffers& buffers, const std::vector<Hatch>& hatches, double reach);
+
+/// How much of every pixel the strokes cover, 0 to 1.
+std::vector<float> coverage(const Buffers& buffers, const std::vector<Hatch>& hatches);
+
+/// Sets the widths: ink times the owned area over the length, then corrected by what the strokes
+/// cover. `ink`: wanted share of black at every pixel.
+ToneError set_widths(const Buffers& buffers, const std::vector<float>& ink,
+                     const ToneOptions& options, std::vector<Hatch>& hatches, OwnedArea& owned);
+
+/// 1 - luminance within the range that one layer can show; 0 above the brightest.
+std::vector<float> layer_ink(const Buffers& buffers, const ToneOptions& options);
+
+}  // namespace crest::line_art
