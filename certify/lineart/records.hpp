@@ -44,10 +44,10 @@ struct LineView {
 
 /// Claim lineart: what is visible of the contours of a set of triangles, and where hatches start.
 struct LineArtCertificate {
-  std::vector<std::array<double, 3>> points;        ///< V, no two equal
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< F, three different corners
-  std::array<double, 3> eye{};  ///< the eye, or the direction towards it
-  bool parallel = false;        ///< the latter
+  std::vector<std::array<double, 3>> points;          ///< V, no two equal
+  std::vector<std::array<std::uint32_t, 3>> faces;    ///< F, three different corners
+  std::array<double, 3> eye{};                        ///< the eye, or the direction towards it
+  bool parallel = false;                              ///< the latter
   std::vector<std::array<std::uint32_t, 2>> creases;  ///< low < high, ascending; edges of faces
   LineView view;
   std::vector<std::vector<std::array<double, 2>>> hatches;  ///< polylines on the page
