@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "algorithms/line_art/face_locator.hpp"
+
 namespace crest::line_art {
 namespace {
 
@@ -33,6 +35,24 @@ std::vector<Vec2> seen_singularities(const kernel::TriangleMesh& mesh, const Dir
       seen.push_back(place);
   }
   return seen;
+}
+
+/// The face where each hatch begins; what begins on a side begins a point later.
+void name_faces(const Drawing& drawing, std::vector<Hatch>& hatches) {
+  const FaceLocator locator(drawing.scene, drawing.view);
+  std::vector<Hatch> kept;
+  for (Hatch& h : hatches) {
+    Stroke& s = h.stroke;
+    std::size_t first = 0;
+    std::optional<Index> face;
+    for (; first + 2 < s.points.size() && !face; ++first) face = locator.at(s.points[first]);
+    if (!face) continue;
+    s.points.erase(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(first - 1));
+    s.widths.erase(s.widths.begin(), s.widths.begin() + static_cast<std::ptrdiff_t>(first - 1));
+    s.face = *face;
+    kept.push_back(std::move(h));
+  }
+  hatches = std::move(kept);
 }
 
 void measure(const Buffers& b, const Barriers& barriers, const std::vector<float>& ink,
@@ -105,6 +125,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     drawing.counts.tone = set_widths(buffers, ink, options.tone, hatches, owned);
     measure(buffers, barriers, ink, hatches, owned, spacing, drawing.counts);
   });
+  name_faces(drawing, hatches);
   for (Hatch& h : hatches) drawing.hatches.push_back(std::move(h.stroke));
 }
 
