@@ -9,7 +9,10 @@
 #include <numbers>
 
 #include "algorithms/curvature/curvature.hpp"
+#include "algorithms/line_art/certificate.hpp"
 #include "algorithms/line_art/line_art.hpp"
+#include "certify/lineart/encode.hpp"
+#include "certify/verify.hpp"
 #include "cli/lineart_report.hpp"
 #include "cli/run.hpp"
 #include "io/line_art/drawing_writer.hpp"
@@ -183,6 +186,13 @@ Outcome work(Run& run, const LineArtOptions& o) {
   }
   drawing.title = o.common.input;
   report_line_art(run.report(), drawing);
+  if (run.wanted("--certificate")) run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(line_art::line_art_record(drawing));
+      // The checker shares no code with the drawing: what it refuses is a bug on either side.
+      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+      run.write_certificate("lineart", bytes);
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_drawing(path, drawing); });
   });
@@ -264,6 +274,8 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("-o,--output", o.common.output, "the drawing (.svg .pdf .eps .vtp)")
       ->type_name("FILE");
   app.add_option("--report", o.common.report, "counts and times (.json)")->type_name("FILE");
+  app.add_option("--certificate", o.common.certificate, "proof for crest-verify (.crest)")
+      ->type_name("FILE");
   add_view(app, o);
   const std::map<std::string, Style> styles = {{"contours", Style::contours},
                                                {"streamlines", Style::streamlines},

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/line_art/face_locator.hpp"
+#include "algorithms/line_art/fishbone.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -117,7 +118,15 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   std::vector<Hatch> hatches;
   phase("strokes", [&] {
     const Tracer tracer(buffers, barriers, seen_singularities(mesh, field, view, buffers), spacing);
-    hatches = even_streamlines(tracer, options.tone.brightest);
+    if (options.style == HatchStyle::fishbone) {
+      Fishbones bones = make_fishbones(tracer, options.tone.brightest);
+      drawing.counts.segments = bones.segments.size();
+      drawing.counts.key_ribs = bones.key_ribs;
+      drawing.counts.blended = bones.blended;
+      hatches = std::move(bones.ribs);
+    }
+    // Alone, or in what the fishbones left.
+    add_even_streamlines(tracer, options.tone.brightest, Family::rib, hatches);
   });
   phase("tone", [&] {
     const std::vector<float> ink = layer_ink(buffers, options.tone);

@@ -26,27 +26,19 @@ Hatch joined(const Trace& back, const Trace& ahead) {
   return hatch;
 }
 
-/// Along a silhouette lines would show as a row of dashes.
-bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
-  std::size_t close = 0;
-  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-    const auto near = tracer.barriers().nearest(stroke.points[i], tracer.spacing());
-    const Vec2 d = stroke.points[i] - stroke.points[i - 1];
-    const double n = norm(d);
-    if (near && n > 0 && std::abs(dot(d, near->direction)) > 0.966 * n) ++close;
-  }
-  return 2 * close > stroke.points.size();
-}
-
 class EvenLines {
  public:
-  EvenLines(const Tracer& tracer, double brightest)
+  EvenLines(const Tracer& tracer, double brightest, Family family, std::vector<Hatch>& lines)
       : tracer_(tracer),
         s_(tracer.spacing()),
         brightest_(brightest),
-        points_(page(tracer.buffers()), tracer.spacing(), tracer.barriers()) {}
+        family_(family),
+        points_(page(tracer.buffers()), tracer.spacing(), tracer.barriers()),
+        lines_(lines) {
+    for (Index l = 0; l < lines.size(); ++l) enter(l);
+  }
 
-  std::vector<Hatch> run() {
+  void run() {
     for (const std::size_t k : by_curvature()) {
       try_seed(tracer_.buffers().centre(k));
       while (!seeds_.empty()) {
@@ -55,10 +47,13 @@ class EvenLines {
         try_seed(seed);
       }
     }
-    return std::move(lines_);
   }
 
  private:
+  void enter(Index line) {
+    const auto& points = lines_[line].stroke.points;
+    for (Index i = 0; i < points.size(); ++i) points_.add(points[i], line, i);
+  }
   static Vec2 page(const Buffers& b) { return {b.width * b.pixel, b.height * b.pixel}; }
 
   /// Every few pixels, the most curved first.
@@ -86,29 +81,30 @@ class EvenLines {
   void try_seed(const Vec2& seed) {
     if (!hatchable(seed) || tracer_.near_singularity(seed)) return;
     if (tracer_.barriers().nearest(seed, 0.3 * s_)) return;
-    if (points_.distance(seed) < 0.98 * s_) return;
-    const auto d = tracer_.direction(seed, Family::rib, {0, 0});
+    if (points_.distance(seed, s_) < 0.98 * s_) return;
+    const auto d = tracer_.direction(seed, family_, {0, 0});
     if (!d) return;
     const auto line = static_cast<Index>(lines_.size());
     // The line itself comes round, too: its own points count from half a turn on.
     std::vector<Vec2> own;
     const auto stop = [&](const Vec2& p, Index) {
-      if (!hatchable(p) || points_.distance(p) < kStop * s_) return true;
+      if (!hatchable(p) || points_.distance(p, kStop * s_) < kStop * s_) return true;
       const std::size_t apart = static_cast<std::size_t>(3 * s_ / Tracer::kStep);
       for (std::size_t i = 0; i + apart < own.size(); ++i)
         if (norm(own[i] - p) < kStop * s_) return true;
       own.push_back(p);
       return false;
     };
-    const Trace ahead = tracer_.trace(seed, *d, Family::rib, 2 * std::numbers::pi, stop);
+    const Trace ahead = tracer_.trace(seed, *d, family_, 2 * std::numbers::pi, stop);
     std::reverse(own.begin(), own.end());
-    const Trace back = tracer_.trace(seed, -1.0 * *d, Family::rib, 2 * std::numbers::pi, stop);
+    const Trace back = tracer_.trace(seed, -1.0 * *d, family_, 2 * std::numbers::pi, stop);
     Hatch hatch = joined(back, ahead);
     if (hatch.stroke.length() < kShortest * s_ || hugs_contour(tracer_, hatch.stroke)) return;
     hatch.stroke.rank = line;
-    for (Index i = 0; i < hatch.stroke.points.size(); ++i) points_.add(hatch.stroke.points[i], line, i);
-    add_seeds(hatch.stroke.points);
+    if (family_ == Family::backbone) hatch.stroke.kind = StrokeKind::cross;
     lines_.push_back(std::move(hatch));
+    enter(line);
+    add_seeds(lines_.back().stroke.points);
   }
 
   void add_seeds(const std::vector<Vec2>& line) {
@@ -123,9 +119,10 @@ class EvenLines {
 
   const Tracer& tracer_;
   double s_, brightest_;
+  Family family_;
   LinePoints points_;
   std::deque<Vec2> seeds_;
-  std::vector<Hatch> lines_;
+  std::vector<Hatch>& lines_;
 };
 
 /// The same numbers everywhere (splitmix64).
@@ -142,8 +139,20 @@ struct Noise {
 
 }  // namespace
 
-std::vector<Hatch> even_streamlines(const Tracer& tracer, double brightest) {
-  return EvenLines(tracer, brightest).run();
+bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
+  std::size_t close = 0;
+  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+    const auto near = tracer.barriers().nearest(stroke.points[i], tracer.spacing());
+    const Vec2 d = stroke.points[i] - stroke.points[i - 1];
+    const double n = norm(d);
+    if (near && n > 0 && std::abs(dot(d, near->direction)) > 0.966 * n) ++close;
+  }
+  return 2 * close > stroke.points.size();
+}
+
+void add_even_streamlines(const Tracer& tracer, double brightest, Family family,
+                          std::vector<Hatch>& lines) {
+  EvenLines(tracer, brightest, family, lines).run();
 }
 
 std::vector<Hatch> random_streamlines(const Tracer& tracer, double brightest, double width) {

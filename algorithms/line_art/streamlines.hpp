@@ -13,9 +13,15 @@ struct Hatch {
   bool free_start = true, free_end = true;  ///< neither at a contour
 };
 
-/// A new line starts at the spacing from an old one and stops at half of it. Cost: linear in the
-/// points, for a bounded number of them a cell.
-std::vector<Hatch> even_streamlines(const Tracer& tracer, double brightest);
+/// Along a silhouette lines would show as a row of dashes: within the spacing of a contour and within
+/// 15 degrees of it, for more than half of their length.
+bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
+
+/// Lines added to those there are: a new one starts at the spacing from an old one and stops at half
+/// of it; `family`: ribs, or the crossing layer along backbones. Pixels darker than `brightest` are
+/// hatched. Cost: linear in the points, for a bounded number of them a cell.
+void add_even_streamlines(const Tracer& tracer, double brightest, Family family,
+                          std::vector<Hatch>& lines);
 
 /// The thesis' first approach: seeds at random (always the same), each stroke over (1 - c) of its
 /// length, none in highlights, those near silhouettes first.

@@ -10,8 +10,6 @@ namespace {
 using kernel::cross, kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
-constexpr double kClearance = 0.03;  // mm between a hatch and a contour's middle
-
 Vec2 wide(const std::array<float, 2>& d) {
   return {d[0], d[1]};
 }
@@ -26,27 +24,10 @@ LinePoints::LinePoints(const Vec2& page, double reach, const Barriers& barriers)
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void LinePoints::add(const Vec2& p, Index line, Index number) {
-  const int c = std::clamp(static_cast<int>(p[0] / reach_), 0, columns_ - 1);
-  const int r = std::clamp(static_cast<int>(p[1] / reach_), 0, rows_ - 1);
+  const auto [c, r] = cell(p);
   cells_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
          static_cast<std::size_t>(c)]
       .push_back({p, line, number});
-}
-
-double LinePoints::distance(const Vec2& p, Index line, Index number, Index apart) const {
-  const int c = std::clamp(static_cast<int>(p[0] / reach_), 0, columns_ - 1);
-  const int r = std::clamp(static_cast<int>(p[1] / reach_), 0, rows_ - 1);
-  double best = reach_;
-  for (int j = std::max(0, r - 1); j <= std::min(rows_ - 1, r + 1); ++j)
-    for (int i = std::max(0, c - 1); i <= std::min(columns_ - 1, c + 1); ++i)
-      for (const Entry& e : cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
-                                   static_cast<std::size_t>(i)]) {
-        if (e.line == line && (e.number > number ? e.number - number : number - e.number) < apart)
-          continue;
-        const double d = norm(e.p - p);
-        if (d < best && !barriers_.crosses(p, e.p)) best = d;
-      }
-  return best;
 }
 
 Tracer::Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec2> singular,

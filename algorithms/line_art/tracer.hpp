@@ -2,6 +2,8 @@
 #pragma once
 
 // Stream lines on the page: along ribs or backbones, up to contours, other lines and singularities.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,15 +20,35 @@ class LinePoints {
  public:
   LinePoints(const Vec2& page, double reach, const Barriers& barriers);
   void add(const Vec2& p, Index line, Index number);
-  /// The distance to the nearest point of another line, or of this one that is `apart` numbers away;
-  /// at most the reach.
-  double distance(const Vec2& p, Index line = kNone, Index number = 0, Index apart = 0) const;
+  /// The distance to the nearest point for which counts(line, number) is true; at most `most`, which
+  /// is at most the reach.
+  template <class Counts>
+  double distance(const Vec2& p, double most, Counts&& counts) const {
+    const auto [c, r] = cell(p);
+    double best = most;
+    for (int j = std::max(0, r - 1); j <= std::min(rows_ - 1, r + 1); ++j)
+      for (int i = std::max(0, c - 1); i <= std::min(columns_ - 1, c + 1); ++i)
+        for (const Entry& e : cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+                                     static_cast<std::size_t>(i)]) {
+          const double d = std::hypot(e.p[0] - p[0], e.p[1] - p[1]);
+          if (d < best && counts(e.line, e.number) && !barriers_.crosses(p, e.p)) best = d;
+        }
+    return best;
+  }
+  double distance(const Vec2& p, double most) const {
+    return distance(p, most, [](Index, Index) { return true; });
+  }
 
  private:
   struct Entry {
     Vec2 p;
     Index line, number;
   };
+  std::pair<int, int> cell(const Vec2& p) const {
+    return {std::clamp(static_cast<int>(p[0] / reach_), 0, columns_ - 1),
+            std::clamp(static_cast<int>(p[1] / reach_), 0, rows_ - 1)};
+  }
+
   const Barriers& barriers_;
   double reach_;
   int columns_, rows_;
@@ -42,7 +64,8 @@ struct Trace {
 
 class Tracer {
  public:
-  static constexpr double kStep = 0.2;  ///< mm
+  static constexpr double kStep = 0.2;        ///< mm
+  static constexpr double kClearance = 0.03;  ///< mm between a hatch and a contour's middle
 
   Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec2> singular,
          double spacing);
