@@ -233,7 +233,7 @@ void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
   app.add_option("--spacing", o.tone.spacing, "of hatches, mm (default: 0.8)")
       ->check(CLI::Range(0.2, 20.0))
       ->type_name("MM");
-  app.add_option("--smooth", o.smooth, "length of the field's smoothing, spacings (default: 5)")
+  app.add_option("--smooth", o.smooth, "length of the field's smoothing, spacings (default: 10)")
       ->check(CLI::Range(0.0, 1000.0))
       ->type_name("L");
   const auto numbers = [&app](const char* name, std::size_t count, const char* type,

@@ -17,7 +17,7 @@ constexpr double kTurn = 2.2;        // radians, of a backbone
 constexpr double kLeaves = 0.5;      // radians between a blended rib and the field
 constexpr double kDeviation = 0.9;   // spacings between a blended rib and the traced one
 constexpr double kOthers = 0.6;      // spacings to ribs of other segments
-constexpr double kOwn = 0.3;         // spacings to ribs of its own
+constexpr double kOwn = 0.6;         // spacings to ribs of its own
 constexpr double kShortest = 2.5;    // spacings
 constexpr std::size_t kParts = 24;   // key ribs to begin with, less one
 

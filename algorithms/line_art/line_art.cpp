@@ -56,20 +56,45 @@ void name_faces(const Drawing& drawing, std::vector<Hatch>& hatches) {
   hatches = std::move(kept);
 }
 
-void measure(const Buffers& b, const Barriers& barriers, const std::vector<float>& ink,
-             const std::vector<Hatch>& hatches, const OwnedArea& owned, double spacing,
-             HatchCounts& counts) {
-  std::vector<double> lengths, spacings;
-  for (std::size_t h = 0; h < hatches.size(); ++h) {
-    const Stroke& s = hatches[h].stroke;
-    lengths.push_back(s.length());
-    counts.length += lengths.back();
-    bool over = false;
-    for (std::size_t i = 1; i < s.points.size(); ++i)
-      over = over || barriers.crosses(s.points[i - 1], s.points[i]);
-    counts.over_contours += over;
-    spacings.insert(spacings.end(), owned.spacing[h].begin(), owned.spacing[h].end());
+/// Ends at contours run along them.
+void cut_ends(const Barriers& barriers, std::vector<Hatch>& hatches) {
+  constexpr double kReach = 0.2;  // mm
+  for (Hatch& h : hatches) {
+    const auto direction = [&](const Vec2& p) {
+      const auto near = barriers.nearest(p, kReach);
+      return near ? near->direction : Vec2{0, 0};
+    };
+    if (!h.free_start) h.stroke.start_cut = direction(h.stroke.points.front());
+    if (!h.free_end) h.stroke.end_cut = direction(h.stroke.points.back());
   }
+}
+
+void make_strokes(const Tracer& tracer, const HatchOptions& options, Drawing& drawing,
+                  std::vector<Hatch>& first, std::vector<Hatch>& second) {
+  const ToneOptions& tone = options.tone;
+  if (options.cross_hatch) add_even_streamlines(tracer, tone.darkest, Family::backbone, second);
+  if (options.tone_style == ToneStyle::length) {
+    first = random_streamlines(tracer, tone.brightest, 0.35 * tone.spacing);
+    return;
+  }
+  if (options.style == HatchStyle::fishbone) {
+    Fishbones bones = make_fishbones(tracer, tone.brightest);
+    drawing.counts.segments = bones.segments.size();
+    drawing.counts.key_ribs = bones.key_ribs;
+    drawing.counts.blended = bones.blended;
+    first = std::move(bones.ribs);
+  }
+  // Alone, or in what the fishbones left.
+  add_even_streamlines(tracer, tone.brightest, Family::rib, first);
+}
+
+/// Of the first layer.
+void measure(const Buffers& b, const std::vector<float>& ink, const std::vector<Hatch>& hatches,
+             const OwnedArea& owned, HatchCounts& counts) {
+  std::vector<double> lengths, spacings;
+  for (std::size_t h = 0; h < owned.spacing.size(); ++h)
+    spacings.insert(spacings.end(), owned.spacing[h].begin(), owned.spacing[h].end());
+  for (const Hatch& h : hatches) lengths.push_back(h.stroke.length());
   const auto quantile = [](std::vector<double>& x, double q) {
     if (x.empty()) return 0.0;
     const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(x.size() - 1));
@@ -87,7 +112,16 @@ void measure(const Buffers& b, const Barriers& barriers, const std::vector<float
     bare += owned.covered[k] == 0;
   }
   counts.bare = wanted > 0 ? bare / wanted : 0;
-  (void)spacing;
+}
+
+void count_over_contours(const Barriers& barriers, Drawing& drawing) {
+  for (const Stroke& s : drawing.hatches) {
+    drawing.counts.length += s.length();
+    bool over = false;
+    for (std::size_t i = 1; i < s.points.size(); ++i)
+      over = over || barriers.crosses(s.points[i - 1], s.points[i]);
+    drawing.counts.over_contours += over;
+  }
 }
 
 }  // namespace
@@ -115,27 +149,33 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   phase("buffers", [&] {
     buffers = fill_buffers({mesh, frames, field}, view, barriers, options.light, options.crease);
   });
-  std::vector<Hatch> hatches;
+  std::vector<Hatch> first, second;
   phase("strokes", [&] {
     const Tracer tracer(buffers, barriers, seen_singularities(mesh, field, view, buffers), spacing);
-    if (options.style == HatchStyle::fishbone) {
-      Fishbones bones = make_fishbones(tracer, options.tone.brightest);
-      drawing.counts.segments = bones.segments.size();
-      drawing.counts.key_ribs = bones.key_ribs;
-      drawing.counts.blended = bones.blended;
-      hatches = std::move(bones.ribs);
-    }
-    // Alone, or in what the fishbones left.
-    add_even_streamlines(tracer, options.tone.brightest, Family::rib, hatches);
+    make_strokes(tracer, options, drawing, first, second);
   });
   phase("tone", [&] {
-    const std::vector<float> ink = layer_ink(buffers, options.tone);
-    OwnedArea owned = owned_area(buffers, hatches, 1.5 * spacing);
-    drawing.counts.tone = set_widths(buffers, ink, options.tone, hatches, owned);
-    measure(buffers, barriers, ink, hatches, owned, spacing, drawing.counts);
+    const ToneOptions& tone = options.tone;
+    std::vector<float> ink = layer_ink(buffers, tone);
+    const OwnedArea owned = owned_area(buffers, first, 1.5 * spacing);
+    if (options.tone_style == ToneStyle::width) set_widths(buffers, ink, tone, owned, first);
+    if (options.tone_style == ToneStyle::bands) set_bands(buffers, ink, tone, first);
+    std::vector<float> black = coverage(buffers, first);
+    if (options.cross_hatch) {
+      const auto crossing = crossing_ink(buffers, tone, options.tone_style == ToneStyle::bands);
+      set_widths(buffers, crossing, tone, owned_area(buffers, second, 1.5 * spacing), second);
+      black = crossed(std::move(black), coverage(buffers, second));
+      ink = crossed(std::move(ink), crossing);
+    }
+    drawing.counts.tone = tone_error(buffers, black, ink, spacing);
+    measure(buffers, ink, first, owned, drawing.counts);
   });
-  name_faces(drawing, hatches);
-  for (Hatch& h : hatches) drawing.hatches.push_back(std::move(h.stroke));
+  for (std::vector<Hatch>* layer : {&first, &second}) {
+    cut_ends(barriers, *layer);
+    name_faces(drawing, *layer);
+    for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));
+  }
+  count_over_contours(barriers, drawing);
 }
 
 }  // namespace crest::line_art

@@ -20,7 +20,7 @@ struct HatchOptions {
   bool cross_hatch = false;
   ToneOptions tone;
   LightOptions light;
-  double smooth = 5;  ///< L, in spacings
+  double smooth = 10;  ///< L, in spacings
   std::optional<double> crease = 60;
 };
 

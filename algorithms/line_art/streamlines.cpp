@@ -12,7 +12,7 @@ namespace {
 using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
-constexpr double kStop = 0.5;      // spacings
+constexpr double kStop = 0.6;      // spacings
 constexpr double kShortest = 2.5;  // spacings
 
 Hatch joined(const Trace& back, const Trace& ahead) {
@@ -195,6 +195,7 @@ std::vector<Hatch> random_streamlines(const Tracer& tracer, double brightest, do
       hatch.free_start = true;
     }
     if (points.size() < 4) continue;
+    hatch.stroke.widths.assign(points.size(), width);
     hatch.stroke.rank = static_cast<Index>(lines.size());
     lines.push_back(std::move(hatch));
   }

@@ -33,6 +33,17 @@ void add_cap(const Vec2& centre, const Vec2& from, const Vec2& ahead, double rad
   }
 }
 
+/// Turns an end's offset into a direction, as far as that is not too slanting; false for none.
+bool cut(const Vec2& direction, double half, Vec2& offset) {
+  if (direction == Vec2{0, 0}) return false;
+  constexpr double kLongest = 2;  // half widths
+  const Vec2 across = unit(offset);
+  const double cosine = kernel::dot(direction, across);
+  const double length = half / std::max(1 / kLongest, std::abs(cosine));
+  if (std::abs(cosine) * kLongest > 1) offset = (cosine < 0 ? -length : length) * direction;
+  return true;
+}
+
 }  // namespace
 
 const char* name_of(StrokeKind kind) {
@@ -67,13 +78,21 @@ std::vector<Vec2> outline(const Stroke& stroke) {
     const double cosine = std::max(1 / kMitre, kernel::dot(normal, side));
     offset[i] = (half[i] / cosine) * (norm(normal) > 0 ? normal : side);
   }
+  const bool cut_start = !closed && cut(stroke.start_cut, half[0], offset[0]);
+  const bool cut_end = !closed && cut(stroke.end_cut, half[n - 1], offset[n - 1]);
   std::vector<Vec2> polygon;
   for (std::size_t i = 0; i < n; ++i) polygon.push_back(p[i] + offset[i]);
-  if (!closed)
+  if (!closed && !cut_end)
     add_cap(p[n - 1], unit(offset[n - 1]), unit(p[n - 1] - p[n - 2]), half[n - 1], polygon);
   for (std::size_t i = n; i-- > 0;) polygon.push_back(p[i] - offset[i]);
-  if (!closed) add_cap(p[0], -1.0 * unit(offset[0]), unit(p[0] - p[1]), half[0], polygon);
+  if (!closed && !cut_start) add_cap(p[0], -1.0 * unit(offset[0]), unit(p[0] - p[1]), half[0], polygon);
   return polygon;
+}
+
+std::vector<Vec2> band_outline(const Stroke& stroke) {
+  Stroke band = stroke;
+  std::fill(band.widths.begin(), band.widths.end(), stroke.band);
+  return outline(band);
 }
 
 std::vector<Vec2> resample(const std::vector<Vec2>& line, double step) {

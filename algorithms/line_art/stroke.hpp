@@ -24,12 +24,16 @@ struct Stroke {
   std::vector<Vec2> points;    ///< mm; closed: the last is the first
   std::vector<double> widths;  ///< mm, one a point
   Index face = kNone;          ///< hatches: the nearest one where it begins
+  double band = 0;             ///< mm of white painted below, 0: none
+  Vec2 start_cut{0, 0}, end_cut{0, 0};  ///< ends run along this direction; zero: round
   double length() const;
 };
 
 /// The area that the pen covers, as a closed polygon to be filled where it winds: sharp bends
-/// mitred, ends that are not pointed round. At least two points that differ, else empty.
+/// mitred, ends round or cut. At least two points that differ, else empty.
 std::vector<Vec2> outline(const Stroke& stroke);
+/// The same of its white band.
+std::vector<Vec2> band_outline(const Stroke& stroke);
 
 /// The polyline with points of equal distance along it, about `step`; its ends are kept.
 std::vector<Vec2> resample(const std::vector<Vec2>& line, double step);

@@ -10,6 +10,8 @@ namespace {
 using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
+constexpr double kBlur = 1.2;  // spacings: within it tone is compared
+
 struct Owner {
   Index hatch = kNone, vertex = 0;
 };
@@ -128,6 +130,39 @@ void blur(std::vector<float>& image, int width, int height, double deviation) {
   for (std::size_t i = 0; i < w; ++i) pass(i, w, height);
 }
 
+/// The share of every pixel under a stroke of these widths, in `own`, which was zero.
+void cover(const Buffers& b, const Stroke& s, const std::vector<double>& widths,
+           std::vector<float>& own, std::vector<std::size_t>& touched) {
+  const auto& p = s.points;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    const double w0 = widths[i - 1], w1 = widths[i];
+    const double reach = 0.5 * std::max(w0, w1) + b.pixel;
+    const Vec2 d = p[i] - p[i - 1];
+    const double squared = dot(d, d);
+    const auto range = [&](std::size_t k, int limit) {
+      return std::pair{
+          std::max(0, static_cast<int>((std::min(p[i - 1][k], p[i][k]) - reach) / b.pixel)),
+          std::min(limit - 1,
+                   static_cast<int>((std::max(p[i - 1][k], p[i][k]) + reach) / b.pixel))};
+    };
+    const auto [i0, i1] = range(0, b.width);
+    const auto [j0, j1] = range(1, b.height);
+    for (int y = j0; y <= j1; ++y)
+      for (int x = i0; x <= i1; ++x) {
+        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(b.width) +
+                               static_cast<std::size_t>(x);
+        const Vec2 q = b.centre(at) - p[i - 1];
+        const double t = squared > 0 ? std::clamp(dot(q, d) / squared, 0.0, 1.0) : 0;
+        // A box across the stroke: its mean over all places is the width, however thin.
+        const double r = norm(q - t * d) / b.pixel, half = 0.5 * (w0 + t * (w1 - w0)) / b.pixel;
+        const double part = std::min(half, r + 0.5) - std::max(-half, r - 0.5);
+        if (!(part > 0)) continue;
+        if (own[at] == 0) touched.push_back(at);
+        own[at] = std::max(own[at], static_cast<float>(std::min(1.0, part)));
+      }
+  }
+}
+
 }  // namespace
 
 OwnedArea owned_area(const Buffers& b, const std::vector<Hatch>& hatches, double reach) {
@@ -153,33 +188,15 @@ std::vector<float> coverage(const Buffers& b, const std::vector<Hatch>& hatches)
   std::vector<float> covered(b.size(), 0), own(b.size(), 0);
   std::vector<std::size_t> touched;
   for (const Hatch& h : hatches) {
-    const auto& p = h.stroke.points;
-    for (std::size_t i = 1; i < p.size(); ++i) {
-      const double w0 = h.stroke.widths[i - 1], w1 = h.stroke.widths[i];
-      const double reach = 0.5 * std::max(w0, w1) + b.pixel;
-      const Vec2 d = p[i] - p[i - 1];
-      const double squared = dot(d, d);
-      const auto range = [&](std::size_t k, int limit) {
-        return std::pair{
-            std::max(0, static_cast<int>((std::min(p[i - 1][k], p[i][k]) - reach) / b.pixel)),
-            std::min(limit - 1, static_cast<int>((std::max(p[i - 1][k], p[i][k]) + reach) / b.pixel))};
-      };
-      const auto [i0, i1] = range(0, b.width);
-      const auto [j0, j1] = range(1, b.height);
-      for (int y = j0; y <= j1; ++y)
-        for (int x = i0; x <= i1; ++x) {
-          const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(b.width) +
-                                 static_cast<std::size_t>(x);
-          const Vec2 q = b.centre(at) - p[i - 1];
-          const double t = squared > 0 ? std::clamp(dot(q, d) / squared, 0.0, 1.0) : 0;
-          // A box across the stroke: its mean over all places is the width, however thin.
-          const double r = norm(q - t * d) / b.pixel, half = 0.5 * (w0 + t * (w1 - w0)) / b.pixel;
-          const double part = std::min(half, r + 0.5) - std::max(-half, r - 0.5);
-          if (!(part > 0)) continue;
-          if (own[at] == 0) touched.push_back(at);
-          own[at] = std::max(own[at], static_cast<float>(std::min(1.0, part)));
-        }
+    if (h.stroke.band > 0) {
+      cover(b, h.stroke, std::vector<double>(h.stroke.points.size(), h.stroke.band), own, touched);
+      for (const std::size_t at : touched) {
+        covered[at] *= 1 - own[at];
+        own[at] = 0;
+      }
+      touched.clear();
     }
+    cover(b, h.stroke, h.stroke.widths, own, touched);
     for (const std::size_t at : touched) {
       covered[at] = std::min(1.0F, covered[at] + own[at]);
       own[at] = 0;
@@ -207,13 +224,12 @@ class Widths {
          std::vector<Hatch>& hatches, const OwnedArea& owned)
       : b_(b), ink_(ink), o_(o), hatches_(hatches), owned_(owned) {}
 
-  ToneError run() {
+  void run() {
     for (std::size_t h = 0; h < hatches_.size(); ++h) start(h);
     apply();
     mask_.resize(b_.size());
     for (std::size_t k = 0; k < b_.size(); ++k) mask_[k] = b_.face[k] != kNone ? 1.0F : 0.0F;
     for (int round = 0; round < o_.corrections; ++round) correct();
-    return error();
   }
 
  private:
@@ -259,7 +275,7 @@ class Widths {
     std::vector<float> have = coverage(b_, hatches_), want = ink_;
     for (std::size_t k = 0; k < b_.size(); ++k)
       if (mask_[k] == 0) have[k] = 0;
-    const double deviation = 2 * o_.spacing / b_.pixel / std::sqrt(3.0);
+    const double deviation = kBlur * o_.spacing / b_.pixel;
     blur(have, b_.width, b_.height, deviation);
     blur(want, b_.width, b_.height, deviation);
     for (std::size_t h = 0; h < hatches_.size(); ++h)
@@ -273,34 +289,6 @@ class Widths {
     apply();
   }
 
-  ToneError error() const {
-    const std::vector<float> have = coverage(b_, hatches_);
-    const int cell = std::max(1, static_cast<int>(std::lround(5 * o_.spacing / b_.pixel)));
-    std::vector<double> errors;
-    for (int j = 0; j < b_.height; j += cell)
-      for (int i = 0; i < b_.width; i += cell) {
-        double sum = 0, count = 0;
-        for (int y = j; y < std::min(b_.height, j + cell); ++y)
-          for (int x = i; x < std::min(b_.width, i + cell); ++x) {
-            const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(b_.width) +
-                                   static_cast<std::size_t>(x);
-            if (mask_[at] == 0) continue;
-            sum += static_cast<double>(have[at] - ink_[at]);
-            ++count;
-          }
-        // Cells that the surface fills by half.
-        if (2 * count > cell * cell) errors.push_back(std::abs(sum / count));
-      }
-    ToneError e;
-    e.cells = errors.size();
-    if (errors.empty()) return e;
-    std::sort(errors.begin(), errors.end());
-    for (const double x : errors) e.mean += x / static_cast<double>(errors.size());
-    e.p95 = errors[(errors.size() - 1) * 95 / 100];
-    e.max = errors.back();
-    return e;
-  }
-
   const Buffers& b_;
   const std::vector<float>& ink_;
   const ToneOptions& o_;
@@ -312,9 +300,86 @@ class Widths {
 
 }  // namespace
 
-ToneError set_widths(const Buffers& buffers, const std::vector<float>& ink,
-                     const ToneOptions& options, std::vector<Hatch>& hatches, OwnedArea& owned) {
-  return Widths(buffers, ink, options, hatches, owned).run();
+void set_widths(const Buffers& buffers, const std::vector<float>& ink, const ToneOptions& options,
+                const OwnedArea& owned, std::vector<Hatch>& hatches) {
+  Widths(buffers, ink, options, hatches, owned).run();
+}
+
+std::vector<Index> bit_reversed(Index n) {
+  unsigned bits = 0;
+  while ((Index{1} << bits) < n) ++bits;
+  std::vector<Index> order;
+  for (Index j = 0; j < Index{1} << bits; ++j) {
+    Index reversed = 0;
+    for (unsigned k = 0; k < bits; ++k) reversed |= (j >> k & 1U) << (bits - 1 - k);
+    if (reversed < n) order.push_back(reversed);
+  }
+  return order;
+}
+
+void set_bands(const Buffers& b, const std::vector<float>& ink, const ToneOptions& o,
+               std::vector<Hatch>& hatches) {
+  for (Hatch& h : hatches) {
+    Stroke& s = h.stroke;
+    s.band = o.spacing;
+    s.widths.clear();
+    for (const Vec2& p : s.points) {
+      const auto at = b.at(p);
+      s.widths.push_back(at ? o.spacing * static_cast<double>(ink[*at]) : 0);
+    }
+  }
+  // Runs of one segment, each in its own order.
+  std::vector<Hatch> ordered;
+  for (std::size_t i = 0, end = 0; i < hatches.size(); i = end) {
+    for (end = i; end < hatches.size() && hatches[end].stroke.segment == hatches[i].stroke.segment;)
+      ++end;
+    for (const Index k : bit_reversed(static_cast<Index>(end - i))) {
+      ordered.push_back(std::move(hatches[i + k]));
+      ordered.back().stroke.rank = static_cast<Index>(ordered.size() - 1);
+    }
+  }
+  hatches = std::move(ordered);
+}
+
+std::vector<float> crossing_ink(const Buffers& b, const ToneOptions& o, bool plain) {
+  std::vector<float> ink(b.size(), 0);
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const double lack = o.darkest - static_cast<double>(b.luminance[k]);
+    if (b.face[k] != kNone && lack > 0) ink[k] = static_cast<float>(plain ? lack : lack / o.darkest);
+  }
+  return ink;
+}
+
+std::vector<float> crossed(std::vector<float> a, const std::vector<float>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] = 1 - (1 - a[k]) * (1 - b[k]);
+  return a;
+}
+
+ToneError tone_error(const Buffers& b, const std::vector<float>& black,
+                     const std::vector<float>& ink, double spacing) {
+  const int cell = std::max(1, static_cast<int>(std::lround(5 * spacing / b.pixel)));
+  std::vector<double> errors;
+  for (int j = 0; j < b.height; j += cell)
+    for (int i = 0; i < b.width; i += cell) {
+      double sum = 0, count = 0;
+      for (int y = j; y < std::min(b.height, j + cell); ++y)
+        for (int x = i; x < std::min(b.width, i + cell); ++x) {
+          const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(b.width) +
+                                 static_cast<std::size_t>(x);
+          if (b.face[at] == kNone) continue;
+          sum += static_cast<double>(black[at] - ink[at]);
+          ++count;
+        }
+      if (2 * count > cell * cell) errors.push_back(std::abs(sum / count));
+    }
+  ToneError e;
+  e.cells = errors.size();
+  if (errors.empty()) return e;
+  std::sort(errors.begin(), errors.end());
+  for (const double x : errors) e.mean += x / static_cast<double>(errors.size());
+  e.p95 = errors[(errors.size() - 1) * 95 / 100];
+  e.max = errors.back();
+  return e;
 }
 
 }  // namespace crest::line_art

@@ -29,10 +29,30 @@ std::vector<float> coverage(const Buffers& buffers, const std::vector<Hatch>& ha
 
 /// Sets the widths: ink times the owned area over the length, then corrected by what the strokes
 /// cover. `ink`: wanted share of black at every pixel.
-ToneError set_widths(const Buffers& buffers, const std::vector<float>& ink,
-                     const ToneOptions& options, std::vector<Hatch>& hatches, OwnedArea& owned);
+void set_widths(const Buffers& buffers, const std::vector<float>& ink, const ToneOptions& options,
+                const OwnedArea& owned, std::vector<Hatch>& hatches);
+
+/// The thesis' way: bands of constant width, of which the ink's share is black, the rest white, in
+/// the order of painting that keeps the right ones: each segment's ribs by bit-reversed rank.
+void set_bands(const Buffers& buffers, const std::vector<float>& ink, const ToneOptions& options,
+               std::vector<Hatch>& hatches);
+
+/// 0 .. n - 1 in the order rev(0), rev(1), .. of m bits, 2^m >= n > 2^(m - 1); what is n or more is
+/// skipped.
+std::vector<Index> bit_reversed(Index n);
 
 /// 1 - luminance within the range that one layer can show; 0 above the brightest.
 std::vector<float> layer_ink(const Buffers& buffers, const ToneOptions& options);
+
+/// Of the crossing layer, where it is darker than the first can show. Inks of crossing layers
+/// multiply: (cmin - c) / cmin; `plain`: the thesis' cmin - c.
+std::vector<float> crossing_ink(const Buffers& buffers, const ToneOptions& options, bool plain);
+
+/// Of the shares of two layers that cross.
+std::vector<float> crossed(std::vector<float> a, const std::vector<float>& b);
+
+/// |black - ink| in cells of five spacings that the surface fills by half.
+ToneError tone_error(const Buffers& buffers, const std::vector<float>& black,
+                     const std::vector<float>& ink, double spacing);
 
 }  // namespace crest::line_art

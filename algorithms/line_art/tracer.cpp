@@ -10,6 +10,8 @@ namespace {
 using kernel::cross, kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
+constexpr double kShun = 0.6;  // spacings short of a singularity lines end
+
 Vec2 wide(const std::array<float, 2>& d) {
   return {d[0], d[1]};
 }
@@ -63,7 +65,7 @@ std::optional<Vec2> Tracer::direction(const Vec2& p, Family family, const Vec2& 
 
 bool Tracer::near_singularity(const Vec2& p) const {
   return std::any_of(singular_.begin(), singular_.end(),
-                     [&](const Vec2& s) { return norm(s - p) < spacing_; });
+                     [&](const Vec2& s) { return norm(s - p) < kShun * spacing_; });
 }
 
 Trace Tracer::trace(const Vec2& start, const Vec2& ahead, Family family, double most_turn,

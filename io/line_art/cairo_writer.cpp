@@ -19,12 +19,17 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
   return CAIRO_STATUS_SUCCESS;
 }
 
-void fill(cairo_t* context, const line_art::Stroke& stroke) {
-  const auto polygon = line_art::outline(stroke);
+void fill(cairo_t* context, const std::vector<line_art::Vec2>& polygon, double grey) {
   if (polygon.empty()) return;
+  cairo_set_source_rgb(context, grey, grey, grey);
   for (const auto& p : polygon) cairo_line_to(context, p[0], p[1]);
   cairo_close_path(context);
   cairo_fill(context);
+}
+
+void fill(cairo_t* context, const line_art::Stroke& stroke) {
+  if (stroke.band > 0) fill(context, line_art::band_outline(stroke), 1);
+  fill(context, line_art::outline(stroke), 0);
 }
 
 /// Paints on a surface that appends to `bytes` and finishes it.
@@ -35,7 +40,6 @@ void paint(cairo_surface_t* raw, const line_art::Drawing& drawing) {
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(raw),
                                                                      cairo_destroy);
     cairo_scale(context.get(), kPointsPerMm, kPointsPerMm);
-    cairo_set_source_rgb(context.get(), 0, 0, 0);
     for (const line_art::Stroke& s : drawing.hatches) fill(context.get(), s);
     for (const line_art::Stroke& s : drawing.lines.strokes) fill(context.get(), s);
     cairo_show_page(context.get());

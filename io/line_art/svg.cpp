@@ -34,10 +34,12 @@ void add_number(Text& text, double x) {
   text.add("{:.6g}", rounded);
 }
 
-void add_stroke(Text& text, const Stroke& stroke) {
-  const auto polygon = line_art::outline(stroke);
+void add_stroke(Text& text, const Stroke& stroke, bool band = false) {
+  if (!band && stroke.band > 0) add_stroke(text, stroke, true);
+  const auto polygon = band ? line_art::band_outline(stroke) : line_art::outline(stroke);
   if (polygon.empty()) return;
   text.add("<path");
+  if (band) text.add(" fill=\"#fff\"");
   if (stroke.segment != line_art::kNone) text.add(" data-segment=\"{}\"", stroke.segment);
   text.add(" data-rank=\"{}\" d=\"M", stroke.rank);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
