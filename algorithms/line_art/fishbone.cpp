@@ -40,7 +40,9 @@ class Boner {
                  tracer.buffers().height * tracer.buffers().pixel},
                 tracer.spacing(), tracer.barriers()) {}
 
-  Fishbones run() {
+  Fishbones run(const std::vector<Segment>& given) {
+    for (const Segment& segment : given) add_ribs(segment.backbone, segment.key_ribs);
+    if (!given.empty()) return std::move(result_);
     while (const auto seed = room_.farthest(0.6 * s_)) {
       add_segment(*seed);
       room_.take(*seed, 0.6 * s_);
@@ -201,12 +203,18 @@ class Boner {
     const auto stop = [&](const Vec2& p, Index) { return blocked(p, kNone); };
     const Trace back = tracer_.trace(seed, -1.0 * *d, Family::backbone, kTurn, stop);
     const Trace ahead = tracer_.trace(seed, *d, Family::backbone, kTurn, stop);
-    Fishbone bone;
-    bone.backbone.assign(back.points.rbegin(), back.points.rend());
-    bone.backbone.insert(bone.backbone.end(), ahead.points.begin() + 1, ahead.points.end());
-    const std::vector<Sample> at = samples(bone.backbone);
+    std::vector<Vec2> backbone(back.points.rbegin(), back.points.rend());
+    backbone.insert(backbone.end(), ahead.points.begin() + 1, ahead.points.end());
+    add_ribs(std::move(backbone), {});
+  }
+
+  /// Key ribs at these arc lengths; none: found by bisection.
+  void add_ribs(std::vector<Vec2> backbone, const std::vector<double>& given) {
+    first_rib_ = static_cast<Index>(result_.ribs.size());
+    const std::vector<Sample> at = samples(backbone);
     if (at.empty()) return;
-    const auto keys = key_ribs(at);
+    const auto keys = given.empty() ? key_ribs(at) : keys_at(at, given);
+    Segment bone{std::move(backbone), {}};
     const auto segment = static_cast<Index>(result_.segments.size());
     std::size_t last = 0, next = 0;
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -220,11 +228,28 @@ class Boner {
       const double t = (at[i].arc - at[last].arc) / (at[next].arc - at[last].arc);
       add_rib(at[i], blended(*keys[last], *keys[next], t), segment, static_cast<Index>(i));
     }
-    bone.ribs = static_cast<Index>(result_.ribs.size()) - first_rib_;
-    if (bone.ribs == 0) return;
+    if (result_.ribs.size() == first_rib_) return;
     result_.key_ribs += bone.key_ribs.size();
     result_.blended += at.size() - bone.key_ribs.size();
     result_.segments.push_back(std::move(bone));
+  }
+
+  /// The samples nearest to these arc lengths, and both ends.
+  std::vector<std::optional<Rib>> keys_at(const std::vector<Sample>& at,
+                                          const std::vector<double>& arcs) const {
+    std::vector<std::optional<Rib>> keys(at.size());
+    const auto set = [&](std::size_t i) {
+      if (!keys[i]) keys[i] = traced(at[i], kNone);
+    };
+    set(0);
+    for (const double arc : arcs) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < at.size(); ++i)
+        if (std::abs(at[i].arc - arc) < std::abs(at[best].arc - arc)) best = i;
+      set(best);
+    }
+    set(at.size() - 1);
+    return keys;
   }
 
   const Tracer& tracer_;
@@ -274,8 +299,9 @@ RibSide side_of(const std::vector<Vec2>& points, double h) {
   return side;
 }
 
-Fishbones make_fishbones(const Tracer& tracer, double brightest) {
-  return Boner(tracer, brightest).run();
+Fishbones make_fishbones(const Tracer& tracer, double brightest,
+                         const std::vector<Segment>& given) {
+  return Boner(tracer, brightest).run(given);
 }
 
 }  // namespace crest::line_art

@@ -3,6 +3,7 @@
 
 // Approach 2: backbones along the minimum curvature, ribs along the maximum, most of them blended
 // from few key ribs. Segments are what the fishbones claim.
+#include "algorithms/line_art/line_art_result.hpp"
 #include "algorithms/line_art/streamlines.hpp"
 
 namespace crest::line_art {
@@ -22,19 +23,15 @@ std::vector<Vec2> rib_points(const Vec2& start, const RibSide& side, double h);
 /// The side of a line of edges h; what is left of a shorter last edge goes.
 RibSide side_of(const std::vector<Vec2>& points, double h);
 
-struct Fishbone {
-  std::vector<Vec2> backbone;
-  std::vector<double> key_ribs;  ///< arc lengths on the backbone
-  Index ribs = 0;
-};
-
 struct Fishbones {
-  std::vector<Fishbone> segments;
+  std::vector<Segment> segments;
   std::vector<Hatch> ribs;  ///< kind rib, with segment and rank
   std::size_t key_ribs = 0, blended = 0;
 };
 
-/// Until no free disc of 0.6 spacings is left on what is darker than `brightest`.
-Fishbones make_fishbones(const Tracer& tracer, double brightest);
+/// The given segments; without any, until no free disc of 0.6 spacings is left on what is darker
+/// than `brightest`.
+Fishbones make_fishbones(const Tracer& tracer, double brightest,
+                         const std::vector<Segment>& given = {});
 
 }  // namespace crest::line_art

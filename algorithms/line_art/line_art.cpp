@@ -5,6 +5,7 @@
 
 #include "algorithms/line_art/face_locator.hpp"
 #include "algorithms/line_art/fishbone.hpp"
+#include "algorithms/line_art/steering.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -78,10 +79,11 @@ void make_strokes(const Tracer& tracer, const HatchOptions& options, Drawing& dr
     return;
   }
   if (options.style == HatchStyle::fishbone) {
-    Fishbones bones = make_fishbones(tracer, tone.brightest);
+    Fishbones bones = make_fishbones(tracer, tone.brightest, options.steering.segments);
     drawing.counts.segments = bones.segments.size();
     drawing.counts.key_ribs = bones.key_ribs;
     drawing.counts.blended = bones.blended;
+    drawing.segments = std::move(bones.segments);
     first = std::move(bones.ribs);
   }
   // Alone, or in what the fishbones left.
@@ -129,6 +131,7 @@ void count_over_contours(const Barriers& barriers, Drawing& drawing) {
 void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
                  const std::vector<PrincipalFrame>& frames, const HatchOptions& options,
                  const Phase& phase) {
+  drawing.regions = options.steering.regions;
   const View& view = drawing.view;
   const double unit = unit_of(view, drawing.scene), spacing = options.tone.spacing;
   DirectionField field;
@@ -148,6 +151,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   Buffers buffers;
   phase("buffers", [&] {
     buffers = fill_buffers({mesh, frames, field}, view, barriers, options.light, options.crease);
+    steer(options.steering.regions, buffers);
   });
   std::vector<Hatch> first, second;
   phase("strokes", [&] {

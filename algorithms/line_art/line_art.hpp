@@ -22,6 +22,7 @@ struct HatchOptions {
   LightOptions light;
   double smooth = 10;  ///< L, in spacings
   std::optional<double> crease = 60;
+  Steering steering = {};
 };
 
 /// Times a part of the work under its name.

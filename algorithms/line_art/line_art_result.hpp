@@ -2,6 +2,8 @@
 #pragma once
 
 // A drawing: what is seen, and the strokes of the pen.
+#include <array>
+#include <optional>
 #include <string>
 
 #include "algorithms/line_art/chains.hpp"
@@ -25,6 +27,29 @@ struct HatchCounts {
   ToneError tone;
 };
 
+/// A fishbone, by what makes it again.
+struct Segment {
+  std::vector<Vec2> backbone;
+  std::vector<double> key_ribs;  ///< arc lengths on the backbone
+};
+
+/// What a user may say about a part of the page; the first one that holds a pixel counts.
+struct Region {
+  enum class Field : std::uint8_t { max, min, angle, coons, off };
+  std::vector<std::vector<Vec2>> rings;  ///< even-odd
+  Field field = Field::max;
+  double angle = 0;                       ///< degrees, from the right, upwards
+  std::array<std::vector<Vec2>, 4> coons; ///< below, right, above, left: ends meet
+  std::optional<std::array<double, 2>> tones = {};  ///< luminance is clamped to these
+  double gauss = 0, median = 0;           ///< mm, filters of luminance
+};
+
+/// What replaces the automatic choices.
+struct Steering {
+  std::vector<Segment> segments;  ///< drawn as they are, instead of the automatic ones
+  std::vector<Region> regions;
+};
+
 struct Drawing {
   Scene scene;
   View view;
@@ -32,6 +57,8 @@ struct Drawing {
   DrawnContours lines;          ///< the contours' strokes
   std::vector<Stroke> hatches;  ///< in the order of painting
   HatchCounts counts;           ///< of the hatches
+  std::vector<Segment> segments;
+  std::vector<Region> regions;  ///< as given
   std::string title, parameters;
 };
 
