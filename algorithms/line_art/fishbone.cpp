@@ -18,7 +18,6 @@ constexpr double kLeaves = 0.5;      // radians between a blended rib and the fi
 constexpr double kDeviation = 0.9;   // spacings between a blended rib and the traced one
 constexpr double kOthers = 0.6;      // spacings to ribs of other segments
 constexpr double kOwn = 0.6;         // spacings to ribs of its own
-constexpr double kShortest = 2.5;    // spacings
 constexpr std::size_t kParts = 24;   // key ribs to begin with, less one
 
 double turn_between(const Vec2& a, const Vec2& b) {
@@ -188,7 +187,7 @@ class Boner {
                                ahead.points.end());
     hatch.free_start = back.end != Trace::End::contour;
     hatch.free_end = ahead.end != Trace::End::contour;
-    if (hatch.stroke.length() < kShortest * s_ || hugs_contour(tracer_, hatch.stroke)) return;
+    if (too_short(hatch, s_) || hugs_contour(tracer_, hatch.stroke)) return;
     for (Index i = 0; i < hatch.stroke.points.size(); ++i) {
       points_.add(hatch.stroke.points[i], number, i);
       if (i % 2 == 0) room_.take(hatch.stroke.points[i], 0.6 * s_);

@@ -13,7 +13,7 @@ using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kStop = 0.6;      // spacings
-constexpr double kShortest = 2.5;  // spacings
+constexpr double kHug = 0.6;       // spacings
 
 Hatch joined(const Trace& back, const Trace& ahead) {
   Hatch hatch;
@@ -99,7 +99,7 @@ class EvenLines {
     std::reverse(own.begin(), own.end());
     const Trace back = tracer_.trace(seed, -1.0 * *d, family_, 2 * std::numbers::pi, stop);
     Hatch hatch = joined(back, ahead);
-    if (hatch.stroke.length() < kShortest * s_ || hugs_contour(tracer_, hatch.stroke)) return;
+    if (too_short(hatch, s_) || hugs_contour(tracer_, hatch.stroke)) return;
     hatch.stroke.rank = line;
     if (family_ == Family::backbone) hatch.stroke.kind = StrokeKind::cross;
     lines_.push_back(std::move(hatch));
@@ -139,10 +139,15 @@ struct Noise {
 
 }  // namespace
 
+bool too_short(const Hatch& hatch, double spacing) {
+  const bool across = !hatch.free_start && !hatch.free_end;
+  return hatch.stroke.length() < (across ? 0.8 : 2.5) * spacing;
+}
+
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
   std::size_t close = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-    const auto near = tracer.barriers().nearest(stroke.points[i], tracer.spacing());
+    const auto near = tracer.barriers().nearest(stroke.points[i], kHug * tracer.spacing());
     const Vec2 d = stroke.points[i] - stroke.points[i - 1];
     const double n = norm(d);
     if (near && n > 0 && std::abs(dot(d, near->direction)) > 0.966 * n) ++close;

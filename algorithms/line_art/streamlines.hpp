@@ -13,8 +13,11 @@ struct Hatch {
   bool free_start = true, free_end = true;  ///< neither at a contour
 };
 
-/// Along a silhouette lines would show as a row of dashes: within the spacing of a contour and within
-/// 15 degrees of it, for more than half of their length.
+/// Shorter than 2.5 spacings; 0.8 are enough from contour to contour.
+bool too_short(const Hatch& hatch, double spacing);
+
+/// Along a silhouette lines would show as a row of dashes: within 0.6 spacings of a contour and
+/// within 15 degrees of it, for more than half of their length.
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
 
 /// Lines added to those there are: a new one starts at the spacing from an old one and stops at half

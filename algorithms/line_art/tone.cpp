@@ -257,13 +257,17 @@ class Widths {
       const auto length = owned_lengths(s.points);
       double total = 0, at = 0;
       for (const double x : length) total += x;
-      const double taper = std::min(1.2 * o_.spacing, 0.35 * total);
+      // In the dark a long taper is a white slit.
+      const auto taper = [&](const Vec2& end) {
+        return std::min((1.2 - 0.9 * ink_at(end)) * o_.spacing, 0.35 * total);
+      };
+      const double from = taper(s.points.front()), to = taper(s.points.back());
       s.widths.assign(s.points.size(), 0);
       for (std::size_t i = 0; i < s.points.size(); ++i) {
         at += 0.5 * length[i];
         double share = 1;
-        if (hatches_[h].free_start) share = std::min(share, at / taper);
-        if (hatches_[h].free_end) share = std::min(share, (total - at) / taper);
+        if (hatches_[h].free_start) share = std::min(share, at / from);
+        if (hatches_[h].free_end) share = std::min(share, (total - at) / to);
         at += 0.5 * length[i];
         const double w = std::clamp(plain_[h][i], o_.thinnest, o_.cap * o_.spacing);
         s.widths[i] = std::max(0.4 * o_.thinnest, w * std::clamp(share, 0.0, 1.0));
