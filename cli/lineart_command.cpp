@@ -16,8 +16,10 @@
 #include "cli/lineart_report.hpp"
 #include "cli/run.hpp"
 #include "io/line_art/drawing_writer.hpp"
+#include "io/line_art/sidecar.hpp"
 #include "io/picture/camera.hpp"
 #include "io/read/face_soup_reader.hpp"
+#include "io/write/atomic_file.hpp"
 
 namespace crest::cli {
 namespace {
@@ -37,6 +39,7 @@ struct LineArtOptions {
   std::string crease = "60";
   double width = 160, line_width = 0.35;
   line_art::HatchOptions hatch;
+  std::string sidecar, save_sidecar;
 };
 
 /// Numbers between commas.
@@ -153,8 +156,10 @@ Input read_input(Run& run, const LineArtOptions& o) {
   try {
     read_surface(run, input);
   } catch (const kernel::InputError& error) {
-    throw kernel::InputError(std::string(error.what()) +
-                             ", or draw its contours alone with --style contours");
+    // What --split would mend is no bar to contours.
+    const std::string words = error.what();
+    if (words.find("--split") == std::string::npos) throw;
+    throw kernel::InputError(words + ", or draw the contours alone with --style contours");
   }
   return input;
 }
@@ -177,6 +182,7 @@ Outcome work(Run& run, const LineArtOptions& o) {
   if (o.style != Style::contours) {
     line_art::HatchOptions hatch = o.hatch;
     hatch.crease = crease;
+    if (!o.sidecar.empty()) hatch.steering = io::read_sidecar(o.sidecar, drawing.view);
     hatch.style = o.style == Style::streamlines ? line_art::HatchStyle::streamlines
                                                 : line_art::HatchStyle::fishbone;
     line_art::add_hatches(drawing, input.mesh, input.frames, hatch,
@@ -195,6 +201,9 @@ Outcome work(Run& run, const LineArtOptions& o) {
     });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_drawing(path, drawing); });
+    run.write("--save-sidecar", [&](const std::string& path) {
+      io::write_atomically(path, io::sidecar_of(drawing));
+    });
   });
   return {line_art_summary(drawing), {"roessl2005surfaces"}};
 }
@@ -292,10 +301,17 @@ std::function<int()> add(CLI::App& app) {
       ->check(CLI::Range(0.02, 10.0))
       ->type_name("MM");
   add_hatch(app, o.hatch);
+  app.add_option("--sidecar", o.sidecar, "steer by a file like that of --save-sidecar (.json)")
+      ->type_name("FILE");
+  app.add_option("--save-sidecar", o.save_sidecar, "what makes the drawing again (.json)")
+      ->type_name("FILE");
   add_run_options(app, o.common);
   app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
   return [options] {
-    return run_command({"lineart", options->common, {".svg", ".pdf", ".eps", ".vtp"}},
+    return run_command({"lineart",
+                        options->common,
+                        {".svg", ".pdf", ".eps", ".vtp"},
+                        {{"--save-sidecar", options->save_sidecar, {".json"}}}},
                        [&](Run& run) { return work(run, *options); });
   };
 }
