@@ -15,6 +15,7 @@
 #include "certify/verify.hpp"
 #include "cli/lineart_report.hpp"
 #include "cli/run.hpp"
+#include "io/line_art/buffer_files.hpp"
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
 #include "io/picture/camera.hpp"
@@ -39,7 +40,7 @@ struct LineArtOptions {
   std::string crease = "60";
   double width = 160, line_width = 0.35;
   line_art::HatchOptions hatch;
-  std::string sidecar, save_sidecar;
+  std::string sidecar, save_sidecar, luminance, save_buffers;
 };
 
 /// Numbers between commas.
@@ -165,6 +166,9 @@ Input read_input(Run& run, const LineArtOptions& o) {
 }
 
 Outcome work(Run& run, const LineArtOptions& o) {
+  if (o.style == Style::contours)
+    for (const std::string* file : {&o.sidecar, &o.luminance, &o.save_buffers})
+      if (!file->empty()) throw UsageError("--style contours takes no files that steer hatches");
   line_art::Drawing drawing;
   const std::optional<double> crease = crease_of(o);
   const Input input = read_input(run, o);
@@ -183,6 +187,13 @@ Outcome work(Run& run, const LineArtOptions& o) {
     line_art::HatchOptions hatch = o.hatch;
     hatch.crease = crease;
     if (!o.sidecar.empty()) hatch.steering = io::read_sidecar(o.sidecar, drawing.view);
+    hatch.look = [&](line_art::Buffers& buffers) {
+      for (const char* file : io::kBufferFiles)
+        run.write(std::string("--save-buffers") + file, [&](const std::string& path) {
+          io::write_atomically(path, io::buffer_file(file, buffers, drawing.lines.strokes));
+        });
+      if (!o.luminance.empty()) io::read_luminance(o.luminance, buffers);
+    };
     hatch.style = o.style == Style::streamlines ? line_art::HatchStyle::streamlines
                                                 : line_art::HatchStyle::fishbone;
     line_art::add_hatches(drawing, input.mesh, input.frames, hatch,
@@ -303,15 +314,21 @@ std::function<int()> add(CLI::App& app) {
   add_hatch(app, o.hatch);
   app.add_option("--sidecar", o.sidecar, "steer by a file like that of --save-sidecar (.json)")
       ->type_name("FILE");
+  app.add_option("--luminance", o.luminance, "tone to draw (.png), as --save-buffers writes it")
+      ->type_name("FILE");
+  app.add_option("--save-buffers", o.save_buffers,
+                 "luminance, normals, curvature, LIC (.png), all (.vti)")
+      ->type_name("PREFIX");
   app.add_option("--save-sidecar", o.save_sidecar, "what makes the drawing again (.json)")
       ->type_name("FILE");
   add_run_options(app, o.common);
   app.add_flag("--cite", o.common.cite, "print the references this run used (BibTeX)");
   return [options] {
-    return run_command({"lineart",
-                        options->common,
-                        {".svg", ".pdf", ".eps", ".vtp"},
-                        {{"--save-sidecar", options->save_sidecar, {".json"}}}},
+    std::vector<OutputFile> files = {{"--save-sidecar", options->save_sidecar, {".json"}}};
+    if (!options->save_buffers.empty())
+      for (const char* file : io::kBufferFiles)
+        files.push_back({std::string("--save-buffers") + file, options->save_buffers + file, {}});
+    return run_command({"lineart", options->common, {".svg", ".pdf", ".eps", ".vtp"}, files},
                        [&](Run& run) { return work(run, *options); });
   };
 }

@@ -151,6 +151,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   Buffers buffers;
   phase("buffers", [&] {
     buffers = fill_buffers({mesh, frames, field}, view, barriers, options.light, options.crease);
+    if (options.look) options.look(buffers);
     steer(options.steering.regions, buffers);
   });
   std::vector<Hatch> first, second;

@@ -23,6 +23,7 @@ struct HatchOptions {
   double smooth = 10;  ///< L, in spacings
   std::optional<double> crease = 60;
   Steering steering = {};
+  std::function<void(Buffers&)> look = {};  ///< at the frame buffer before it is used
 };
 
 /// Times a part of the work under its name.
