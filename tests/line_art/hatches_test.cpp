@@ -195,7 +195,7 @@ TEST_CASE("A drawing's bytes do not depend on the number of threads, and a sidec
     CHECK(io::eps_of(again) == eps);
     CHECK(io::sidecar_of(again) == io::sidecar_of(drawing));
   }
-  const std::string path = std::string(CREST_BINARY_DIR) + "/line_art_sidecar.json";
+  const std::string path = CREST_BINARY_DIR "/line_art_sidecar.json";
   io::write_atomically(path, io::sidecar_of(drawing));
   options.steering = io::read_sidecar(path, drawing.view);
   CHECK(options.steering.segments.size() == drawing.segments.size());
