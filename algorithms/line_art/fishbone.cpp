@@ -77,6 +77,7 @@ class Boner {
     for (std::size_t i = 1; i < line.size(); ++i) {
       const Vec2 d = line[i] - line[i - 1];
       const double length = norm(d);
+      if (i == 1) before = {-d[1], d[0]};
       const auto rib = tracer_.direction(line[i - 1], Family::rib, before);
       if (rib && length > 0) {
         // All to the same side of the backbone.

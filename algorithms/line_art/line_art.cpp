@@ -2,6 +2,7 @@
 #include "algorithms/line_art/line_art.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/line_art/face_locator.hpp"
 #include "algorithms/line_art/fishbone.hpp"
@@ -39,6 +40,33 @@ std::vector<Vec2> seen_singularities(const kernel::TriangleMesh& mesh, const Dir
   return seen;
 }
 
+/// Of a cross's two directions the one nearest to the line field comes first: it has the ribs.
+void align(const kernel::TriangleMesh& mesh, const std::vector<PrincipalFrame>& frames,
+           FieldOptions options, DirectionField& field) {
+  options.cross = false;
+  const DirectionField lines = direction_field(mesh, frames, options);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    Vec3& d = field.direction[v];
+    const Vec3 turned = kernel::cross(frames[v].n, d);
+    if (std::abs(dot(turned, lines.direction[v])) > std::abs(dot(d, lines.direction[v]))) d = turned;
+  }
+}
+
+/// Where the first layer runs along the backbones these become its ribs, so that the second crosses
+/// it.
+void follow_first_layer(const std::vector<Hatch>& hatches, const OwnedArea& owned, Buffers& b) {
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const auto [h, v] = owned.owner[k];
+    if (h == kNone) continue;
+    const auto& p = hatches[h].stroke.points;
+    const Vec2 d = p[std::min<std::size_t>(v + 1, p.size() - 1)] - p[v > 0 ? v - 1 : 0];
+    const auto along = [&](const std::array<float, 2>& x) {
+      return std::abs(static_cast<double>(x[0]) * d[0] + static_cast<double>(x[1]) * d[1]);
+    };
+    if (along(b.backbone[k]) > along(b.rib[k])) std::swap(b.rib[k], b.backbone[k]);
+  }
+}
+
 /// The face where each hatch begins; what begins on a side begins a point later.
 void name_faces(const Drawing& drawing, std::vector<Hatch>& hatches) {
   const FaceLocator locator(drawing.scene, drawing.view);
@@ -71,9 +99,8 @@ void cut_ends(const Barriers& barriers, std::vector<Hatch>& hatches) {
 }
 
 void make_strokes(const Tracer& tracer, const HatchOptions& options, Drawing& drawing,
-                  std::vector<Hatch>& first, std::vector<Hatch>& second) {
+                  std::vector<Hatch>& first) {
   const ToneOptions& tone = options.tone;
-  if (options.cross_hatch) add_even_streamlines(tracer, tone.darkest, Family::backbone, second);
   if (options.tone_style == ToneStyle::length) {
     first = random_streamlines(tracer, tone.brightest, 0.35 * tone.spacing);
     return;
@@ -111,7 +138,7 @@ void measure(const Buffers& b, const std::vector<float>& ink, const std::vector<
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (ink[k] == 0) continue;
     ++wanted;
-    bare += owned.covered[k] == 0;
+    bare += owned.owner[k].first == kNone;
   }
   counts.bare = wanted > 0 ? bare / wanted : 0;
 }
@@ -144,6 +171,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     o.axis = 0.35 * view.x + 0.85 * view.y + (-0.4) * view.z;
     o.crease = options.crease;
     field = direction_field(mesh, frames, o);
+    if (o.cross) align(mesh, frames, o, field);
   });
   drawing.counts.singularities = field.singular.size();
   drawing.counts.index_sum = static_cast<double>(field.index_sum) / field.symmetry;
@@ -155,14 +183,19 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     steer(options.steering.regions, buffers);
   });
   std::vector<Hatch> first, second;
+  OwnedArea owned;
   phase("strokes", [&] {
-    const Tracer tracer(buffers, barriers, seen_singularities(mesh, field, view, buffers), spacing);
-    make_strokes(tracer, options, drawing, first, second);
+    const Tracer tracer(buffers, barriers, seen_singularities(mesh, field, view, buffers), spacing,
+                        options.cross_field);
+    make_strokes(tracer, options, drawing, first);
+    owned = owned_area(buffers, first, 1.5 * spacing);
+    if (!options.cross_hatch) return;
+    if (options.cross_field) follow_first_layer(first, owned, buffers);
+    add_even_streamlines(tracer, options.tone.darkest, Family::backbone, second);
   });
   phase("tone", [&] {
     const ToneOptions& tone = options.tone;
     std::vector<float> ink = layer_ink(buffers, tone);
-    const OwnedArea owned = owned_area(buffers, first, 1.5 * spacing);
     if (options.tone_style == ToneStyle::width) set_widths(buffers, ink, tone, owned, first);
     if (options.tone_style == ToneStyle::bands) set_bands(buffers, ink, tone, first);
     std::vector<float> black = coverage(buffers, first);

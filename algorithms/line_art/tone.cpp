@@ -170,12 +170,12 @@ OwnedArea owned_area(const Buffers& b, const std::vector<Hatch>& hatches, double
   growth.run();
   OwnedArea owned;
   for (const Hatch& h : hatches) owned.area.emplace_back(h.stroke.points.size(), 0.0);
-  owned.covered.assign(b.size(), 0);
+  owned.owner.assign(b.size(), {kNone, 0});
   for (std::size_t k = 0; k < b.size(); ++k) {
     const Owner& o = growth.owner[k];
     if (o.hatch == kNone) continue;
     owned.area[o.hatch][o.vertex] += b.pixel * b.pixel;
-    owned.covered[k] = 1;
+    owned.owner[k] = {o.hatch, o.vertex};
   }
   for (std::size_t h = 0; h < hatches.size(); ++h) {
     const auto length = owned_lengths(hatches[h].stroke.points);

@@ -20,7 +20,8 @@ struct ToneOptions {
 /// to any other, not across contours nor farther than one and a half spacings.
 struct OwnedArea {
   std::vector<std::vector<double>> area, spacing;  ///< mm^2; area over length, mean over 2 mm
-  std::vector<std::uint8_t> covered;               ///< pixels that belong to some vertex
+  /// Whose a pixel is: hatch (kNone: nobody's) and vertex.
+  std::vector<std::pair<Index, Index>> owner;
 };
 OwnedArea owned_area(const Buffers& buffers, const std::vector<Hatch>& hatches, double reach);
 

@@ -33,17 +33,26 @@ void LinePoints::add(const Vec2& p, Index line, Index number) {
 }
 
 Tracer::Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec2> singular,
-               double spacing)
-    : buffers_(buffers), barriers_(barriers), singular_(std::move(singular)), spacing_(spacing) {}
+               double spacing, bool crosses)
+    : buffers_(buffers),
+      barriers_(barriers),
+      singular_(std::move(singular)),
+      spacing_(spacing),
+      crosses_(crosses) {}
+
+Vec2 Tracer::pick(std::size_t pixel, Family family, const Vec2& ahead) const {
+  const Vec2 rib = wide(buffers_.rib[pixel]), backbone = wide(buffers_.backbone[pixel]);
+  const bool turned = crosses_ && ahead != Vec2{0, 0}
+                          ? std::abs(dot(backbone, ahead)) > std::abs(dot(rib, ahead))
+                          : family == Family::backbone;
+  const Vec2 d = turned ? backbone : rib;
+  return dot(d, ahead) < 0 ? -1.0 * d : d;
+}
 
 std::optional<Vec2> Tracer::direction(const Vec2& p, Family family, const Vec2& ahead) const {
   const auto own = buffers_.at(p);
   if (!own || buffers_.face[*own] == kNone) return std::nullopt;
-  const auto pick = [&](std::size_t at, const Vec2& reference) {
-    Vec2 d = wide(family == Family::rib ? buffers_.rib[at] : buffers_.backbone[at]);
-    return dot(d, reference) < 0 ? -1.0 * d : d;
-  };
-  const Vec2 first = pick(*own, ahead);
+  const Vec2 first = pick(*own, family, ahead);
   if (first == Vec2{0, 0}) return std::nullopt;
   // Bilinear over the centres around, as far as they are of the same sheet.
   const double u = p[0] / buffers_.pixel - 0.5, v = p[1] / buffers_.pixel - 0.5;
@@ -55,7 +64,7 @@ std::optional<Vec2> Tracer::direction(const Vec2& p, Family family, const Vec2& 
                            (std::floor(v) + j + 0.5) * buffers_.pixel};
       const auto at = buffers_.at(centre);
       if (!at || buffers_.face[*at] == kNone) continue;
-      const Vec2 d = pick(*at, first);
+      const Vec2 d = pick(*at, family, first);
       if (dot(d, first) < 0.8) continue;
       sum = sum + ((i == 0 ? 1 - fu : fu) * (j == 0 ? 1 - fv : fv)) * d;
     }

@@ -67,8 +67,9 @@ class Tracer {
   static constexpr double kStep = 0.2;        ///< mm
   static constexpr double kClearance = 0.03;  ///< mm between a hatch and a contour's middle
 
+  /// `crosses`: directions are those of a cross field, a line goes on in the nearest of the four.
   Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec2> singular,
-         double spacing);
+         double spacing, bool crosses);
 
   const Buffers& buffers() const { return buffers_; }
   const Barriers& barriers() const { return barriers_; }
@@ -86,8 +87,11 @@ class Tracer {
  private:
   const Buffers& buffers_;
   const Barriers& barriers_;
+  Vec2 pick(std::size_t pixel, Family family, const Vec2& ahead) const;
+
   std::vector<Vec2> singular_;
   double spacing_;
+  bool crosses_;
 };
 
 }  // namespace crest::line_art
