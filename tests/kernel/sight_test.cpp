@@ -52,9 +52,10 @@ Scene draw_scene(Draw& d, Family family, std::size_t count) {
 }  // namespace
 
 TEST_CASE("Depths and error bounds of the formulas of sight") {
-  require_depth(SightOrientation{{}, 1, {}, {}, {}});
+  const SightOrientation finite{{}, 1, {}, {}, {}};
+  require_depth(finite);
   require_depth(HomogeneousRows{});
-  require_depth(PlaceGap{});
+  require_depth(PlaceGap{finite, finite, finite, finite});
   require_depth(InFrontOfEye{});
   for (const Family family : kFamilies) {
     Draw d(1, family);
@@ -92,7 +93,7 @@ TEST_CASE("Ties of sight are those of displaced points") {
   Draw d(3, Family::small_integers);
   Failures failures;
   std::uint64_t ties = 0;
-  for (int i = 0; i < 1200; ++i) {
+  for (int i = 0; i < 1600; ++i) {
     const Scene scene = draw_scene(d, Family::small_integers, 4);
     const Sight sight(scene.eye, scene.points);
     SightCounts counts;
@@ -167,7 +168,7 @@ TEST_CASE("Places of events are the limits of displaced ones") {
   Failures failures;
   int places = 0, ends = 0;
   std::array<Index, 4> role = {0, 1, 2, 3};
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 700; ++i) {
     const Scene scene = draw_scene(d, Family::small_integers, 4);
     std::next_permutation(role.begin(), role.end());
     const auto [a, b, p, q] = role;
