@@ -15,7 +15,7 @@ namespace {
 
 TEST_CASE("line art: what all pairs in rationals give is accepted") {
   std::size_t tried = 0, pieces = 0, events = 0;
-  for (std::uint64_t seed = 1; seed <= scaled(400); ++seed) {
+  for (std::uint64_t seed = 1; seed <= scaled(150); ++seed) {
     Random random(seed);
     const auto drawing = reference_drawing(random_soup(random, seed % 2 == 0, 1000));
     if (!drawing) continue;
@@ -28,43 +28,41 @@ TEST_CASE("line art: what all pairs in rationals give is accepted") {
       events += edge.breaks.size();
     }
   }
-  CHECK(tried > scaled(300));
+  CHECK(tried > scaled(110));
   CHECK(events > tried);
   CHECK(pieces > 2 * events);
 }
 
 TEST_CASE("line art: hatches are judged as all pairs in rationals do") {
   std::size_t good = 0, bad = 0;
-  for (std::uint64_t seed = 1; seed <= scaled(200); ++seed) {
+  for (std::uint64_t seed = 1; seed <= scaled(40); ++seed) {
     Random random(seed);
     LineArtCertificate soup = random_soup(random, seed % 2 == 0, 16);
     if (soup.parallel) soup.view.scale = {1.0 / 256, 1.0 / 4096};
     auto drawing = reference_drawing(soup);
     if (!drawing) continue;
-    for (int k = 0; k < 20; ++k) {
-      const auto number = [&](double width) {
-        return width * (static_cast<double>(random() % 2000001) / 1000000 - 1);
-      };
-      std::array<double, 2> at = {number(20), number(20)};
-      std::vector<std::array<double, 2>> hatch = {at};
-      for (std::size_t n = 1 + random() % 3; n > 0; --n) {
-        at = {at[0] + number(3), at[1] + number(3)};
-        hatch.push_back(at);
-      }
-      const auto face = static_cast<std::uint32_t>(random() % drawing->faces.size());
-      const auto expected = reference_hatch(*drawing, hatch, face);
-      if (!expected) continue;
+    for (int k = 0; k < 24; ++k) {
+      const auto reach = static_cast<double>(1 + random() % 40) / 16;
+      auto hatch = hatch_on(*drawing, static_cast<std::uint32_t>(random() % drawing->faces.size()),
+                            random() % 3, reach);
+      if (k % 4 == 0) hatch.push_back({hatch[0][0], hatch[1][1] + 0.5});
+      const auto truth = reference_hatch(*drawing, hatch);
+      if (!truth) continue;
+      // The right face, if there is one, for two of three.
+      auto face = static_cast<std::uint32_t>(random() % drawing->faces.size());
+      if (k % 3 != 0 && !truth->faces.empty()) face = truth->faces[0];
+      const bool expected = !truth->crosses && truth->faces == std::vector<std::uint32_t>{face};
       LineArtCertificate c = *drawing;
       c.hatches = {hatch};
       c.hatch_faces = {face};
       const Verdict verdict = verify(encode(c));
       INFO("seed " << seed << ", hatch " << k << ": " << verdict.reason);
-      CHECK(verdict.accepted == *expected);
-      ++(*expected ? good : bad);
+      CHECK(verdict.accepted == expected);
+      ++(expected ? good : bad);
     }
   }
   CHECK(good > 20);
-  CHECK(bad > 200);
+  CHECK(bad > 100);
 }
 
 }  // namespace

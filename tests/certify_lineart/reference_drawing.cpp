@@ -174,41 +174,64 @@ std::optional<LineArtCertificate> reference_drawing(LineArtCertificate data) {
   }
 }
 
-std::optional<bool> reference_hatch(const LineArtCertificate& drawing,
-                                    const std::vector<std::array<double, 2>>& hatch, u32 face) {
+namespace {
+
+bool crosses(const Scene& s, const LineEdge& line, const std::vector<Vec>& hatch) {
+  // The places again, from the page.
+  std::vector<Happening> found;
+  crossings(s, {line.low, line.high}, found);
+  piercings(s, {line.low, line.high}, found);
+  std::vector<Rational> t = {0, 1};
+  for (const auto& [at, event] : found) t.push_back(at);
+  std::sort(t.begin(), t.end());
+  for (std::size_t k = 0; k < line.pieces.size(); ++k) {
+    if (line.pieces[k].hiding > 0) continue;
+    const Vec u = mix(s.v[line.low], s.v[line.high], t[k]),
+              w = mix(s.v[line.low], s.v[line.high], t[k + 1]);
+    for (std::size_t i = 0; i + 1 < hatch.size(); ++i) {
+      const Vec &p = hatch[i], &q = hatch[i + 1];
+      if (sign(turn(p, q, u)) != sign(turn(p, q, w)) && sign(turn(u, w, p)) != sign(turn(u, w, q)))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 2>> hatch_on(const LineArtCertificate& drawing, u32 face,
+                                            std::size_t corner, double reach) {
+  std::array<double, 2> middle{}, towards{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec p = seen(drawing, drawing.points[drawing.faces[face][k]]);
+    for (std::size_t n = 0; n < 2; ++n) {
+      middle[n] += p[n].convert_to<double>() / 3;
+      if (k == corner) towards[n] = p[n].convert_to<double>();
+    }
+  }
+  return {
+      middle,
+      {middle[0] + reach * (towards[0] - middle[0]), middle[1] + reach * (towards[1] - middle[1])}};
+}
+
+std::optional<HatchTruth> reference_hatch(const LineArtCertificate& drawing,
+                                          const std::vector<std::array<double, 2>>& hatch) {
   try {
     const Scene s(drawing);
-    const auto point = [&](std::size_t i) {
-      return Vec{Rational(hatch[i][0]), Rational(hatch[i][1]), 0};
-    };
-    for (const LineEdge& line : drawing.edges) {
-      if (s.balance.at({line.low, line.high}) == 0) continue;
-      // The places again, from the page.
-      std::vector<Happening> found;
-      crossings(s, {line.low, line.high}, found);
-      piercings(s, {line.low, line.high}, found);
-      std::vector<Rational> t = {0, 1};
-      for (const auto& [at, event] : found) t.push_back(at);
-      std::sort(t.begin(), t.end());
-      for (std::size_t k = 0; k < line.pieces.size(); ++k) {
-        if (line.pieces[k].hiding > 0) continue;
-        const Vec u = mix(s.v[line.low], s.v[line.high], t[k]),
-                  w = mix(s.v[line.low], s.v[line.high], t[k + 1]);
-        for (std::size_t i = 0; i + 1 < hatch.size(); ++i) {
-          const Vec p = point(i), q = point(i + 1);
-          if (sign(turn(p, q, u)) != sign(turn(p, q, w)) &&
-              sign(turn(u, w, p)) != sign(turn(u, w, q)))
-            return false;
-        }
-      }
-    }
-    const auto mine = s.nearness(face, point(0));
-    if (!mine) return false;
+    std::vector<Vec> points;
+    for (const auto& p : hatch) points.push_back({Rational(p[0]), Rational(p[1]), 0});
+    HatchTruth truth;
+    Rational nearest;
     for (u32 f = 0; f < drawing.faces.size(); ++f) {
-      const auto other = s.nearness(f, point(0));
-      if (f != face && other && sign(*other - *mine) > 0) return false;
+      const auto at = s.nearness(f, points[0]);
+      if (!at || (!truth.faces.empty() && sign(*at - nearest) < 0)) continue;
+      truth.faces = {f};
+      nearest = *at;
     }
-    return true;
+    for (const LineEdge& line : drawing.edges)
+      if (s.balance.at({line.low, line.high}) != 0 && crosses(s, line, points))
+        truth.crosses = true;
+    return truth;
   } catch (const Tie&) {
     return std::nullopt;
   }
