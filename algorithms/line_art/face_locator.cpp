@@ -62,4 +62,17 @@ std::optional<Index> FaceLocator::at(const Vec2& page) const {
   return clear ? best : std::nullopt;
 }
 
+Vec3 FaceLocator::lift(const Vec2& page, Index face) const {
+  using kernel::operator+, kernel::operator-, kernel::operator*;
+  const kernel::Triangle& t = scene_.faces[face];
+  const Vec3& p = scene_.points[t[0]];
+  const Vec3 n = kernel::cross(scene_.points[t[1]] - p, scene_.points[t[2]] - p);
+  const double u = page[0] / view_.scale + view_.origin[0];
+  const double v = view_.origin[1] - page[1] / view_.scale;
+  const Vec3 across = u * view_.x + v * view_.y;
+  const Vec3 from = view_.eye.finite ? view_.eye.at : across;
+  const Vec3 along = view_.eye.finite ? across + view_.z : view_.z;
+  return from + (kernel::dot(n, p - from) / kernel::dot(n, along)) * along;
+}
+
 }  // namespace crest::line_art

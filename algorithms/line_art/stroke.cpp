@@ -95,6 +95,28 @@ std::vector<Vec2> band_outline(const Stroke& stroke) {
   return outline(band);
 }
 
+std::vector<Vec2> simplified(const std::vector<Vec2>& line, double error) {
+  if (line.size() < 3) return line;
+  std::vector<Vec2> kept = {line.front()};
+  std::size_t last = 0;
+  for (std::size_t end = 2; end < line.size(); ++end) {
+    // All between must lie on the chord, and it may not be longer than what the eye compares.
+    const Vec2 chord = line[end] - line[last];
+    const double length = norm(chord);
+    bool straight = length > 0 && end - last < 40;
+    for (std::size_t i = last + 1; straight && i < end; ++i) {
+      const Vec2 q = line[i] - line[last];
+      const double t = kernel::dot(q, chord) / (length * length);
+      straight = std::abs(kernel::cross(chord, q)) <= error * length && t > 0 && t < 1;
+    }
+    if (straight) continue;
+    last = end - 1;
+    kept.push_back(line[last]);
+  }
+  kept.push_back(line.back());
+  return kept;
+}
+
 std::vector<Vec2> resample(const std::vector<Vec2>& line, double step) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);

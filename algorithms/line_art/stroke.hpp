@@ -35,6 +35,9 @@ std::vector<Vec2> outline(const Stroke& stroke);
 /// The same of its white band.
 std::vector<Vec2> band_outline(const Stroke& stroke);
 
+/// The line without points that lie within `error` of those that stay; its ends stay.
+std::vector<Vec2> simplified(const std::vector<Vec2>& line, double error);
+
 /// The polyline with points of equal distance along it, about `step`; its ends are kept.
 std::vector<Vec2> resample(const std::vector<Vec2>& line, double step);
 

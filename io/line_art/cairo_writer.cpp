@@ -12,6 +12,7 @@ namespace crest::io {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kError = 0.004;  // mm, of outlines
 constexpr const char* kDate = "1970-01-01T00:00:00Z";  // the same bytes every time
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
@@ -22,7 +23,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 void fill(cairo_t* context, const std::vector<line_art::Vec2>& polygon, double grey) {
   if (polygon.empty()) return;
   cairo_set_source_rgb(context, grey, grey, grey);
-  for (const auto& p : polygon) cairo_line_to(context, p[0], p[1]);
+  for (const auto& p : line_art::simplified(polygon, kError)) cairo_line_to(context, p[0], p[1]);
   cairo_close_path(context);
   cairo_fill(context);
 }
