@@ -87,6 +87,9 @@ run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --repo
 
 run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
 
+run 0 crest lineart c1.vtp --style contours --camera 1,0.5,2,0,0,0 -o l1.svg --certificate l1.crest --report l1.json --cite
+run 0 crest lineart sphere.obj -o l2.svg --save-sidecar l2-sidecar.json --report l2.json
+
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"
 done
