@@ -196,14 +196,14 @@ Outcome work(Run& run, const LineArtOptions& o) {
     };
     hatch.style = o.style == Style::streamlines ? line_art::HatchStyle::streamlines
                                                 : line_art::HatchStyle::fishbone;
-    line_art::add_hatches(drawing, input.mesh, input.frames, hatch,
-                          [&](const char* name, const std::function<void()>& part) {
-                            run.step(name, name, part);
-                          });
+    line_art::add_hatches(
+        drawing, input.mesh, input.frames, hatch,
+        [&](const char* name, const std::function<void()>& part) { run.step(name, name, part); });
   }
   drawing.title = o.common.input;
   report_line_art(run.report(), drawing);
-  if (run.wanted("--certificate")) run.step("certificate", "writing the certificate", [&] {
+  if (run.wanted("--certificate"))
+    run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(line_art::line_art_record(drawing));
       // The checker shares no code with the drawing: what it refuses is a bug on either side.
       if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
@@ -257,7 +257,8 @@ void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
       ->check(CLI::Range(0.0, 1000.0))
       ->type_name("L");
   const auto numbers = [&app](const char* name, std::size_t count, const char* type,
-                              const char* help, std::function<void(const std::vector<double>&)> take) {
+                              const char* help,
+                              std::function<void(const std::vector<double>&)> take) {
     app.add_option_function<std::string>(
            name,
            [name, count, take](const std::string& text) {
@@ -275,7 +276,9 @@ void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
         ->type_name(type);
   };
   numbers("--light", 3, "X,Y,Z", "where light comes from: right, up, towards the eye",
-          [&o](const std::vector<double>& x) { o.light.light = {x[0], x[1], x[2]}; });
+          [&o](const std::vector<double>& x) {
+            o.light.light = {x[0], x[1], x[2]};
+          });
   numbers("--tones", 2, "CMIN,CMAX", "darkest and brightest tone of hatches (default: 0.35,0.95)",
           [&o](const std::vector<double>& x) {
             if (!(x[0] >= 0 && x[0] < x[1] && x[1] <= 1))

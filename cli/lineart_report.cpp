@@ -9,7 +9,8 @@ namespace {
 using namespace line_art;
 
 Json to_json(const kernel::StageCounts& c) {
-  return {{"calls", c.calls}, {"interval", c.interval}, {"exact", c.exact}, {"symbolic", c.symbolic}};
+  return {
+      {"calls", c.calls}, {"interval", c.interval}, {"exact", c.exact}, {"symbolic", c.symbolic}};
 }
 
 Json contours(const Drawing& drawing) {
@@ -41,10 +42,8 @@ void report_hatches(Report& report, const Drawing& drawing) {
                             {"spacing", {{"p5", h.p5}, {"median", h.median}, {"p95", h.p95}}},
                             {"bare", h.bare},
                             {"over_contours", h.over_contours}});
-  report["tone_error"] = Json({{"mean", h.tone.mean},
-                               {"p95", h.tone.p95},
-                               {"max", h.tone.max},
-                               {"cells", h.tone.cells}});
+  report["tone_error"] = Json(
+      {{"mean", h.tone.mean}, {"p95", h.tone.p95}, {"max", h.tone.max}, {"cells", h.tone.cells}});
 }
 
 }  // namespace

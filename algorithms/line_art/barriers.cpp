@@ -25,8 +25,8 @@ double distance_between(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2&
   const auto left = [](const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - p); };
   const double c1 = left(a, b, c), d1 = left(a, b, d), a1 = left(c, d, a), b1 = left(c, d, b);
   if (((c1 > 0) != (d1 > 0)) && ((a1 > 0) != (b1 > 0))) return 0;
-  return std::min({distance_to(a, c, d), distance_to(b, c, d), distance_to(c, a, b),
-                   distance_to(d, a, b)});
+  return std::min(
+      {distance_to(a, c, d), distance_to(b, c, d), distance_to(c, a, b), distance_to(d, a, b)});
 }
 
 Barriers::Barriers(const Scene& scene, const View& view, const Contours& contours) {
@@ -110,9 +110,8 @@ double Barriers::free_share(const Vec2& p, const Vec2& q, double clearance) cons
 bool Barriers::crosses(const Vec2& p, const Vec2& q) const {
   bool met = false;
   visit(std::min(p[0], q[0]) - kTouch, std::min(p[1], q[1]) - kTouch, std::max(p[0], q[0]) + kTouch,
-        std::max(p[1], q[1]) + kTouch, [&](const Barrier& b) {
-          met = met || distance_between(p, q, b.from, b.to) <= kTouch;
-        });
+        std::max(p[1], q[1]) + kTouch,
+        [&](const Barrier& b) { met = met || distance_between(p, q, b.from, b.to) <= kTouch; });
   return met;
 }
 

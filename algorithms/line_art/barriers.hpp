@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What hatches may not cross: the visible pieces of occluding edges and of rims seen edge-on, on the
-// page.
+// What hatches may not cross: the visible pieces of occluding edges and of rims seen edge-on, on
+// the page.
 #include <optional>
 #include <vector>
 

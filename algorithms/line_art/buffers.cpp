@@ -87,8 +87,7 @@ class Painter {
 
   void set(std::size_t at, Index f, const std::array<Corner, 3>& c, const std::array<double, 3>& w,
            const Vec3& facing) {
-    const auto near =
-        static_cast<float>(w[0] * c[0].near + w[1] * c[1].near + w[2] * c[2].near);
+    const auto near = static_cast<float>(w[0] * c[0].near + w[1] * c[1].near + w[2] * c[2].near);
     if (!(near > out_.near[at])) return;
     const kernel::Triangle& t = model_.mesh.faces()[f];
     const auto& p = model_.mesh.points();
@@ -163,8 +162,11 @@ void close_links(const Barriers& barriers, Buffers& b) {
       const double x = from[along] + t * (to[along] - from[along]);
       const int link = static_cast<int>(std::floor(x / b.pixel - 0.5));
       if (link < 0 || link >= links) continue;
-      const std::size_t at = along == 0 ? static_cast<std::size_t>(line) * static_cast<std::size_t>(b.width) + static_cast<std::size_t>(link)
-                                        : static_cast<std::size_t>(link) * static_cast<std::size_t>(b.width) + static_cast<std::size_t>(line);
+      const std::size_t at =
+          along == 0 ? static_cast<std::size_t>(line) * static_cast<std::size_t>(b.width) +
+                           static_cast<std::size_t>(link)
+                     : static_cast<std::size_t>(link) * static_cast<std::size_t>(b.width) +
+                           static_cast<std::size_t>(line);
       b.closed[at] |= along == 0 ? 1 : 2;
     }
   };

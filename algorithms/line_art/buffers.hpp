@@ -18,11 +18,11 @@ struct LightOptions {
 /// Row by row from the upper left. Pixel (i, j) has its centre at ((i + 1/2), (j + 1/2)) pixel.
 struct Buffers {
   int width = 0, height = 0;
-  double pixel = 0.12;             ///< mm
-  std::vector<Index> face;         ///< of the mesh, kNone: paper
-  std::vector<float> near;         ///< grows towards the eye
-  std::vector<float> luminance;    ///< 0 black to 1
-  std::vector<float> curvature;    ///< larger |k|, per mm of the page
+  double pixel = 0.12;                              ///< mm
+  std::vector<Index> face;                          ///< of the mesh, kNone: paper
+  std::vector<float> near;                          ///< grows towards the eye
+  std::vector<float> luminance;                     ///< 0 black to 1
+  std::vector<float> curvature;                     ///< larger |k|, per mm of the page
   std::vector<std::array<float, 3>> normal;         ///< right, up, towards the eye
   std::vector<std::array<float, 2>> rib, backbone;  ///< on the page, unit; zero: unknown
   std::vector<std::uint8_t> closed;  ///< bit 0: a barrier before the right neighbour, 1: the lower

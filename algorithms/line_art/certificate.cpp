@@ -24,18 +24,21 @@ certify::LineView view_of(const View& view) {
   return v;
 }
 
-/// Breaks between pieces: groups of equal places strictly inside, without those that change nothing.
+/// Breaks between pieces: groups of equal places strictly inside, without those that change
+/// nothing.
 LineEdge edge_of(const Contours& contours, const kernel::Sight& sight, const ContourEdge& e,
                  kernel::SightCounts& counts) {
   LineEdge edge{e.a, e.b, {}, {}};
   if (e.end_on) return edge;
-  const auto event = [&](Index i) -> const SightEvent& { return contours.events[e.first_event + i]; };
+  const auto event = [&](Index i) -> const SightEvent& {
+    return contours.events[e.first_event + i];
+  };
   for (Index i = 0, end = 0; i < e.events; i = end) {
     std::vector<LineEvent> group;
     int contact = 0;
-    for (end = i; end < e.events && (end == i || sight.event_order(e.a, e.b, event(i).place,
-                                                                   event(end).place, counts) ==
-                                                     kernel::Sign::zero);
+    for (end = i; end < e.events &&
+                  (end == i || sight.event_order(e.a, e.b, event(i).place, event(end).place,
+                                                 counts) == kernel::Sign::zero);
          ++end) {
       const SightEvent& x = event(end);
       if (x.kind == SightEvent::Kind::contact) {

@@ -12,8 +12,8 @@ using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kBridge = 1.3, kShortest = 2.5, kShortestCrease = 8, kTaper = 4;  // line widths
-constexpr double kTouch = 1.5;  // line widths: nearer ink is a junction
-constexpr double kAgree = 0.5;  // cosine of 60 degrees
+constexpr double kTouch = 1.5;                        // line widths: nearer ink is a junction
+constexpr double kAgree = 0.5;                        // cosine of 60 degrees
 constexpr double kWideBridge = 2.6, kStraight = 0.9;  // line widths, where chains go on straight
 
 /// A visible piece: its ends are numbered 2 i and 2 i + 1.

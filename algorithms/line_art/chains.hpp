@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Contours as an illustrator draws them: visible pieces joined to long lines, gaps bridged, smoothed
-// within half a line width, tapered where they end freely.
+// Contours as an illustrator draws them: visible pieces joined to long lines, gaps bridged,
+// smoothed within half a line width, tapered where they end freely.
 #include "algorithms/line_art/contours.hpp"
 #include "algorithms/line_art/stroke.hpp"
 

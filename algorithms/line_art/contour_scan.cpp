@@ -139,10 +139,10 @@ void EdgeScan::find_piercings(Index edge) {
     const bool has_a = has(f, e.a), has_b = has(f, e.b);
     if (has_a && has_b) continue;
     // A corner is in the plane whatever moves.
-    const Decision a = has_a ? Decision{Sign::zero, Stage::symbolic}
-                             : s_.sight.volume(p, q, r, e.a, counts);
-    const Decision b = has_b ? Decision{Sign::zero, Stage::symbolic}
-                             : s_.sight.volume(p, q, r, e.b, counts);
+    const Decision a =
+        has_a ? Decision{Sign::zero, Stage::symbolic} : s_.sight.volume(p, q, r, e.a, counts);
+    const Decision b =
+        has_b ? Decision{Sign::zero, Stage::symbolic} : s_.sight.volume(p, q, r, e.b, counts);
     if (a.stage == Stage::symbolic && b.stage == Stage::symbolic && s_.sides.flat[f] == 0)
       touching_.push_back(f);
     if (has_a || has_b || a.sign == b.sign) continue;
@@ -152,8 +152,8 @@ void EdgeScan::find_piercings(Index edge) {
       continue;
     // [p, q, r, e] = -[e, p, q, r]: b is behind the face if its sign is the face's.
     const int change = static_cast<int>(b.sign) == s_.sides.sign[f] ? 1 : -1;
-    events.push_back({SightEvent::Kind::piercing, f, change,
-                      s_.sight.place(e.a, e.b, {p, q, r}, counts)});
+    events.push_back(
+        {SightEvent::Kind::piercing, f, change, s_.sight.place(e.a, e.b, {p, q, r}, counts)});
   }
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One drawn edge at a time: what changes the number of faces in front of it, and how many there are.
+// One drawn edge at a time: what changes the number of faces in front of it, and how many there
+// are.
 #include "algorithms/line_art/contours.hpp"
 
 namespace crest::line_art {
 
 /// On which side of every face the eye is.
 struct FaceSides {
-  std::vector<std::int8_t> sign;  ///< of [e, p, q, r] for the face's corners in their order
+  std::vector<std::int8_t> sign;   ///< of [e, p, q, r] for the face's corners in their order
   std::vector<std::uint8_t> flat;  ///< 1: seen edge-on, the sign is the perturbation's
 };
 
@@ -20,7 +21,7 @@ struct ScanScene {
   FaceSides sides;
   std::vector<PageBox> face_boxes, edge_boxes;  ///< F; drawn edges
   CellFrame frame;
-  CellLists faces, occluders;  ///< occluders: numbers of drawn edges
+  CellLists faces, occluders;               ///< occluders: numbers of drawn edges
   std::vector<Index> around_begin, around;  ///< faces around vertices of drawn edges
   std::vector<ContourEdge> edges;
 

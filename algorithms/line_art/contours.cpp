@@ -12,8 +12,8 @@
 namespace crest::line_art {
 namespace {
 
-using kernel::Decision, kernel::Sign, kernel::Stage;
 using kernel::cross, kernel::dot;
+using kernel::Decision, kernel::Sign, kernel::Stage;
 using kernel::operator-, kernel::operator*;
 
 using Range = tbb::blocked_range<Index>;
@@ -65,10 +65,9 @@ std::vector<ContourEdge> drawn_edges(const Scene& scene, const FaceSides& sides,
     }
     const bool occluding = left != right, rim = !occluding && flat != 0;
     const Index count = e.end - e.begin;
-    const bool crease =
-        options.crease && !occluding && !rim &&
-        (count > 2 || sharp(scene, e.low, e.high, all.sides[e.begin].opposite,
-                            all.sides[e.begin + 1].opposite, *options.crease));
+    const bool crease = options.crease && !occluding && !rim &&
+                        (count > 2 || sharp(scene, e.low, e.high, all.sides[e.begin].opposite,
+                                            all.sides[e.begin + 1].opposite, *options.crease));
     if (occluding || rim || crease)
       drawn.push_back({e.low, e.high, left, right, occluding, rim, count == 1, crease});
   }

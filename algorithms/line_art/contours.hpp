@@ -31,13 +31,13 @@ struct Piece {
 };
 
 struct ContourEdge {
-  Index a, b;                 ///< vertices of the scene, a < b
-  Index left, right;          ///< L, R: faces with [e, a, b, .] > 0, < 0
-  bool occluding;             ///< L != R
-  bool rim;                   ///< edge-on: L = R only by perturbation
-  bool boundary;              ///< one face
-  bool crease;                ///< not occluding nor a rim, sharp
-  bool end_on = false;        ///< a point of the picture: its pieces are not drawn
+  Index a, b;           ///< vertices of the scene, a < b
+  Index left, right;    ///< L, R: faces with [e, a, b, .] > 0, < 0
+  bool occluding;       ///< L != R
+  bool rim;             ///< edge-on: L = R only by perturbation
+  bool boundary;        ///< one face
+  bool crease;          ///< not occluding nor a rim, sharp
+  bool end_on = false;  ///< a point of the picture: its pieces are not drawn
   Index first_piece = 0, pieces = 0;
   Index first_event = 0, events = 0;  ///< ascending by place
   Index start = 0;                    ///< faces in front at a, passing towards b

@@ -14,7 +14,8 @@ class FaceLocator {
   FaceLocator(const Scene& scene, const View& view);
   /// Nothing where no face is, or where a side is too near to be told from the inside.
   std::optional<Index> at(const Vec2& page) const;
-  /// Where the sight line of a point of the page meets the plane of a face that is not seen edge-on.
+  /// Where the sight line of a point of the page meets the plane of a face that is not seen
+  /// edge-on.
   Vec3 lift(const Vec2& page, Index face) const;
 
  private:

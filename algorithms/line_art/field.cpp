@@ -161,10 +161,10 @@ Stars stars_of(const kernel::TriangleMesh& mesh, const std::vector<PrincipalFram
     const kernel::Star star{mesh.points()[v], ring, !mesh.on_boundary(v), directions[v],
                             frames[v].n};
     const std::size_t size = ring.size();
-    s.phi.push_back(kernel::star_angles(star, {s.position.data() + s.begin[v], size},
-                                        {s.corner.data() + s.begin[v],
-                                         size - (mesh.on_boundary(v) ? 1 : 0)})
-                        .phi);
+    s.phi.push_back(
+        kernel::star_angles(star, {s.position.data() + s.begin[v], size},
+                            {s.corner.data() + s.begin[v], size - (mesh.on_boundary(v) ? 1 : 0)})
+            .phi);
   }
   return s;
 }

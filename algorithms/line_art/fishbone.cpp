@@ -13,12 +13,12 @@ using kernel::cross, kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 using std::numbers::pi;
 
-constexpr double kTurn = 2.2;        // radians, of a backbone
-constexpr double kLeaves = 0.5;      // radians between a blended rib and the field
-constexpr double kDeviation = 0.9;   // spacings between a blended rib and the traced one
-constexpr double kOthers = 0.6;      // spacings to ribs of other segments
-constexpr double kOwn = 0.6;         // spacings to ribs of its own
-constexpr std::size_t kParts = 24;   // key ribs to begin with, less one
+constexpr double kTurn = 2.2;       // radians, of a backbone
+constexpr double kLeaves = 0.5;     // radians between a blended rib and the field
+constexpr double kDeviation = 0.9;  // spacings between a blended rib and the traced one
+constexpr double kOthers = 0.6;     // spacings to ribs of other segments
+constexpr double kOwn = 0.6;        // spacings to ribs of its own
+constexpr std::size_t kParts = 24;  // key ribs to begin with, less one
 
 double turn_between(const Vec2& a, const Vec2& b) {
   return std::atan2(cross(a, b), dot(a, b));
@@ -59,9 +59,8 @@ class Boner {
     if (!hatchable(p)) return true;
     if (points_.distance(p, kOwn * s_, [&](Index line, Index) { return line != rib; }) < kOwn * s_)
       return true;
-    return points_.distance(p, kOthers * s_, [&](Index line, Index) {
-      return line < first_rib_;
-    }) < kOthers * s_;
+    return points_.distance(p, kOthers * s_, [&](Index line, Index) { return line < first_rib_; }) <
+           kOthers * s_;
   }
 
   struct Sample {
@@ -108,7 +107,8 @@ class Boner {
   double deviation(const Vec2& p, const Rib& a, const Rib& b) const {
     double most = 0;
     for (const auto side : {&Rib::ahead, &Rib::back}) {
-      const auto x = rib_points(p, a.*side, Tracer::kStep), y = rib_points(p, b.*side, Tracer::kStep);
+      const auto x = rib_points(p, a.*side, Tracer::kStep),
+                 y = rib_points(p, b.*side, Tracer::kStep);
       for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k)
         most = std::max(most, norm(x[k] - y[k]));
     }
@@ -178,7 +178,8 @@ class Boner {
   void add_rib(const Sample& sample, const Rib& rib, Index segment, Index rank) {
     const auto number = static_cast<Index>(result_.ribs.size());
     if (blocked(sample.p, number)) return;
-    const Trace back = follow(sample.p, rib.back, number), ahead = follow(sample.p, rib.ahead, number);
+    const Trace back = follow(sample.p, rib.back, number),
+                ahead = follow(sample.p, rib.ahead, number);
     Hatch hatch;
     hatch.stroke.kind = StrokeKind::rib;
     hatch.stroke.segment = segment;

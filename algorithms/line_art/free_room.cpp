@@ -18,7 +18,8 @@ FreeRoom::FreeRoom(const Tracer& tracer, double brightest)
     for (int i = 0; i < columns_; ++i) {
       const Vec2 p = centre(i, j);
       const auto k = b.at(p);
-      if (!k || b.face[*k] == kNone || !(static_cast<double>(b.luminance[*k]) < brightest)) continue;
+      if (!k || b.face[*k] == kNone || !(static_cast<double>(b.luminance[*k]) < brightest))
+        continue;
       if (tracer.near_singularity(p) || barriers_.nearest(p, 0.5 * cell_)) continue;
       taken_[at(i, j)] = 0;
     }
@@ -46,17 +47,17 @@ std::optional<Vec2> FreeRoom::farthest(double least) const {
   };
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i)
-      distance[at(i, j)] =
-          taken_[at(i, j)] != 0 ? 0
-                                : std::min({get(i - 1, j) + 3, get(i, j - 1) + 3,
-                                            get(i - 1, j - 1) + 4, get(i + 1, j - 1) + 4});
+      distance[at(i, j)] = taken_[at(i, j)] != 0
+                               ? 0
+                               : std::min({get(i - 1, j) + 3, get(i, j - 1) + 3,
+                                           get(i - 1, j - 1) + 4, get(i + 1, j - 1) + 4});
   int best = 0;
   std::optional<Vec2> place;
   for (int j = rows_ - 1; j >= 0; --j)
     for (int i = columns_ - 1; i >= 0; --i) {
       int& d = distance[at(i, j)];
-      d = std::min({d, get(i + 1, j) + 3, get(i, j + 1) + 3, get(i + 1, j + 1) + 4,
-                    get(i - 1, j + 1) + 4});
+      d = std::min(
+          {d, get(i + 1, j) + 3, get(i, j + 1) + 3, get(i + 1, j + 1) + 4, get(i - 1, j + 1) + 4});
       if (d <= best) continue;
       best = d;
       place = centre(i, j);

@@ -9,8 +9,8 @@
 
 namespace crest::line_art {
 
-/// On cells of half a spacing. Taken are paper, highlights, contours, singularities, and what take()
-/// took.
+/// On cells of half a spacing. Taken are paper, highlights, contours, singularities, and what
+/// take() took.
 class FreeRoom {
  public:
   FreeRoom(const Tracer& tracer, double brightest);

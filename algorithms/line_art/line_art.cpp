@@ -48,7 +48,8 @@ void align(const kernel::TriangleMesh& mesh, const std::vector<PrincipalFrame>& 
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     Vec3& d = field.direction[v];
     const Vec3 turned = kernel::cross(frames[v].n, d);
-    if (std::abs(dot(turned, lines.direction[v])) > std::abs(dot(d, lines.direction[v]))) d = turned;
+    if (std::abs(dot(turned, lines.direction[v])) > std::abs(dot(d, lines.direction[v])))
+      d = turned;
   }
 }
 

@@ -19,11 +19,11 @@ struct HatchCounts {
   std::size_t singularities = 0;
   double index_sum = 0;  ///< of the field, on the whole surface
   std::size_t segments = 0, key_ribs = 0, blended = 0;
-  double length = 0;                    ///< mm
-  double p5 = 0, median = 0, p95 = 0;   ///< spacing, mm
-  double median_length = 0;             ///< of strokes, mm
-  double bare = 0;                      ///< share of what is to be hatched beyond the spacing
-  std::size_t over_contours = 0;        ///< strokes that come within a nanometre of a contour
+  double length = 0;                   ///< mm
+  double p5 = 0, median = 0, p95 = 0;  ///< spacing, mm
+  double median_length = 0;            ///< of strokes, mm
+  double bare = 0;                     ///< share of what is to be hatched beyond the spacing
+  std::size_t over_contours = 0;       ///< strokes that come within a nanometre of a contour
   ToneError tone;
 };
 
@@ -38,10 +38,10 @@ struct Region {
   enum class Field : std::uint8_t { max, min, angle, coons, off };
   std::vector<std::vector<Vec2>> rings;  ///< even-odd
   Field field = Field::max;
-  double angle = 0;                       ///< degrees, from the right, upwards
-  std::array<std::vector<Vec2>, 4> coons; ///< below, right, above, left: ends meet
+  double angle = 0;                                 ///< degrees, from the right, upwards
+  std::array<std::vector<Vec2>, 4> coons;           ///< below, right, above, left: ends meet
   std::optional<std::array<double, 2>> tones = {};  ///< luminance is clamped to these
-  double gauss = 0, median = 0;           ///< mm, filters of luminance
+  double gauss = 0, median = 0;                     ///< mm, filters of luminance
 };
 
 /// What replaces the automatic choices.

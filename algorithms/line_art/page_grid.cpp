@@ -10,7 +10,8 @@ CellFrame::CellFrame(std::span<const PagePoint> points, double edge, std::size_t
   if (!(box.x1 >= box.x0)) return;
   const double width = box.x1 - box.x0, height = box.y1 - box.y0;
   // Few, long edges or many: never more cells than items, nor more than 4096 a side.
-  const double least = std::sqrt(width * height / static_cast<double>(std::max<std::size_t>(items, 1)));
+  const double least =
+      std::sqrt(width * height / static_cast<double>(std::max<std::size_t>(items, 1)));
   cell_ = std::max({2 * edge, least, width / 4096, height / 4096});
   if (!(cell_ > 0) || !std::isfinite(cell_)) cell_ = std::max({width, height, 1.0});
   inverse_ = 1 / cell_;
@@ -35,9 +36,8 @@ std::pair<int, int> CellFrame::columns_in_row(std::span<const PagePoint* const> 
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PagePoint &p = *corners[i], &q = *corners[(i + 1) % corners.size()];
     if (std::max(p.y, q.y) < low || std::min(p.y, q.y) > high) continue;
-    for (const double y : {low, high}) {
+    for (const double y : {low, high})
       if ((p.y < y) != (q.y < y)) add(p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y)));
-    }
     for (const PagePoint* v : {&p, &q})
       if (v->y >= low && v->y <= high) add(v->x);
   }

@@ -41,7 +41,9 @@ class CellFrame {
  public:
   /// About two mean edges a cell, as many cells as `items` at most.
   CellFrame(std::span<const PagePoint> points, double edge, std::size_t items);
-  std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
+  std::size_t size() const {
+    return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  }
 
   /// Calls take(cell) for cells that cover the corners' convex hull, each once.
   template <class Take>
@@ -49,7 +51,8 @@ class CellFrame {
     PageBox box;
     for (const PagePoint* p : corners) box.add(*p);
     const int c0 = column(box.x0), c1 = column(box.x1), r0 = row(box.y0), r1 = row(box.y1);
-    const bool small = (c1 - c0 <= 1 && r1 - r0 <= 1) || !std::isfinite(box.x1 - box.x0 + box.y1 - box.y0);
+    const bool small =
+        (c1 - c0 <= 1 && r1 - r0 <= 1) || !std::isfinite(box.x1 - box.x0 + box.y1 - box.y0);
     for (int r = r0; r <= r1; ++r) {
       int from = c0, to = c1;
       if (!small) std::tie(from, to) = columns_in_row(corners, r, c0, c1);
@@ -77,7 +80,8 @@ class CellLists {
  public:
   /// corners_of(item) gives a small array of pointers to the corners.
   template <class CornersOf>
-  CellLists(const CellFrame& frame, Index items, CornersOf&& corners_of) : begin_(frame.size() + 1, 0) {
+  CellLists(const CellFrame& frame, Index items, CornersOf&& corners_of)
+      : begin_(frame.size() + 1, 0) {
     for (Index i = 0; i < items; ++i)
       frame.visit(corners_of(i), [&](std::size_t cell) { ++begin_[cell + 1]; });
     for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];

@@ -63,7 +63,8 @@ void set_coons(const Region& region, const std::vector<bool>& mine, Buffers& b) 
 
 /// Of luminance over the region's pixels within a radius.
 void filter(const std::vector<bool>& mine, double radius_mm, bool median, Buffers& b) {
-  const int radius = std::max(1, static_cast<int>(std::lround((median ? 1 : 2) * radius_mm / b.pixel)));
+  const int radius =
+      std::max(1, static_cast<int>(std::lround((median ? 1 : 2) * radius_mm / b.pixel)));
   const double deviation = radius_mm / b.pixel;
   const std::vector<float> before = b.luminance;
   std::vector<float> values;

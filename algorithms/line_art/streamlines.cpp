@@ -12,8 +12,8 @@ namespace {
 using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
-constexpr double kStop = 0.6;      // spacings
-constexpr double kHug = 0.6;       // spacings
+constexpr double kStop = 0.6;  // spacings
+constexpr double kHug = 0.6;   // spacings
 
 Hatch joined(const Trace& back, const Trace& ahead) {
   Hatch hatch;
@@ -67,15 +67,15 @@ class EvenLines {
                               static_cast<std::size_t>(i);
         if (b.face[k] != kNone) order.push_back(k);
       }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-      return b.curvature[x] > b.curvature[y];
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t x, std::size_t y) { return b.curvature[x] > b.curvature[y]; });
     return order;
   }
 
   bool hatchable(const Vec2& p) const {
     const auto at = tracer_.buffers().at(p);
-    return at && tracer_.buffers().face[*at] != kNone && tracer_.buffers().luminance[*at] < brightest_;
+    return at && tracer_.buffers().face[*at] != kNone &&
+           tracer_.buffers().luminance[*at] < brightest_;
   }
 
   void try_seed(const Vec2& seed) {
@@ -170,8 +170,8 @@ std::vector<Hatch> random_streamlines(const Tracer& tracer, double brightest, do
   Noise noise;
   // Strokes of `most` mm and the width, as dense as full black needs.
   const double most = 10 * tracer.spacing();
-  const auto wanted = static_cast<std::size_t>(static_cast<double>(b.size()) * b.pixel * b.pixel /
-                                               (most * width));
+  const auto wanted =
+      static_cast<std::size_t>(static_cast<double>(b.size()) * b.pixel * b.pixel / (most * width));
   for (std::size_t i = 0; i < wanted; ++i) {
     const auto k = static_cast<std::size_t>(noise.next() * static_cast<double>(b.size()));
     if (b.face[k] != kNone && b.luminance[k] < brightest) seeds.push_back({k, b.normal[k][2]});

@@ -20,9 +20,9 @@ bool too_short(const Hatch& hatch, double spacing);
 /// within 15 degrees of it, for more than half of their length.
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
 
-/// Lines added to those there are: a new one starts at the spacing from an old one and stops at half
-/// of it; `family`: ribs, or the crossing layer along backbones. Pixels darker than `brightest` are
-/// hatched. Cost: linear in the points, for a bounded number of them a cell.
+/// Lines added to those there are: a new one starts at the spacing from an old one and stops at
+/// half of it; `family`: ribs, or the crossing layer along backbones. Pixels darker than
+/// `brightest` are hatched. Cost: linear in the points, for a bounded number of them a cell.
 void add_even_streamlines(const Tracer& tracer, double brightest, Family family,
                           std::vector<Hatch>& lines);
 

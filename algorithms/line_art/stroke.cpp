@@ -85,7 +85,8 @@ std::vector<Vec2> outline(const Stroke& stroke) {
   if (!closed && !cut_end)
     add_cap(p[n - 1], unit(offset[n - 1]), unit(p[n - 1] - p[n - 2]), half[n - 1], polygon);
   for (std::size_t i = n; i-- > 0;) polygon.push_back(p[i] - offset[i]);
-  if (!closed && !cut_start) add_cap(p[0], -1.0 * unit(offset[0]), unit(p[0] - p[1]), half[0], polygon);
+  if (!closed && !cut_start)
+    add_cap(p[0], -1.0 * unit(offset[0]), unit(p[0] - p[1]), half[0], polygon);
   return polygon;
 }
 

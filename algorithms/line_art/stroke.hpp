@@ -19,12 +19,12 @@ const char* name_of(StrokeKind kind);
 
 struct Stroke {
   StrokeKind kind = StrokeKind::contour;
-  Index segment = kNone;       ///< of the picture; contours: none
-  Index rank = 0;              ///< order of painting within the segment; the later covers
-  std::vector<Vec2> points;    ///< mm; closed: the last is the first
-  std::vector<double> widths;  ///< mm, one a point
-  Index face = kNone;          ///< hatches: the nearest one where it begins
-  double band = 0;             ///< mm of white painted below, 0: none
+  Index segment = kNone;                ///< of the picture; contours: none
+  Index rank = 0;                       ///< order of painting within the segment; the later covers
+  std::vector<Vec2> points;             ///< mm; closed: the last is the first
+  std::vector<double> widths;           ///< mm, one a point
+  Index face = kNone;                   ///< hatches: the nearest one where it begins
+  double band = 0;                      ///< mm of white painted below, 0: none
   Vec2 start_cut{0, 0}, end_cut{0, 0};  ///< ends run along this direction; zero: round
   double length() const;
 };

@@ -107,7 +107,8 @@ std::vector<double> mean_ratio(const std::vector<double>& top, const std::vector
 
 /// A Gaussian of a standard deviation in pixels, by three running means.
 void blur(std::vector<float>& image, int width, int height, double deviation) {
-  const int radius = std::max(1, static_cast<int>(std::lround(0.5 * (std::sqrt(4 * deviation * deviation + 1) - 1))));
+  const int radius = std::max(
+      1, static_cast<int>(std::lround(0.5 * (std::sqrt(4 * deviation * deviation + 1) - 1))));
   std::vector<float> line;
   const auto pass = [&](std::size_t start, std::size_t stride, int n) {
     line.resize(static_cast<std::size_t>(n));
@@ -242,8 +243,7 @@ class Widths {
     const auto& p = hatches_[h].stroke.points;
     const auto length = owned_lengths(p);
     std::vector<double> wanted(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i)
-      wanted[i] = ink_at(p[i]) * length[i];
+    for (std::size_t i = 0; i < p.size(); ++i) wanted[i] = ink_at(p[i]) * length[i];
     const auto mean = mean_ratio(wanted, length, length, 1);
     std::vector<double> plain(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) plain[i] = mean[i] * owned_.spacing[h][i];
@@ -287,8 +287,7 @@ class Widths {
         const auto at = b_.at(hatches_[h].stroke.points[i]);
         if (!at || !(have[*at] > 1e-4F)) continue;
         const double factor = static_cast<double>(want[*at]) / static_cast<double>(have[*at]);
-        plain_[h][i] = std::min(plain_[h][i] * std::clamp(factor, 0.8, 1.25),
-                                o_.cap * o_.spacing);
+        plain_[h][i] = std::min(plain_[h][i] * std::clamp(factor, 0.8, 1.25), o_.cap * o_.spacing);
       }
     apply();
   }
@@ -349,7 +348,8 @@ std::vector<float> crossing_ink(const Buffers& b, const ToneOptions& o, bool pla
   std::vector<float> ink(b.size(), 0);
   for (std::size_t k = 0; k < b.size(); ++k) {
     const double lack = o.darkest - static_cast<double>(b.luminance[k]);
-    if (b.face[k] != kNone && lack > 0) ink[k] = static_cast<float>(plain ? lack : lack / o.darkest);
+    if (b.face[k] != kNone && lack > 0)
+      ink[k] = static_cast<float>(plain ? lack : lack / o.darkest);
   }
   return ink;
 }

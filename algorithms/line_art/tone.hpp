@@ -8,11 +8,11 @@
 namespace crest::line_art {
 
 struct ToneOptions {
-  double spacing = 0.8;           ///< s, mm
-  double darkest = 0.35;          ///< cmin: what one layer of hatches reaches
-  double brightest = 0.95;        ///< cmax: no stroke above
-  double thinnest = 0.05;         ///< mm
-  double cap = 0.85;              ///< of the spacing: no stroke wider
+  double spacing = 0.8;     ///< s, mm
+  double darkest = 0.35;    ///< cmin: what one layer of hatches reaches
+  double brightest = 0.95;  ///< cmax: no stroke above
+  double thinnest = 0.05;   ///< mm
+  double cap = 0.85;        ///< of the spacing: no stroke wider
   int corrections = 3;
 };
 

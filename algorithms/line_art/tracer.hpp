@@ -20,16 +20,17 @@ class LinePoints {
  public:
   LinePoints(const Vec2& page, double reach, const Barriers& barriers);
   void add(const Vec2& p, Index line, Index number);
-  /// The distance to the nearest point for which counts(line, number) is true; at most `most`, which
-  /// is at most the reach.
+  /// The distance to the nearest point for which counts(line, number) is true; at most `most`,
+  /// which is at most the reach.
   template <class Counts>
   double distance(const Vec2& p, double most, Counts&& counts) const {
     const auto [c, r] = cell(p);
     double best = most;
     for (int j = std::max(0, r - 1); j <= std::min(rows_ - 1, r + 1); ++j)
       for (int i = std::max(0, c - 1); i <= std::min(columns_ - 1, c + 1); ++i)
-        for (const Entry& e : cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
-                                     static_cast<std::size_t>(i)]) {
+        for (const Entry& e :
+             cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+                    static_cast<std::size_t>(i)]) {
           const double d = std::hypot(e.p[0] - p[0], e.p[1] - p[1]);
           if (d < best && counts(e.line, e.number) && !barriers_.crosses(p, e.p)) best = d;
         }

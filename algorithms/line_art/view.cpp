@@ -37,8 +37,7 @@ void frame(View& view, const Scene& scene, double width) {
   }
   const double w = box.x1 - box.x0, h = box.y1 - box.y0;
   if (!std::isfinite(w) || !std::isfinite(h) || !(std::max(w, h) > 0))
-    throw kernel::InputError(
-        "camera: the picture has no finite size; look from another place");
+    throw kernel::InputError("camera: the picture has no finite size; look from another place");
   const double inner = (1 - 2 * kMargin) * width;
   view.scale = std::min(inner / w, (kTallest - 2 * kMargin) * width / h);
   view.page = {width, h * view.scale + 2 * kMargin * width};
@@ -86,7 +85,8 @@ View make_view(const ViewRequest& request, const Scene& scene) {
   view.up = request.up;
   const Vec3 towards =
       request.eye ? *request.eye - request.target.value_or(Vec3{}) : request.towards;
-  view.z = -1.0 * unit(towards, "camera: eye and target are the same or not finite; give two points");
+  view.z =
+      -1.0 * unit(towards, "camera: eye and target are the same or not finite; give two points");
   const Vec3 up = unit(request.up, "camera: up is no direction; give three numbers");
   const Vec3 right = cross(view.z, up);
   if (!(dot(right, right) > 1e-12))

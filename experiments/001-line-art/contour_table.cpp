@@ -65,7 +65,10 @@ View view_of(const Scene& scene, const Case& c) {
 class ZBuffer {
  public:
   ZBuffer(const Scene& scene, const View& view, int size)
-      : scene_(scene), view_(view), size_(size), scale_(size / std::max(view.page[0], view.page[1])) {
+      : scene_(scene),
+        view_(view),
+        size_(size),
+        scale_(size / std::max(view.page[0], view.page[1])) {
     near_.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
                  -std::numeric_limits<float>::infinity());
     for (const Triangle& f : scene.faces) draw(f);
@@ -80,7 +83,8 @@ class ZBuffer {
 
  private:
   std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size_) +
+           static_cast<std::size_t>(i);
   }
   void draw(const Triangle& f) {
     double x[3], y[3], z[3];
@@ -92,7 +96,9 @@ class ZBuffer {
     }
     const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
     if (area == 0) return;
-    const auto low = [&](const double* v) { return std::max(0, static_cast<int>(std::ceil(std::min({v[0], v[1], v[2]})))); };
+    const auto low = [&](const double* v) {
+      return std::max(0, static_cast<int>(std::ceil(std::min({v[0], v[1], v[2]}))));
+    };
     const auto high = [&](const double* v) {
       return std::min(size_ - 1, static_cast<int>(std::floor(std::max({v[0], v[1], v[2]}))));
     };
@@ -160,16 +166,17 @@ Scene subdivided(const Scene& scene) {
 
 void print_counts(const std::string& folder) {
   fmt::print(
-      "\n| mesh | eye | edges | crossings | piercings | cusps | pieces | visible | edge-on | contact "
+      "\n| mesh | eye | edges | crossings | piercings | cusps | pieces | visible | edge-on | "
+      "contact "
       "| z-buffer, 1400 pixels: misjudged |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Case& c : kCases) {
     const Scene scene = read_fans(folder + "/" + c.mesh);
     const View view = view_of(scene, c);
     const Contours found = find_contours(scene, view, {std::nullopt});
     const ContourCounts& n = found.counts;
-    fmt::print("| {} | {},{},{}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", c.mesh, c.eye[0],
-               c.eye[1], c.eye[2], c.perspective ? ", perspective" : "", n.edges, n.crossings,
-               n.piercings, n.cusps, n.pieces, n.visible, n.edge_on, n.contact,
+    fmt::print("| {} | {},{},{}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", c.mesh,
+               c.eye[0], c.eye[1], c.eye[2], c.perspective ? ", perspective" : "", n.edges,
+               n.crossings, n.piercings, n.cusps, n.pieces, n.visible, n.edge_on, n.contact,
                misjudged(scene, view, found, 1400));
   }
 }

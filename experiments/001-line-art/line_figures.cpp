@@ -32,14 +32,37 @@ struct Figure {
 };
 
 constexpr Figure kFigures[] = {
-    {"3.20", "stanford-bunny.obj", {1, 0.5, 4}, false, false, HatchStyle::streamlines,
-     ToneStyle::width, true},
+    {"3.20",
+     "stanford-bunny.obj",
+     {1, 0.5, 4},
+     false,
+     false,
+     HatchStyle::streamlines,
+     ToneStyle::width,
+     true},
     {"3.21-a", "spot.obj", {2, 1, 3}, false, false, HatchStyle::streamlines, ToneStyle::length},
-    {"3.21-b", "stanford-bunny.obj", {1, 0.5, 4}, false, false, HatchStyle::streamlines,
+    {"3.21-b",
+     "stanford-bunny.obj",
+     {1, 0.5, 4},
+     false,
+     false,
+     HatchStyle::streamlines,
      ToneStyle::length},
-    {"3.21-c", "armadillo.off", {-1, 0.5, -3}, false, false, HatchStyle::streamlines,
+    {"3.21-c",
+     "armadillo.off",
+     {-1, 0.5, -3},
+     false,
+     false,
+     HatchStyle::streamlines,
      ToneStyle::length},
-    {"3.22", "rocker-arm.obj", {2, 1, 3}, true, false, HatchStyle::fishbone, ToneStyle::width, true},
+    {"3.22",
+     "rocker-arm.obj",
+     {2, 1, 3},
+     true,
+     false,
+     HatchStyle::fishbone,
+     ToneStyle::width,
+     true},
     {"3.23", "rocker-arm.obj", {2, 1, 3}, true, true, HatchStyle::fishbone, ToneStyle::bands},
     {"3.24", "torus.obj", {2, 1, 3}, false, false, HatchStyle::fishbone, ToneStyle::bands},
     {"3.25", "rocker-arm.obj", {2, 1, 3}, true, true},
@@ -93,10 +116,12 @@ void draw(const Figure& figure, const std::string& meshes, const fs::path& out) 
     shade(out / (base + "-shaded.png"), mesh, drawing.view);
   }
   const HatchCounts& c = drawing.counts;
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} + {} | {:.2f}, {:.2f}, {:.2f} | {} | {:.4f}, {:.4f}, {:.3f} |\n",
-             figure.name, figure.mesh, mesh.face_count(), c.singularities, c.index_sum,
-             drawing.hatches.size(), c.key_ribs, c.blended, c.p5, c.median, c.p95, c.over_contours,
-             c.tone.mean, c.tone.p95, c.tone.max);
+  fmt::print(
+      "| {} | {} | {} | {} | {} | {} | {} + {} | {:.2f}, {:.2f}, {:.2f} | {} | {:.4f}, {:.4f}, "
+      "{:.3f} |\n",
+      figure.name, figure.mesh, mesh.face_count(), c.singularities, c.index_sum,
+      drawing.hatches.size(), c.key_ribs, c.blended, c.p5, c.median, c.p95, c.over_contours,
+      c.tone.mean, c.tone.p95, c.tone.max);
 }
 
 }  // namespace
@@ -112,7 +137,8 @@ int main(int argc, char** argv) {
   program.option("--only", only, "one figure, such as 3.25");
   return program.run(argc, argv, [&] {
     fmt::print(
-        "\n| figure | mesh | triangles | singularities | index sum | strokes | ribs: key + blended | "
+        "\n| figure | mesh | triangles | singularities | index sum | strokes | ribs: key + blended "
+        "| "
         "spacing 5 %, median, 95 % (mm) | over contours | tone error mean, 95 %, max |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Figure& figure : kFigures)

@@ -79,12 +79,14 @@ double convolved(const Buffers& b, std::size_t k) {
   int count = 1;
   for (const double sense : {1.0, -1.0}) {
     line_art::Vec2 p = b.centre(k);
-    line_art::Vec2 d = {sense * static_cast<double>(b.rib[k][0]), sense * static_cast<double>(b.rib[k][1])};
+    line_art::Vec2 d = {sense * static_cast<double>(b.rib[k][0]),
+                        sense * static_cast<double>(b.rib[k][1])};
     for (int step = 0; step < kReach; ++step) {
       p = {p[0] + b.pixel * d[0], p[1] + b.pixel * d[1]};
       const auto at = b.at(p);
       if (!at || b.face[*at] == kNone) break;
-      const line_art::Vec2 next = {static_cast<double>(b.rib[*at][0]), static_cast<double>(b.rib[*at][1])};
+      const line_art::Vec2 next = {static_cast<double>(b.rib[*at][0]),
+                                   static_cast<double>(b.rib[*at][1])};
       const double along = next[0] * d[0] + next[1] * d[1];
       if (std::abs(along) < 0.5) break;
       d = along < 0 ? line_art::Vec2{-next[0], -next[1]} : next;
@@ -117,9 +119,8 @@ std::string vti_of(const Buffers& b) {
   add("face", 1, [&](std::size_t k, std::size_t) {
     return b.face[k] == kNone ? none : static_cast<float>(b.face[k]);
   });
-  add("nearness", 1, [&](std::size_t k, std::size_t) {
-    return b.face[k] == kNone ? 0.0F : b.near[k];
-  });
+  add("nearness", 1,
+      [&](std::size_t k, std::size_t) { return b.face[k] == kNone ? 0.0F : b.near[k]; });
   add("luminance", 1, [&](std::size_t k, std::size_t) { return b.luminance[k]; });
   add("curvature", 1, [&](std::size_t k, std::size_t) { return b.curvature[k]; });
   add("normal", 3, [&](std::size_t k, std::size_t c) { return b.normal[k][c]; });

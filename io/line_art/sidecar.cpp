@@ -15,9 +15,15 @@ using Field = Region::Field;
 constexpr const char* kFields[] = {"max", "min", "angle", "coons", "off"};
 
 Json view_json(const View& view) {
-  Json json = {{"parallel", !view.eye.finite}, {"eye", view.eye.at}, {"up", view.up},
-               {"x", view.x},                  {"y", view.y},        {"z", view.z},
-               {"origin", view.origin},        {"scale", view.scale}, {"page", view.page}};
+  Json json = {{"parallel", !view.eye.finite},
+               {"eye", view.eye.at},
+               {"up", view.up},
+               {"x", view.x},
+               {"y", view.y},
+               {"z", view.z},
+               {"origin", view.origin},
+               {"scale", view.scale},
+               {"page", view.page}};
   return json;
 }
 
@@ -134,7 +140,8 @@ Region read_region(const Reader& reader, const Json& json) {
   if (json.contains("field")) read_field(reader, json["field"], region);
   if (json.contains("tones")) {
     region.tones = reader.numbers<2>(json["tones"], "tones");
-    if (!(0 <= (*region.tones)[0] && (*region.tones)[0] <= (*region.tones)[1] && (*region.tones)[1] <= 1))
+    if (!(0 <= (*region.tones)[0] && (*region.tones)[0] <= (*region.tones)[1] &&
+          (*region.tones)[1] <= 1))
       reader.refuse("the tones do not ascend within 0 to 1");
   }
   if (json.contains("filter")) {
@@ -194,7 +201,8 @@ Steering read_sidecar(const std::string& path, const View& view) {
         continue;
       }
       Segment segment{reader.line(item["backbone"], "the backbone", 2), {}};
-      if (item.contains("key_ribs") && !item["key_ribs"].is_array()) reader.refuse("key_ribs are no list");
+      if (item.contains("key_ribs") && !item["key_ribs"].is_array())
+        reader.refuse("key_ribs are no list");
       if (item.contains("key_ribs"))
         for (const Json& arc : item["key_ribs"])
           segment.key_ribs.push_back(reader.number(arc, "a key rib"));

@@ -13,8 +13,7 @@ constexpr double kError = 0.004;  // mm, of outlines
 /// Text between tags.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text)
-    switch (c) {
+  for (const char c : text) switch (c) {
       case '&':
         result += "&amp;";
         break;

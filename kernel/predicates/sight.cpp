@@ -19,8 +19,8 @@ namespace {
 using Row = std::array<double, 4>;
 constexpr unsigned kMostRows = 5;  // of two determinants that share three
 
-/// Bit 3 i + j: coordinate j of the point of rank i moves. At most one a row and one a column: these
-/// alone have coefficients. Ascending as numbers, so descending as powers of eps.
+/// Bit 3 i + j: coordinate j of the point of rank i moves. At most one a row and one a column:
+/// these alone have coefficients. Ascending as numbers, so descending as powers of eps.
 std::vector<unsigned> make_monomials() {
   std::vector<unsigned> monomials;
   for (unsigned mask = 1; mask < 1U << (3 * kMostRows); ++mask) {
@@ -116,7 +116,8 @@ Decision Sight::resolve(std::array<Index, N> ranks, SightOrientation formula,
     }
     if (const Sign s = climb(rows).sign; s != Sign::zero) return {s, Stage::symbolic};
   }
-  return {Sign::zero, Stage::symbolic};  // never for distinct ranks: three moved rows leave a weight
+  return {Sign::zero,
+          Stage::symbolic};  // never for distinct ranks: three moved rows leave a weight
 }
 
 Decision Sight::side(Index a, Index b, Index c, SightCounts& counts) const {
@@ -168,7 +169,8 @@ bool Sight::end_on(Index a, Index b) const {
   for (std::size_t j = 0; j < 3; ++j) {
     const std::size_t k = (j + 1) % 3;
     const auto value = [&]<class T>(T) {
-      const T ej = input_difference<T>(eye_.at[j], o[j]), ek = input_difference<T>(eye_.at[k], o[k]);
+      const T ej = input_difference<T>(eye_.at[j], o[j]),
+              ek = input_difference<T>(eye_.at[k], o[k]);
       return ej * input_difference<T>(q[k], p[k]) - ek * input_difference<T>(q[j], p[j]);
     };
     constexpr int kDepth = 5;

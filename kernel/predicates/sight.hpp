@@ -14,10 +14,10 @@
 // vertices, and keep their sign when all are renumbered in the same order. (2) Where flat_side or
 // flat_volume is not zero it is the answer. (3) crosses(a, b, c, d) is symmetric in a and b, in c
 // and d, and in the two pairs; of crossing edges exactly one is in front. (4) A segment from the
-// eye to a vertex meets a triangle it has no corner of, or passes it by: pierced or not, there is no
-// third answer. (5) event_order is a total preorder of places on an edge: odd, transitive, ties are
-// equal limits. (6) Turning the edge round reverses the order. Not true: that the answer to a tie is
-// independent of the vertices' numbers.
+// eye to a vertex meets a triangle it has no corner of, or passes it by: pierced or not, there is
+// no third answer. (5) event_order is a total preorder of places on an edge: odd, transitive, ties
+// are equal limits. (6) Turning the edge round reverses the order. Not true: that the answer to a
+// tie is independent of the vertices' numbers.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -93,9 +93,9 @@ struct InFrontOfEye {
   static constexpr int depth = 5;
   template <class T>
   T value() const {
-    return dot(lift<T>(z), Vector3<T>{input_difference<T>(p[0], e[0]),
-                                      input_difference<T>(p[1], e[1]),
-                                      input_difference<T>(p[2], e[2])});
+    return dot(lift<T>(z),
+               Vector3<T>{input_difference<T>(p[0], e[0]), input_difference<T>(p[1], e[1]),
+                          input_difference<T>(p[2], e[2])});
   }
 };
 
@@ -116,8 +116,8 @@ struct EventPlane {
 };
 
 /// Where an edge a -> b meets a plane whose sides a and b are on: t = A / (A - B), in the limit.
-/// If both values vanish, A and B are the coefficients of the largest monomial at which one has any,
-/// all monomials being those of the whole scene's ranks.
+/// If both values vanish, A and B are the coefficients of the largest monomial at which one has
+/// any, all monomials being those of the whole scene's ranks.
 class EventPlace {
  public:
   /// Guess of t in double, for drawing and for first comparisons; never a decision.
@@ -128,9 +128,9 @@ class EventPlace {
  private:
   friend class Sight;
   EventPlane plane_{};
-  bool positive_ = true;   ///< the sign of A
+  bool positive_ = true;  ///< the sign of A
   bool start_ = false, end_ = false, symbolic_ = false;
-  Approximate a_, b_;      ///< A and B, unless symbolic
+  Approximate a_, b_;  ///< A and B, unless symbolic
   double guess_ = 0;
 };
 

@@ -14,8 +14,8 @@ using namespace crest::tests;
 
 namespace {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                              boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using Exact = Vector3<Integer>;
 
 /// 2^-10 for eps: coordinate j of the point of rank i is displaced by 2^(-10 2^(3 i + j)). All is
@@ -126,14 +126,15 @@ TEST_CASE("Sides and volumes are odd, and independent of numbers that keep their
       failures.expect(side != Sign::zero && volume != Sign::zero, "never zero on", scene.points[0]);
       failures.expect(sight.side(1, 0, 2, c).sign == -side && sight.side(1, 2, 0, c).sign == side,
                       "the side is odd on", scene.points[0]);
-      failures.expect(sight.volume(1, 0, 2, 3, c).sign == -volume &&
-                          sight.volume(3, 2, 1, 0, c).sign == volume,
-                      "the volume is odd on", scene.points[0]);
+      failures.expect(
+          sight.volume(1, 0, 2, 3, c).sign == -volume && sight.volume(3, 2, 1, 0, c).sign == volume,
+          "the volume is odd on", scene.points[0]);
       std::vector<Vec3> spread = {scene.points[3]};
       for (std::size_t k = 0; k < 4; ++k) spread.insert(spread.end(), {scene.points[k], {9, 9, 9}});
       const Sight other(scene.eye, spread);
-      failures.expect(other.side(1, 3, 5, c).sign == side && other.volume(1, 3, 5, 7, c).sign == volume,
-                      "new numbers in the same order change nothing on", scene.points[0]);
+      failures.expect(
+          other.side(1, 3, 5, c).sign == side && other.volume(1, 3, 5, 7, c).sign == volume,
+          "new numbers in the same order change nothing on", scene.points[0]);
     }
   }
   CHECK(failures.report() == "");
@@ -150,8 +151,9 @@ TEST_CASE("Of crossing edges one is in front, from both ends and both sides") {
     const Sight sight(scene.eye, scene.points);
     SightCounts c;
     const bool crosses = sight.crosses(0, 1, 2, 3, c);
-    failures.expect(crosses == sight.crosses(1, 0, 2, 3, c) && crosses == sight.crosses(2, 3, 1, 0, c),
-                    "crossing is symmetric on", scene.points[0]);
+    failures.expect(
+        crosses == sight.crosses(1, 0, 2, 3, c) && crosses == sight.crosses(2, 3, 1, 0, c),
+        "crossing is symmetric on", scene.points[0]);
     if (!crosses) continue;
     ++crossings;
     const bool front = sight.in_front(0, 1, 2, 3, c);
@@ -185,8 +187,9 @@ TEST_CASE("Places of events are the limits of displaced ones") {
     const double t = Rational(Rational(x) / Rational(x - y)).convert_to<double>();
     failures.expect(std::abs(t - place.guess()) < 0.05, "the place is the limit on",
                     scene.points[a], scene.points[b], scene.points[p], scene.points[q]);
-    failures.expect(place.at_start() == (place.guess() == 0) && place.at_end() == (place.guess() == 1),
-                    "the ends are ends on", scene.points[a]);
+    failures.expect(
+        place.at_start() == (place.guess() == 0) && place.at_end() == (place.guess() == 1),
+        "the ends are ends on", scene.points[a]);
     ++places;
     ends += place.at_start() || place.at_end();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact contours: counts of reference meshes, balance, brute force, the specification's hard scenes.
+// Exact contours: counts of reference meshes, balance, brute force, the specification's hard
+// scenes.
 #include "algorithms/line_art/contours.hpp"
 
 #include <catch2/catch.hpp>
@@ -61,9 +62,8 @@ std::size_t brute_force(const Scene& scene, const Vec3& e, const ContourEdge& ed
   for (const Triangle& f : scene.faces) {
     bool own = false;
     for (const Index v : f) own = own || v == edge.a || v == edge.b;
-    if (own && std::count_if(f.begin(), f.end(), [&](Index v) {
-          return v == edge.a || v == edge.b;
-        }) == 2)
+    if (own &&
+        std::count_if(f.begin(), f.end(), [&](Index v) { return v == edge.a || v == edge.b; }) == 2)
       continue;
     const Exact p = lift<Rational>(scene.points[f[0]]), q = lift<Rational>(scene.points[f[1]]),
                 r = lift<Rational>(scene.points[f[2]]);
@@ -73,7 +73,8 @@ std::size_t brute_force(const Scene& scene, const Vec3& e, const ContourEdge& ed
     const auto s = side(p, q);
     if (s == kernel::Sign::zero || side(q, r) != s || side(r, p) != s) continue;
     const Exact n = kernel::cross(Exact(q - p), Exact(r - p));
-    if (kernel::sign_of(Rational(kernel::dot(n, Exact(p - x)))) == kernel::sign_of(Rational(kernel::dot(n, d))))
+    if (kernel::sign_of(Rational(kernel::dot(n, Exact(p - x)))) ==
+        kernel::sign_of(Rational(kernel::dot(n, d))))
       ++count;
   }
   return count;
@@ -154,8 +155,7 @@ TEST_CASE("A step seen along its wall has a line, whichever way the wall faces")
     for (const ContourEdge& e : c.edges) {
       const bool at_wall = step.points[e.a][0] == 0 && step.points[e.b][0] == 0;
       if (!at_wall || e.end_on) continue;
-      for (Index i = e.first_piece; i < e.first_piece + e.pieces; ++i)
-        lines += c.pieces[i].drawn();
+      for (Index i = e.first_piece; i < e.first_piece + e.pieces; ++i) lines += c.pieces[i].drawn();
     }
     CHECK(lines >= 1);
   }
@@ -163,8 +163,8 @@ TEST_CASE("A step seen along its wall has a line, whichever way the wall faces")
 
 TEST_CASE("An edge that rests on a face is drawn whatever the numbers") {
   // The edge lies in the plane z = 0 of a large triangle; nothing is in front of it.
-  const std::vector<Vec3> names = {{2, 3, 0}, {8, 3, 0}, {-20, -20, 0}, {40, -20, 0}, {0, 40, 0},
-                                   {5, 3, -4}};
+  const std::vector<Vec3> names = {{2, 3, 0},    {8, 3, 0},  {-20, -20, 0},
+                                   {40, -20, 0}, {0, 40, 0}, {5, 3, -4}};
   std::array<Index, 6> number = {0, 1, 2, 3, 4, 5};
   int hidden_by_contact = 0, views = 0;
   do {

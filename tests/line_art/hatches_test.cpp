@@ -15,8 +15,8 @@
 #include "certify/verify.hpp"
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
-#include "tests/line_art/scenes.hpp"
 #include "io/write/atomic_file.hpp"
+#include "tests/line_art/scenes.hpp"
 
 using namespace crest;
 using namespace crest::line_art;
@@ -183,7 +183,8 @@ TEST_CASE("A drawing's hatches keep off contours, and its certificate holds") {
   }
 }
 
-TEST_CASE("A drawing's bytes do not depend on the number of threads, and a sidecar makes it again") {
+TEST_CASE(
+    "A drawing's bytes do not depend on the number of threads, and a sidecar makes it again") {
   const auto mesh = ring(24, 14);
   HatchOptions options;
   const Drawing drawing = draw(mesh, {1, 0.8, 1.2}, options);

@@ -50,8 +50,8 @@ Builder revolved(int m, int n, bool closed, Place&& place) {
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
       const auto at = [&](int u, int v) {
-        return place(2 * std::numbers::pi * (u % m) / m, closed ? 2 * std::numbers::pi * (v % n) / n
-                                                                : std::numbers::pi * v / n);
+        return place(2 * std::numbers::pi * (u % m) / m,
+                     closed ? 2 * std::numbers::pi * (v % n) / n : std::numbers::pi * v / n);
       };
       b.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
     }
@@ -59,11 +59,12 @@ Builder revolved(int m, int n, bool closed, Place&& place) {
 }
 
 inline Scene sphere_scene(int bands, int around) {
-  return revolved(around, bands, false, [](double u, double v) {
-           // Poles and seams exactly where their neighbours have them.
-           const double s = v > 3.141 ? 0 : std::sin(v);
-           return Vec3{s * std::cos(u), s * std::sin(u), std::cos(v)};
-         })
+  return revolved(around, bands, false,
+                  [](double u, double v) {
+                    // Poles and seams exactly where their neighbours have them.
+                    const double s = v > 3.141 ? 0 : std::sin(v);
+                    return Vec3{s * std::cos(u), s * std::sin(u), std::cos(v)};
+                  })
       .scene();
 }
 
@@ -91,8 +92,8 @@ inline std::vector<Scene> hard_scenes() {
   for (const Builder& b : {stacked, through, open, sheets}) scenes.push_back(b.scene());
   // A Klein bottle: a figure of eight, turned half round.
   scenes.push_back(revolved(16, 8, true, [](double u, double v) {
-                     const double r = 2 + std::cos(u / 2) * std::sin(v) -
-                                      std::sin(u / 2) * std::sin(2 * v);
+                     const double r =
+                         2 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
                      const double z =
                          std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v);
                      return Vec3{r * std::cos(u), r * std::sin(u), z};
