@@ -43,17 +43,18 @@ Vec2 unit(const Vec2& a) {
 
 class Chainer {
  public:
+  double visible_length = 0;  ///< mm, of all pieces
+
   Chainer(const Scene& scene, const View& view, const Contours& contours, double width)
       : scene_(scene), view_(view), contours_(contours), width_(width) {}
 
-  DrawnContours run() {
+  std::vector<Chain> run() {
     collect();
     link_.assign(2 * segments_.size(), kNone);
     for (const auto& [node, ends] : nodes_) join(ends);
     bridge();
     trace();
-    finish();
-    return std::move(result_);
+    return std::move(chains_);
   }
 
  private:
@@ -73,7 +74,7 @@ class Chainer {
         if (!p.drawn()) continue;
         const auto end = static_cast<Index>(2 * segments_.size());
         segments_.push_back({at(e, p.from), at(e, p.to), e.crease});
-        result_.visible_length += norm(segments_.back().to - segments_.back().from);
+        visible_length += norm(segments_.back().to - segments_.back().from);
         nodes_[k == 0 ? Node{0, e.a, 0} : Node{1, i, k}].push_back(end);
         nodes_[k + 1 == e.pieces ? Node{0, e.b, 0} : Node{1, i, k + 1}].push_back(end + 1);
         // At a break an edge in front ends it; at a vertex alone it ends freely.
@@ -173,6 +174,29 @@ class Chainer {
       if (!done[end / 2]) follow(end);
   }
 
+  const Scene& scene_;
+  const View& view_;
+  const Contours& contours_;
+  double width_;
+  std::vector<Segment> segments_;
+  std::map<Node, std::vector<Index>> nodes_;
+  std::vector<bool> held_;
+  std::vector<Index> link_;
+  std::vector<Chain> chains_;
+};
+
+/// Strokes of chains.
+class Inker {
+ public:
+  explicit Inker(double width) : width_(width) {}
+
+  DrawnContours run(std::vector<Chain> chains) {
+    chains_ = std::move(chains);
+    finish();
+    return std::move(result_);
+  }
+
+ private:
   /// Leaves out what is too short, and finds which ends touch other ink: these are not free.
   void finish() {
     std::vector<Chain> kept;
@@ -264,14 +288,7 @@ class Chainer {
     return now;
   }
 
-  const Scene& scene_;
-  const View& view_;
-  const Contours& contours_;
   double width_;
-  std::vector<Segment> segments_;
-  std::map<Node, std::vector<Index>> nodes_;
-  std::vector<bool> held_;
-  std::vector<Index> link_;
   std::vector<Chain> chains_;
   DrawnContours result_;
 };
@@ -280,7 +297,10 @@ class Chainer {
 
 DrawnContours draw_contours(const Scene& scene, const View& view, const Contours& contours,
                             const ChainOptions& options) {
-  return Chainer(scene, view, contours, options.line_width).run();
+  Chainer chainer(scene, view, contours, options.line_width);
+  DrawnContours drawn = Inker(options.line_width).run(chainer.run());
+  drawn.visible_length = chainer.visible_length;
+  return drawn;
 }
 
 }  // namespace crest::line_art

@@ -2,6 +2,7 @@
 #include "algorithms/line_art/fishbone.hpp"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "algorithms/line_art/free_room.hpp"
@@ -28,45 +29,18 @@ struct Rib {
   RibSide ahead, back;
 };
 
-class Boner {
+/// Where a rib starts: on the backbone, at an arc length, in a direction.
+struct Sample {
+  Vec2 p, rib;
+  double arc;
+};
+
+/// Ribs of one backbone. `Blocked` says of a point and a rib's number that other lines are there.
+class RibMaker {
  public:
-  Boner(const Tracer& tracer, double brightest)
-      : tracer_(tracer),
-        s_(tracer.spacing()),
-        brightest_(brightest),
-        room_(tracer, brightest),
-        points_({tracer.buffers().width * tracer.buffers().pixel,
-                 tracer.buffers().height * tracer.buffers().pixel},
-                tracer.spacing(), tracer.barriers()) {}
-
-  Fishbones run(const std::vector<Segment>& given) {
-    for (const Segment& segment : given) add_ribs(segment.backbone, segment.key_ribs);
-    if (!given.empty()) return std::move(result_);
-    while (const auto seed = room_.farthest(0.6 * s_)) {
-      add_segment(*seed);
-      room_.take(*seed, 0.6 * s_);
-    }
-    return std::move(result_);
-  }
-
- private:
-  bool hatchable(const Vec2& p) const {
-    const auto at = tracer_.buffers().at(p);
-    return at && tracer_.buffers().face[*at] != kNone &&
-           tracer_.buffers().luminance[*at] < brightest_;
-  }
-  bool blocked(const Vec2& p, Index rib) const {
-    if (!hatchable(p)) return true;
-    if (points_.distance(p, kOwn * s_, [&](Index line, Index) { return line != rib; }) < kOwn * s_)
-      return true;
-    return points_.distance(p, kOthers * s_, [&](Index line, Index) { return line < first_rib_; }) <
-           kOthers * s_;
-  }
-
-  struct Sample {
-    Vec2 p, rib;
-    double arc;
-  };
+  using Blocked = std::function<bool(const Vec2&, Index)>;
+  RibMaker(const Tracer& tracer, Blocked blocked)
+      : tracer_(tracer), s_(tracer.spacing()), blocked_(std::move(blocked)) {}
 
   /// Every spacing across the ribs.
   std::vector<Sample> samples(const std::vector<Vec2>& line) const {
@@ -93,7 +67,7 @@ class Boner {
   }
 
   Rib traced(const Sample& sample, Index rib) const {
-    const auto stop = [&](const Vec2& p, Index) { return blocked(p, rib); };
+    const auto stop = [&](const Vec2& p, Index) { return blocked_(p, rib); };
     const auto side = [&](const Vec2& d) {
       return side_of(tracer_.trace(sample.p, d, Family::rib, pi, stop).points, Tracer::kStep);
     };
@@ -159,7 +133,7 @@ class Boner {
       const auto field = tracer_.direction(q, Family::rib, d);
       if (!field || std::abs(turn_between(d, *field)) > kLeaves || tracer_.near_singularity(q))
         return line;
-      if (blocked(q, rib)) {
+      if (blocked_(q, rib)) {
         line.end = Trace::End::line;
         return line;
       }
@@ -169,17 +143,77 @@ class Boner {
                            ? line.points.back() - line.points[line.points.size() - 2]
                            : Vec2{std::cos(side.angle), std::sin(side.angle)};
     const Trace rest = tracer_.trace(line.points.back(), ahead, Family::rib, pi,
-                                     [&](const Vec2& p, Index) { return blocked(p, rib); });
+                                     [&](const Vec2& p, Index) { return blocked_(p, rib); });
     line.points.insert(line.points.end(), rest.points.begin() + 1, rest.points.end());
     line.end = rest.end;
     return line;
   }
 
+  /// The samples nearest to these arc lengths, and both ends.
+  std::vector<std::optional<Rib>> keys_at(const std::vector<Sample>& at,
+                                          const std::vector<double>& arcs) const {
+    std::vector<std::optional<Rib>> keys(at.size());
+    const auto set = [&](std::size_t i) {
+      if (!keys[i]) keys[i] = traced(at[i], kNone);
+    };
+    set(0);
+    for (const double arc : arcs) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < at.size(); ++i)
+        if (std::abs(at[i].arc - arc) < std::abs(at[best].arc - arc)) best = i;
+      set(best);
+    }
+    set(at.size() - 1);
+    return keys;
+  }
+
+ private:
+  const Tracer& tracer_;
+  double s_;
+  Blocked blocked_;
+};
+
+class Boner {
+ public:
+  Boner(const Tracer& tracer, double brightest)
+      : tracer_(tracer),
+        s_(tracer.spacing()),
+        brightest_(brightest),
+        ribs_(tracer, [this](const Vec2& p, Index rib) { return blocked(p, rib); }),
+        room_(tracer, brightest),
+        points_({tracer.buffers().width * tracer.buffers().pixel,
+                 tracer.buffers().height * tracer.buffers().pixel},
+                tracer.spacing(), tracer.barriers()) {}
+
+  Fishbones run(const std::vector<Segment>& given) {
+    for (const Segment& segment : given) add_ribs(segment.backbone, segment.key_ribs);
+    if (!given.empty()) return std::move(result_);
+    while (const auto seed = room_.farthest(0.6 * s_)) {
+      add_segment(*seed);
+      room_.take(*seed, 0.6 * s_);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool hatchable(const Vec2& p) const {
+    const auto at = tracer_.buffers().at(p);
+    return at && tracer_.buffers().face[*at] != kNone &&
+           tracer_.buffers().luminance[*at] < brightest_;
+  }
+  bool blocked(const Vec2& p, Index rib) const {
+    if (!hatchable(p)) return true;
+    if (points_.distance(p, kOwn * s_, [&](Index line, Index) { return line != rib; }) < kOwn * s_)
+      return true;
+    return points_.distance(p, kOthers * s_, [&](Index line, Index) { return line < first_rib_; }) <
+           kOthers * s_;
+  }
+
   void add_rib(const Sample& sample, const Rib& rib, Index segment, Index rank) {
     const auto number = static_cast<Index>(result_.ribs.size());
     if (blocked(sample.p, number)) return;
-    const Trace back = follow(sample.p, rib.back, number),
-                ahead = follow(sample.p, rib.ahead, number);
+    const Trace back = ribs_.follow(sample.p, rib.back, number),
+                ahead = ribs_.follow(sample.p, rib.ahead, number);
     Hatch hatch;
     hatch.stroke.kind = StrokeKind::rib;
     hatch.stroke.segment = segment;
@@ -212,9 +246,9 @@ class Boner {
   /// Key ribs at these arc lengths; none: found by bisection.
   void add_ribs(std::vector<Vec2> backbone, const std::vector<double>& given) {
     first_rib_ = static_cast<Index>(result_.ribs.size());
-    const std::vector<Sample> at = samples(backbone);
+    const std::vector<Sample> at = ribs_.samples(backbone);
     if (at.empty()) return;
-    const auto keys = given.empty() ? key_ribs(at) : keys_at(at, given);
+    const auto keys = given.empty() ? ribs_.key_ribs(at) : ribs_.keys_at(at, given);
     Segment bone{std::move(backbone), {}};
     const auto segment = static_cast<Index>(result_.segments.size());
     std::size_t last = 0, next = 0;
@@ -227,7 +261,8 @@ class Boner {
       }
       while (next <= i || !keys[next]) ++next;
       const double t = (at[i].arc - at[last].arc) / (at[next].arc - at[last].arc);
-      add_rib(at[i], blended(*keys[last], *keys[next], t), segment, static_cast<Index>(i));
+      add_rib(at[i], RibMaker::blended(*keys[last], *keys[next], t), segment,
+              static_cast<Index>(i));
     }
     if (result_.ribs.size() == first_rib_) return;
     result_.key_ribs += bone.key_ribs.size();
@@ -235,26 +270,9 @@ class Boner {
     result_.segments.push_back(std::move(bone));
   }
 
-  /// The samples nearest to these arc lengths, and both ends.
-  std::vector<std::optional<Rib>> keys_at(const std::vector<Sample>& at,
-                                          const std::vector<double>& arcs) const {
-    std::vector<std::optional<Rib>> keys(at.size());
-    const auto set = [&](std::size_t i) {
-      if (!keys[i]) keys[i] = traced(at[i], kNone);
-    };
-    set(0);
-    for (const double arc : arcs) {
-      std::size_t best = 0;
-      for (std::size_t i = 1; i < at.size(); ++i)
-        if (std::abs(at[i].arc - arc) < std::abs(at[best].arc - arc)) best = i;
-      set(best);
-    }
-    set(at.size() - 1);
-    return keys;
-  }
-
   const Tracer& tracer_;
   double s_, brightest_;
+  RibMaker ribs_;
   FreeRoom room_;
   LinePoints points_;
   Index first_rib_ = 0;
