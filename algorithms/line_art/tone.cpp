@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/line_art/tone.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -109,9 +112,8 @@ std::vector<double> mean_ratio(const std::vector<double>& top, const std::vector
 void blur(std::vector<float>& image, int width, int height, double deviation) {
   const int radius = std::max(
       1, static_cast<int>(std::lround(0.5 * (std::sqrt(4 * deviation * deviation + 1) - 1))));
-  std::vector<float> line;
   const auto pass = [&](std::size_t start, std::size_t stride, int n) {
-    line.resize(static_cast<std::size_t>(n));
+    std::vector<float> line(static_cast<std::size_t>(n));
     for (int round = 0; round < 3; ++round) {
       double sum = 0;
       const auto value = [&](int i) {
@@ -127,8 +129,14 @@ void blur(std::vector<float>& image, int width, int height, double deviation) {
     }
   };
   const auto w = static_cast<std::size_t>(width);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) pass(j * w, 1, width);
-  for (std::size_t i = 0; i < w; ++i) pass(i, w, height);
+  // Lines are on their own; columns beside each other share what the cache holds.
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, static_cast<std::size_t>(height), 16), [&](const Range& range) {
+    for (std::size_t j = range.begin(); j != range.end(); ++j) pass(j * w, 1, width);
+  });
+  tbb::parallel_for(Range(0, w, 16), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) pass(i, w, height);
+  });
 }
 
 /// The share of every pixel under a stroke of these widths, in `own`, which was zero.
@@ -230,6 +238,8 @@ class Widths {
     apply();
     mask_.resize(b_.size());
     for (std::size_t k = 0; k < b_.size(); ++k) mask_[k] = b_.face[k] != kNone ? 1.0F : 0.0F;
+    wanted_ = ink_;
+    blur(wanted_, b_.width, b_.height, kBlur * o_.spacing / b_.pixel);
     for (int round = 0; round < o_.corrections; ++round) correct();
   }
 
@@ -276,17 +286,15 @@ class Widths {
   }
 
   void correct() {
-    std::vector<float> have = coverage(b_, hatches_), want = ink_;
+    std::vector<float> have = coverage(b_, hatches_);
     for (std::size_t k = 0; k < b_.size(); ++k)
       if (mask_[k] == 0) have[k] = 0;
-    const double deviation = kBlur * o_.spacing / b_.pixel;
-    blur(have, b_.width, b_.height, deviation);
-    blur(want, b_.width, b_.height, deviation);
+    blur(have, b_.width, b_.height, kBlur * o_.spacing / b_.pixel);
     for (std::size_t h = 0; h < hatches_.size(); ++h)
       for (std::size_t i = 0; i < plain_[h].size(); ++i) {
         const auto at = b_.at(hatches_[h].stroke.points[i]);
         if (!at || !(have[*at] > 1e-4F)) continue;
-        const double factor = static_cast<double>(want[*at]) / static_cast<double>(have[*at]);
+        const double factor = static_cast<double>(wanted_[*at]) / static_cast<double>(have[*at]);
         plain_[h][i] = std::min(plain_[h][i] * std::clamp(factor, 0.8, 1.25), o_.cap * o_.spacing);
       }
     apply();
@@ -298,7 +306,7 @@ class Widths {
   std::vector<Hatch>& hatches_;
   const OwnedArea& owned_;
   std::vector<std::vector<double>> plain_;
-  std::vector<float> mask_;
+  std::vector<float> mask_, wanted_;
 };
 
 }  // namespace
