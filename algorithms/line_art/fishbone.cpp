@@ -15,7 +15,7 @@ using kernel::operator+, kernel::operator-, kernel::operator*;
 using std::numbers::pi;
 
 constexpr double kTurn = 2.2;       // radians, of a backbone
-constexpr double kLeaves = 0.5;     // radians between a blended rib and the field
+constexpr double kLeaves = 0.25;    // radians between a blended rib and the field
 constexpr double kDeviation = 0.9;  // spacings between a blended rib and the traced one
 constexpr double kOthers = 0.6;     // spacings to ribs of other segments
 constexpr double kOwn = 0.6;        // spacings to ribs of its own
@@ -131,8 +131,8 @@ class RibMaker {
         return line;
       }
       const auto field = tracer_.direction(q, Family::rib, d);
-      if (!field || std::abs(turn_between(d, *field)) > kLeaves || tracer_.near_singularity(q))
-        return line;
+      if (!field || tracer_.near_singularity(q)) return line;
+      if (std::abs(turn_between(d, *field)) > kLeaves) break;
       if (blocked_(q, rib)) {
         line.end = Trace::End::line;
         return line;

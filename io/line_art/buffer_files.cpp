@@ -126,6 +126,7 @@ std::string vti_of(const Buffers& b) {
   add("normal", 3, [&](std::size_t k, std::size_t c) { return b.normal[k][c]; });
   add("rib", 2, [&](std::size_t k, std::size_t c) { return b.rib[k][c]; });
   add("backbone", 2, [&](std::size_t k, std::size_t c) { return b.backbone[k][c]; });
+  image->GetPointData()->SetActiveScalars("luminance");
   return vti_bytes(*image);
 }
 
