@@ -17,6 +17,7 @@
 #include "io/line_art/sidecar.hpp"
 #include "io/write/atomic_file.hpp"
 #include "tests/line_art/scenes.hpp"
+#include "tests/support/program.hpp"
 
 using namespace crest;
 using namespace crest::line_art;
@@ -197,7 +198,8 @@ TEST_CASE(
     CHECK(io::eps_of(again) == eps);
     CHECK(io::sidecar_of(again) == io::sidecar_of(drawing));
   }
-  const std::string path = CREST_BINARY_DIR "/line_art_sidecar.json";
+  const TemporaryFolder folder;
+  const std::string path = (folder / "sidecar.json").string();
   io::write_atomically(path, io::sidecar_of(drawing));
   options.steering = io::read_sidecar(path, drawing.view);
   CHECK(options.steering.segments.size() == drawing.segments.size());
