@@ -300,6 +300,7 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--certificate", o.common.certificate, "proof for crest-verify (.crest)")
       ->type_name("FILE");
   add_view(app, o);
+  add_clean_options(app, o.common.clean, true);
   const std::map<std::string, Style> styles = {{"contours", Style::contours},
                                                {"streamlines", Style::streamlines},
                                                {"fishbone", Style::fishbone}};
