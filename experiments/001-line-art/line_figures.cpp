@@ -87,13 +87,14 @@ void shade(const fs::path& path, const kernel::TriangleMesh& mesh, const View& v
   io::write_atomically(path.string(), canvas.png());
 }
 
-void draw(const Figure& figure, const std::string& meshes, const fs::path& out) {
+void draw(const Figure& figure, const std::string& meshes, const fs::path& out, double width) {
   const kernel::TriangleMesh mesh = io::read_mesh(meshes + "/" + figure.mesh).mesh;
   Drawing drawing;
   drawing.title = fmt::format("figure {}: {}", figure.name, figure.mesh);
   drawing.scene = weld(mesh.points(), mesh.faces());
   ViewRequest request;
   request.towards = figure.eye;
+  request.width = width;
   drawing.view = make_view(request, drawing.scene);
   drawing.contours = find_contours(drawing.scene, drawing.view);
   drawing.lines = draw_contours(drawing.scene, drawing.view, drawing.contours);
@@ -132,8 +133,10 @@ int main(int argc, char** argv) {
   Program program("Figures 3.20 to 3.26: drawings and their numbers.");
   std::string meshes = "../shared/data/meshes", only;
   std::filesystem::path out;
+  double width = 160;
   program.option("--meshes", meshes, "folder of the meshes");
   program.option("--pictures", out, "folder for .svg and .png (default: none)");
+  program.option("--width", width, "of the page, mm");
   program.option("--only", only, "one figure, such as 3.25");
   return program.run(argc, argv, [&] {
     fmt::print(
@@ -142,7 +145,7 @@ int main(int argc, char** argv) {
         "spacing 5 %, median, 95 % (mm) | over contours | tone error mean, 95 %, max |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Figure& figure : kFigures)
-      if (only.empty() || only == figure.name) draw(figure, meshes, out);
+      if (only.empty() || only == figure.name) draw(figure, meshes, out, width);
     return 0;
   });
 }
