@@ -8,7 +8,7 @@ namespace {
 
 using line_art::Stroke, line_art::StrokeKind;
 
-constexpr double kError = 0.004;  // mm, of outlines
+constexpr double kError = 0.01;  // mm, of outlines
 
 /// Text between tags.
 std::string escaped(const std::string& text) {
