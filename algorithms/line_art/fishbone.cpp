@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/line_art/fishbone.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "algorithms/line_art/free_room.hpp"
+#include "algorithms/line_art/tone.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -251,19 +253,20 @@ class Boner {
     const auto keys = given.empty() ? ribs_.key_ribs(at) : ribs_.keys_at(at, given);
     Segment bone{std::move(backbone), {}};
     const auto segment = static_cast<Index>(result_.segments.size());
-    std::size_t last = 0, next = 0;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (keys[i]) {
-        last = i;
-        add_rib(at[i], *keys[i], segment, static_cast<Index>(i));
-        bone.key_ribs.push_back(at[i].arc);
-        continue;
-      }
-      while (next <= i || !keys[next]) ++next;
-      const double t = (at[i].arc - at[last].arc) / (at[next].arc - at[last].arc);
-      add_rib(at[i], RibMaker::blended(*keys[last], *keys[next], t), segment,
-              static_cast<Index>(i));
+    // In bit-reversed order: where ribs run together, evenly distributed ones go on.
+    for (const Index i : bit_reversed(static_cast<Index>(at.size()))) {
+      std::size_t last = i, next = i;
+      while (!keys[last]) --last;
+      while (!keys[next]) ++next;
+      const double span = at[next].arc - at[last].arc;
+      const double t = span > 0 ? (at[i].arc - at[last].arc) / span : 0;
+      add_rib(at[i], keys[i] ? *keys[i] : RibMaker::blended(*keys[last], *keys[next], t), segment,
+              i);
     }
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (keys[i]) bone.key_ribs.push_back(at[i].arc);
+    std::sort(result_.ribs.begin() + first_rib_, result_.ribs.end(),
+              [](const Hatch& x, const Hatch& y) { return x.stroke.rank < y.stroke.rank; });
     if (result_.ribs.size() == first_rib_) return;
     result_.key_ribs += bone.key_ribs.size();
     result_.blended += at.size() - bone.key_ribs.size();
