@@ -45,8 +45,8 @@ std::vector<Index> bit_reversed(Index n);
 /// 1 - luminance within the range that one layer can show; 0 above the brightest.
 std::vector<float> layer_ink(const Buffers& buffers, const ToneOptions& options);
 
-/// Of the crossing layer, where it is darker than the first can show. Inks of crossing layers
-/// multiply: (cmin - c) / cmin; `plain`: the thesis' cmin - c.
+/// Of cross hatching, the second layer, where it is darker than the first can show. Inks of
+/// crossing layers multiply: (cmin - c) / cmin; `plain`: the thesis' cmin - c.
 std::vector<float> crossing_ink(const Buffers& buffers, const ToneOptions& options, bool plain);
 
 /// Of the shares of two layers that cross.

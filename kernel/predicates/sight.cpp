@@ -50,7 +50,7 @@ bool moves(unsigned mask, unsigned rank) {
   return (mask >> (3 * rank) & 7U) != 0;
 }
 
-unsigned place_among(std::span<const Index> sorted, Index rank) {
+unsigned place_among(std::span<const VertexNumber> sorted, VertexNumber rank) {
   return static_cast<unsigned>(std::lower_bound(sorted.begin(), sorted.end(), rank) -
                                sorted.begin());
 }
@@ -68,16 +68,18 @@ struct Sight::Coefficients {
 };
 
 /// A and B of a plane in exact numbers, by the rule of EventPlace.
-Sight::Coefficients Sight::coefficients(Index a, Index b, const EventPlane& plane) const {
-  const bool seen = plane.r == kNone;
-  const std::array<Index, 5> ranks = {seen ? 0 : plane.p + 1, seen ? plane.p + 1 : plane.q + 1,
-                                      seen ? plane.q + 1 : plane.r + 1, a + 1, b + 1};
-  std::array<Index, 5> sorted = ranks;
+Sight::Coefficients Sight::coefficients(VertexNumber a, VertexNumber b,
+                                        const EventPlane& plane) const {
+  const bool seen = plane.r == kNoVertex;
+  const std::array<VertexNumber, 5> ranks = {seen ? 0 : plane.p + 1,
+                                             seen ? plane.p + 1 : plane.q + 1,
+                                             seen ? plane.q + 1 : plane.r + 1, a + 1, b + 1};
+  std::array<VertexNumber, 5> sorted = ranks;
   std::sort(sorted.begin(), sorted.end());
   const auto coefficient = [&](unsigned mask, std::size_t end) {
     HomogeneousRows rows;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Index rank = ranks[i < 3 ? i : end];
+      const VertexNumber rank = ranks[i < 3 ? i : end];
       rows.row[i] = row(rank);
       move_row(rows.row[i], mask, place_among(sorted, rank));
     }
@@ -95,18 +97,18 @@ Sight::Coefficients Sight::coefficients(Index a, Index b, const EventPlane& plan
   return c;
 }
 
-std::array<double, 4> Sight::row(Index rank) const {
+std::array<double, 4> Sight::row(VertexNumber rank) const {
   const Vec3& p = rank == 0 ? eye_.at : points_[rank - 1];
   return {p[0], p[1], p[2], rank == 0 ? eye_.weight() : 1};
 }
 
 template <std::size_t N>
-Decision Sight::resolve(std::array<Index, N> ranks, SightOrientation formula,
+Decision Sight::resolve(std::array<VertexNumber, N> ranks, SightOrientation formula,
                         StageCounts& counts) const {
   const Decision flat = climb_counted(formula, counts);
   if (flat.sign != Sign::zero) return flat;
   counts.add(Stage::symbolic);
-  std::array<Index, N> sorted = ranks;
+  std::array<VertexNumber, N> sorted = ranks;
   std::sort(sorted.begin(), sorted.end());
   for (const unsigned mask : monomials()) {
     HomogeneousRows rows;
@@ -120,49 +122,52 @@ Decision Sight::resolve(std::array<Index, N> ranks, SightOrientation formula,
           Stage::symbolic};  // never for distinct ranks: three moved rows leave a weight
 }
 
-Decision Sight::side(Index a, Index b, Index c, SightCounts& counts) const {
+Decision Sight::side(VertexNumber a, VertexNumber b, VertexNumber c, SightCounts& counts) const {
   return resolve<4>({0, a + 1, b + 1, c + 1},
                     {eye_.at, eye_.weight(), points_[a], points_[b], points_[c]}, counts.side);
 }
 
-Decision Sight::volume(Index a, Index b, Index c, Index d, SightCounts& counts) const {
+Decision Sight::volume(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+                       SightCounts& counts) const {
   return resolve<4>({a + 1, b + 1, c + 1, d + 1},
                     {points_[a], 1, points_[b], points_[c], points_[d]}, counts.volume);
 }
 
-Sign Sight::flat_side(Index a, Index b, Index c) const {
+Sign Sight::flat_side(VertexNumber a, VertexNumber b, VertexNumber c) const {
   return climb(SightOrientation{eye_.at, eye_.weight(), points_[a], points_[b], points_[c]}).sign;
 }
 
-Sign Sight::flat_volume(Index a, Index b, Index c, Index d) const {
+Sign Sight::flat_volume(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d) const {
   return climb(SightOrientation{points_[a], 1, points_[b], points_[c], points_[d]}).sign;
 }
 
-bool Sight::crosses(Index a, Index b, Index c, Index d, SightCounts& counts) const {
+bool Sight::crosses(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+                    SightCounts& counts) const {
   return side(c, d, a, counts).sign != side(c, d, b, counts).sign &&
          side(a, b, c, counts).sign != side(a, b, d, counts).sign;
 }
 
-bool Sight::in_front(Index a, Index b, Index c, Index d, SightCounts& counts) const {
+bool Sight::in_front(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+                     SightCounts& counts) const {
   // [a, b, c, e] = -[e, a, b, c].
   return volume(a, b, c, d, counts).sign == -side(a, b, c, counts).sign;
 }
 
-bool Sight::pierces(Index a, Index b, const Triangle& f, SightCounts& counts) const {
+bool Sight::pierces(VertexNumber a, VertexNumber b, const Corners& f, SightCounts& counts) const {
   const auto [p, q, r] = f;
   if (volume(p, q, r, a, counts).sign == volume(p, q, r, b, counts).sign) return false;
   const Sign s = volume(a, b, p, q, counts).sign;
   return volume(a, b, q, r, counts).sign == s && volume(a, b, r, p, counts).sign == s;
 }
 
-bool Sight::covers(const Triangle& f, Index a, SightCounts& counts) const {
+bool Sight::covers(const Corners& f, VertexNumber a, SightCounts& counts) const {
   const auto [p, q, r] = f;
   const Sign s = side(a, p, q, counts).sign;
   if (side(a, q, r, counts).sign != s || side(a, r, p, counts).sign != s) return false;
   return volume(p, q, r, a, counts).sign == side(p, q, r, counts).sign;
 }
 
-bool Sight::end_on(Index a, Index b) const {
+bool Sight::end_on(VertexNumber a, VertexNumber b) const {
   const Vec3 &p = points_[a], &q = points_[b];
   const Vec3 o = eye_.finite ? p : Vec3{};
   // (e - o) and (q - p), or e and (q - p), are parallel: no coordinate of their product is left.
@@ -181,13 +186,14 @@ bool Sight::end_on(Index a, Index b) const {
   return true;
 }
 
-SightOrientation Sight::value_at(const EventPlane& plane, Index v) const {
-  if (plane.r == kNone)
+SightOrientation Sight::value_at(const EventPlane& plane, VertexNumber v) const {
+  if (plane.r == kNoVertex)
     return {eye_.at, eye_.weight(), points_[plane.p], points_[plane.q], points_[v]};
   return {points_[plane.p], 1, points_[plane.q], points_[plane.r], points_[v]};
 }
 
-EventPlace Sight::place(Index a, Index b, const EventPlane& plane, SightCounts& counts) const {
+EventPlace Sight::place(VertexNumber a, VertexNumber b, const EventPlane& plane,
+                        SightCounts& counts) const {
   EventPlace place;
   place.plane_ = plane;
   const SightOrientation at_a = value_at(plane, a), at_b = value_at(plane, b);
@@ -199,8 +205,8 @@ EventPlace Sight::place(Index a, Index b, const EventPlane& plane, SightCounts& 
   place.end_ = sb == Sign::zero && sa != Sign::zero;
   place.symbolic_ = sa == Sign::zero && sb == Sign::zero;
   if (place.symbolic_) {
-    const Decision d = plane.r == kNone ? side(plane.p, plane.q, a, counts)
-                                        : volume(plane.p, plane.q, plane.r, a, counts);
+    const Decision d = plane.r == kNoVertex ? side(plane.p, plane.q, a, counts)
+                                            : volume(plane.p, plane.q, plane.r, a, counts);
     place.positive_ = d.sign == Sign::positive;
   }
   if (sa != Sign::zero && sb != Sign::zero)
@@ -215,8 +221,8 @@ EventPlace Sight::place(Index a, Index b, const EventPlane& plane, SightCounts& 
   return place;
 }
 
-Sign Sight::event_order(Index a, Index b, const EventPlace& first, const EventPlace& second,
-                        SightCounts& counts) const {
+Sign Sight::event_order(VertexNumber a, VertexNumber b, const EventPlace& first,
+                        const EventPlace& second, SightCounts& counts) const {
   const Sign denominators = first.positive_ == second.positive_ ? Sign::positive : Sign::negative;
   if (first.symbolic_ || second.symbolic_) {
     counts.order.add(Stage::symbolic);

@@ -24,11 +24,14 @@
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
-#include "kernel/geometry/index.hpp"
 #include "kernel/predicates/dihedral_angle.hpp"
 #include "kernel/predicates/ladder.hpp"
 
 namespace crest::kernel {
+
+using VertexNumber = std::uint32_t;
+inline constexpr VertexNumber kNoVertex = 0xffffffffU;
+using Corners = std::array<VertexNumber, 3>;  ///< of a triangle
 
 /// Where one looks from: a point, or the direction towards an eye infinitely far.
 struct Eye {
@@ -110,9 +113,9 @@ struct SightCounts {
   }
 };
 
-/// The plane of an event on an edge: of the eye and an edge (r = kNone), or of a triangle.
+/// The plane of an event on an edge: of the eye and an edge (r = kNoVertex), or of a triangle.
 struct EventPlane {
-  Index p, q, r = kNone;
+  VertexNumber p, q, r = kNoVertex;
 };
 
 /// Where an edge a -> b meets a plane whose sides a and b are on: t = A / (A - B), in the limit.
@@ -139,40 +142,45 @@ class Sight {
  public:
   Sight(const Eye& eye, const std::vector<Vec3>& points) : eye_(eye), points_(points) {}
   const Eye& eye() const { return eye_; }
-  const Vec3& point(Index v) const { return points_[v]; }
+  const Vec3& point(VertexNumber v) const { return points_[v]; }
 
   /// [e, a, b, c], the side of edge ab on which the eye sees c. Guarantees: not zero.
-  Decision side(Index a, Index b, Index c, SightCounts& counts) const;
+  Decision side(VertexNumber a, VertexNumber b, VertexNumber c, SightCounts& counts) const;
   /// [a, b, c, d]. Guarantees: not zero.
-  Decision volume(Index a, Index b, Index c, Index d, SightCounts& counts) const;
+  Decision volume(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+                  SightCounts& counts) const;
   /// The same of the points as they are.
-  Sign flat_side(Index a, Index b, Index c) const;
-  Sign flat_volume(Index a, Index b, Index c, Index d) const;
+  Sign flat_side(VertexNumber a, VertexNumber b, VertexNumber c) const;
+  Sign flat_volume(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d) const;
 
   /// Do the edges ab and cd, without a common vertex, cross in the picture.
-  bool crosses(Index a, Index b, Index c, Index d, SightCounts& counts) const;
+  bool crosses(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+               SightCounts& counts) const;
   /// Is cd in front of ab. Requires: they cross.
-  bool in_front(Index a, Index b, Index c, Index d, SightCounts& counts) const;
+  bool in_front(VertexNumber a, VertexNumber b, VertexNumber c, VertexNumber d,
+                SightCounts& counts) const;
   /// Does the segment ab go through the triangle. Requires: no common vertex.
-  bool pierces(Index a, Index b, const Triangle& f, SightCounts& counts) const;
+  bool pierces(VertexNumber a, VertexNumber b, const Corners& f, SightCounts& counts) const;
   /// Is the triangle between the eye and a. Requires: a is no corner.
-  bool covers(const Triangle& f, Index a, SightCounts& counts) const;
+  bool covers(const Corners& f, VertexNumber a, SightCounts& counts) const;
   /// Do eye, a and b lie on one line.
-  bool end_on(Index a, Index b) const;
+  bool end_on(VertexNumber a, VertexNumber b) const;
 
   /// Requires: a and b on different sides of the plane, none of them a vertex of it.
-  EventPlace place(Index a, Index b, const EventPlane& plane, SightCounts& counts) const;
-  /// The sign of t1 - t2, of limits: zero is an answer.
-  Sign event_order(Index a, Index b, const EventPlace& first, const EventPlace& second,
+  EventPlace place(VertexNumber a, VertexNumber b, const EventPlane& plane,
                    SightCounts& counts) const;
+  /// The sign of t1 - t2, of limits: zero is an answer.
+  Sign event_order(VertexNumber a, VertexNumber b, const EventPlace& first,
+                   const EventPlace& second, SightCounts& counts) const;
 
  private:
   struct Coefficients;
-  Coefficients coefficients(Index a, Index b, const EventPlane& plane) const;
-  SightOrientation value_at(const EventPlane& plane, Index v) const;
-  std::array<double, 4> row(Index rank) const;
+  Coefficients coefficients(VertexNumber a, VertexNumber b, const EventPlane& plane) const;
+  SightOrientation value_at(const EventPlane& plane, VertexNumber v) const;
+  std::array<double, 4> row(VertexNumber rank) const;
   template <std::size_t N>
-  Decision resolve(std::array<Index, N> ranks, SightOrientation formula, StageCounts& counts) const;
+  Decision resolve(std::array<VertexNumber, N> ranks, SightOrientation formula,
+                   StageCounts& counts) const;
 
   Eye eye_;
   const std::vector<Vec3>& points_;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "kernel/arithmetic/rational.hpp"
+#include "kernel/geometry/index.hpp"
 #include "tests/kernel/ladder_checks.hpp"
 
 using namespace crest::kernel;
