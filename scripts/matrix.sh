@@ -133,5 +133,15 @@ for path in $(made lattice lattice.vtu) $(inputs vectorfields cylinder_Re35.vtk 
   cylinder_slice_513x65.vti piv_insight_run1.vec piv_challenge_B00001.txt water_gbr.json); do
   run "$path" skeleton "$path" -o skeleton.vtp --picture p.png --certificate c.crest --report r.json
 done
+for path in $(made torus torus.off) $(inputs meshes moebius.obj suzanne.obj teapot.obj fandisk.off); do
+  for format in svg pdf eps vtp; do
+    run "$path" lineart "$path" --style contours -o lines.$format --certificate c.crest --report r.json
+  done
+done
+for path in $folder/torus.off $(inputs meshes spot.obj); do
+  for format in svg pdf eps vtp; do
+    run "$path" lineart "$path" -o lines.$format --certificate c.crest --report r.json
+  done
+done
 echo "processor time of all runs: $total s"
 [ $failures -eq 0 ] || { echo "$failures failures"; exit 1; }

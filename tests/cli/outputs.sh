@@ -102,6 +102,8 @@ run 0 crest spline samples.csv -o p1.vti --certificate p1.crest --report p1.json
 run 0 crest spline samples.csv --smoothness local -n 3,4,5 --box 0,1 -o p2.vti --certificate p2.crest --report p2.json
 run 0 crest spline samples.csv --smoothness sequential -o p3.vti --report p3.json
 run 0 crest spline p1.vti --evaluate samples.csv --values p4.csv --report p4.json
+run 0 crest lineart c1.vtp --style contours --camera 1,0.5,2,0,0,0 -o l1.svg --certificate l1.crest --report l1.json --cite
+run 0 crest lineart sphere.obj -o l2.svg --save-sidecar l2-sidecar.json --report l2.json
 
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Where there is room for another fishbone: the free point farthest from everything.
+#include <optional>
+#include <vector>
+
+#include "algorithms/line_art/tracer.hpp"
+
+namespace crest::line_art {
+
+/// On cells of half a spacing. Taken are paper, highlights, contours, singularities, and what
+/// take() took.
+class FreeRoom {
+ public:
+  FreeRoom(const Tracer& tracer, double brightest);
+  /// Cells within a radius that no contour separates from p.
+  void take(const Vec2& p, double radius);
+  /// The middle of the free cell farthest from what is taken, if that is farther than `least`.
+  std::optional<Vec2> farthest(double least) const;
+
+ private:
+  Vec2 centre(int i, int j) const { return {(i + 0.5) * cell_, (j + 0.5) * cell_}; }
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(i);
+  }
+
+  const Barriers& barriers_;
+  double cell_;
+  int columns_, rows_;
+  std::vector<std::uint8_t> taken_;
+};
+
+}  // namespace crest::line_art

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Drawings as files: .svg in mm, in groups; .pdf and .eps; .vtp in space.
+#include <string>
+
+#include "algorithms/line_art/line_art_result.hpp"
+
+namespace crest::io {
+
+/// By the extension. No fonts; the same bytes for the same drawing.
+/// Throws: kernel::InputError for another extension or a place that cannot be written.
+void write_drawing(const std::string& path, const line_art::Drawing& drawing);
+
+/// Each format's bytes.
+std::string svg_of(const line_art::Drawing& drawing);
+std::string pdf_of(const line_art::Drawing& drawing);
+std::string eps_of(const line_art::Drawing& drawing);
+std::string vtp_of(const line_art::Drawing& drawing);
+
+}  // namespace crest::io
