@@ -196,8 +196,8 @@ void add_volume_options(CLI::App& app, ExtremalOptions& o) {
       ->type_name("K")
       ->group(group);
   app.add_option("--refine", o.refine,
-                 "split cells that are not proven, D times (default 0; more is not built yet)")
-      ->check(CLI::Range(0, 8))
+                 "halve the grid D times (default 0): the same field, of which more is proven")
+      ->check(CLI::Range(0, extremal::kMostRefined))
       ->type_name("D")
       ->group(group);
   app.add_option("--field", o.source.field, "of several arrays (.vti, .vtk)")
