@@ -88,7 +88,7 @@ void count_tree(const PointTree& tree, Counts& c) {
   for (int s = 1 << tree.tree().depth(); s > tree.tree().finest(); s /= 2) ++c.depth;
   for (Index i = 0; i < leaves; ++i) {
     const PointField::Box& b = tree.box(i);
-    ++(b.passed && b.nonzero ? c.empty : b.passed ? c.cone : c.open);
+    ++(b.nonzero ? c.empty : b.passed ? c.cone : c.open);
   }
   for (const OctreeEdge& e : tree.edges()) {
     if (e.state == EdgeState::untested) continue;
