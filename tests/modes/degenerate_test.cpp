@@ -4,11 +4,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
+#include "certify/modes_curves/encode.hpp"
+#include "certify/verify.hpp"
 #include "tests/modes/reference_fields.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
@@ -269,6 +272,18 @@ TEST_CASE("degenerate curves on a fourfold axis: the faces around its edges are 
       CHECK(named[f]);
     }
   CHECK(around > 0);
+  // But the lowest one of four: the deviator is zero at z = -2.
+  CHECK(r.degenerate_edges.size() == 3);
+  for (const auto& e : r.degenerate_edges)
+    for (const std::uint32_t v : e) {
+      CHECK(std::hypot(s.points[v][0], s.points[v][1]) == 0);
+      CHECK(s.points[v][2] > -1.5);
+    }
+  const auto c = curves_certificate(s.points, s.tets, s.tensors, r);
+  CHECK(c.degenerate_edges == r.degenerate_edges);
+  const auto verdict = certify::verify(certify::encode(c));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
 }
 
 TEST_CASE("degenerate curves of degenerate data: zero, constant and dependent tensors are named") {
@@ -289,6 +304,12 @@ TEST_CASE("degenerate curves of degenerate data: zero, constant and dependent te
   CHECK(uniform.special_faces.size() > 2 * s.tets.size());
   for (const auto& f : uniform.special_faces) CHECK(f.reason == SpecialReason::dependent);
   CHECK(uniform.curves.empty());
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (const auto& t : s.tets)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        edges.insert({std::min(t[i], t[k]), std::max(t[i], t[k])});
+  CHECK(uniform.degenerate_edges.size() == edges.size());
 }
 
 TEST_CASE("degenerate points: large and small numbers, isotropic parts") {
