@@ -74,8 +74,17 @@ LevelValues rim_values(const PointField& field, const PointTree& tree, const She
       r.corners[i] = value(mesh.vertices[i].at);
   });
   tbb::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      r.centres[i] = value(mesh.polygons[i].zero);
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      // Between its corners' values: beside a larger leaf the zero may be outside of its polygon,
+      // and no rim runs round it alone.
+      const SheetPolygon& p = mesh.polygons[i];
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t k = 0; k < p.count; ++k) {
+        low = std::min(low, r.corners[p.corners[k]]);
+        high = std::max(high, r.corners[p.corners[k]]);
+      }
+      r.centres[i] = std::clamp(value(p.zero), low, high);
+    }
   });
   return r;
 }

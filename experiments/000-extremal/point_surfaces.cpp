@@ -51,7 +51,7 @@ void add_ear(const std::string& file, std::vector<Row>& rows) {
     ear.points.push_back(p);
     ear.normals.push_back(normals[v]);
   }
-  rows.push_back({"bunny's ear", std::move(ear), 0.0028, {8, 10}});
+  rows.push_back({"bunny's ear", std::move(ear), 0.0024, {8, 10}});
 }
 
 /// Leaves of the octree by the paper's criteria as printed: more than one point, n at two corners
