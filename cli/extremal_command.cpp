@@ -83,10 +83,11 @@ io::VolumeFile read_volume(Run& run, const ExtremalOptions& o) {
 
 /// Writes claim 8 if its checker accepts it: what is proven with no margin here may be refused
 /// there. Returns the digest of its data; empty: none was written.
-std::string certify_result(Run& run, const ExtremalCertificate& certificate,
+std::string certify_result(Run& run, std::optional<ExtremalCertificate>& certificate,
                            std::size_t undecided) {
   return run.step("certificate", "writing the certificate", [&]() -> std::string {
-    const auto bytes = certify::encode(certificate);
+    const auto bytes = certify::encode(*certificate);
+    certificate.reset();  // the checker takes as much memory as the extraction did
     const certify::Verdict verdict = certify::verify(bytes);
     if (!verdict.accepted) {
       run.warn("no certificate, its checker does not accept it: " + verdict.reason);
@@ -119,7 +120,7 @@ Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& resul
 }
 
 Outcome of_volume(Run& run, const ExtremalOptions& o) {
-  const io::VolumeFile file = read_volume(run, o);
+  io::VolumeFile file = read_volume(run, o);
   const kernel::SampledGrid& grid = file.grid;
   extremal::Options options;
   options.definition =
@@ -142,7 +143,8 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   });
   move_to_world(grid, result);
   std::string digest;
-  if (certificate) digest = certify_result(run, *certificate, result.undecided.size());
+  if (grid.dimension() == 3) file.grid.samples = {};
+  if (certificate) digest = certify_result(run, certificate, result.undecided.size());
   return finish(run, o, result, digest, grid.dimension() == 2 ? &grid : nullptr);
 }
 
@@ -196,8 +198,8 @@ void add_volume_options(CLI::App& app, ExtremalOptions& o) {
       ->type_name("K")
       ->group(group);
   app.add_option("--refine", o.refine,
-                 "split cells that are not proven, D times (default 0; more is not built yet)")
-      ->check(CLI::Range(0, 8))
+                 "halve the grid D times (default 0): the same field, of which more is proven")
+      ->check(CLI::Range(0, extremal::kMostRefined))
       ->type_name("D")
       ->group(group);
   app.add_option("--field", o.source.field, "of several arrays (.vti, .vtk)")

@@ -190,8 +190,10 @@ Outcome work(Run& run, const ModesOptions& o) {
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
-    auto result = run.step("extract", fmt::format("mode {}", w.level.value()),
-                           [&] { return modes::extract(field, w.level, extraction, record); });
+    auto result = run.step("extract", fmt::format("mode {}", w.level.value()), [&] {
+      return run.wanted("--certificate") ? modes::extract(field, w.level, extraction, record)
+                                         : modes::extract(field, w.level, extraction);
+    });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;
     });

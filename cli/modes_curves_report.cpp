@@ -65,6 +65,7 @@ Json curves_to_json(const DegenerateCurves& curves, const std::vector<std::int64
     tets.push_back({{"tet", cell_of[t.tet]}, {"reason", word(t.reason)}});
   result["special_faces"] = faces;
   result["special_tets"] = tets;
+  result["degenerate_edges"] = curves.degenerate_edges;
   Json undecided = Json::array();
   for (const auto t : curves.undecided) undecided.push_back(cell_of[t]);
   result["undecided"] = undecided;

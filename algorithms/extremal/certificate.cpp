@@ -50,6 +50,7 @@ certify::ExtremalData data_of(const Volume& volume, const Extraction& e) {
   d.dimension = static_cast<std::uint8_t>(volume.dimension());
   d.valley = o.side == Side::valley;
   d.hessian = o.definition == Definition::hessian;
+  d.refine = static_cast<std::uint8_t>(o.refine);
   for (std::size_t k = 0; k < d.dimension; ++k) {
     d.nodes[k] = volume.size[k];
     d.spacing[k] = volume.spacing[k];

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/certificate.hpp"
-#include "kernel/geometry/input_error.hpp"
 
 namespace crest::extremal {
 
 Result extract(const Volume& volume, const Options& options,
                certify::ExtremalCertificate* certificate) {
-  if (options.refine > 0) throw kernel::InputError("refine: octrees are not built yet; use 0");
   const Extraction e(Fields(volume, options), options);
   const MeasuredMesh mesh = e.mesh(options.critical);
   if (certificate != nullptr)

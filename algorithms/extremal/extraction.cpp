@@ -53,8 +53,8 @@ Result Extraction::result(const MeasuredMesh& mesh) const {
   Result r;
   r.dimension = g.dimension();
   const double plane = std::min(g.spacing[0], g.spacing[1]);
-  r.h =
-      std::sqrt(2.0) * options_.sigma * (r.dimension == 2 ? plane : std::min(plane, g.spacing[2]));
+  const double least = r.dimension == 2 ? plane : std::min(plane, g.spacing[2]);
+  r.h = std::sqrt(2.0) * options_.sigma * std::ldexp(least, options_.refine);
   write_mesh(
       g, mesh,
       [&](const Vec3& x) {

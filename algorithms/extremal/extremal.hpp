@@ -37,6 +37,8 @@ struct OrientedPoints {
 enum class Definition : std::uint8_t { structure, hessian };
 enum class Side : std::uint8_t { ridge, valley };
 
+inline constexpr int kMostRefined = 3;
+
 struct Options {
   Definition definition = Definition::structure;
   Side side = Side::ridge;
@@ -45,7 +47,7 @@ struct Options {
   std::optional<double> min_value;     ///< keeps L >= it
   double min_strength = 0;             ///< keeps s_nn >= it
   bool critical = false;               ///< keeps the merely critical, too
-  int refine = 0;  ///< depth of splits of cells that are neither empty nor regular
+  int refine = 0;  ///< 0 to kMostRefined: so often the grid is halved, the field stays
 };
 
 struct PointOptions {

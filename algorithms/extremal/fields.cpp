@@ -74,8 +74,6 @@ void check_volume(const Volume& v, std::size_t count) {
                                ": not a number; correct the header");
   }
   const double nodes = 1.0 * v.size[0] * v.size[1] * v.size[2];
-  if (!(nodes < 0x1p31))
-    throw kernel::InputError("more than 2^31 nodes; cut the volume into parts");
   if (count != static_cast<std::size_t>(nodes))
     throw kernel::InputError("size: header and number of samples differ; correct the header");
 }
@@ -99,6 +97,59 @@ void check_options(const Options& o) {
     throw kernel::InputError("min-value: not a number; choose another");
   if (!(o.min_strength >= 0 && std::isfinite(o.min_strength)))
     throw kernel::InputError("min-strength: not a number from 0 on; choose another");
+}
+
+void check_refinement(const Volume& v, int refine) {
+  if (refine < 0 || refine > kMostRefined)
+    throw kernel::InputError("refine: not from 0 to " + std::to_string(kMostRefined) +
+                             "; choose another");
+  double nodes = 1;
+  for (std::size_t k = 0; k < 3; ++k) nodes *= std::ldexp(double(v.size[k]) - 1, refine) + 1;
+  if (!(nodes <= 0x1p30))
+    throw kernel::InputError("more than 2^30 nodes" + std::string(refine > 0 ? ", refined" : "") +
+                             "; cut the volume into parts" +
+                             (refine > 0 ? ", or refine less" : ""));
+}
+
+/// Row i of the refined coefficients from the rows on the coarse grid, mirrored at its ends.
+template <class Row, class Number>
+void halve(int i, int n, std::size_t width, const Row& row, Number* out) {
+  const auto *a = row(std::max(i / 2 - 1, 0)), *b = row(i / 2),
+             *c = row(std::min(i / 2 + 1, n - 1));
+  for (std::size_t k = 0; k < width; ++k) {
+    const auto x = static_cast<double>(a[k]), y = static_cast<double>(b[k]),
+               z = static_cast<double>(c[k]);
+    out[k] = static_cast<Number>(i % 2 == 0 ? (x + 6 * y + z) / 8 : (y + z) / 2);
+  }
+}
+
+Grid halved(const Grid& g) {
+  std::array<Index, 3> size;
+  for (std::size_t k = 0; k < 3; ++k) size[k] = static_cast<Index>(2 * g.size[k] - 1);
+  return {size, 0.5 * g.spacing, g.origin};
+}
+
+/// Knots between the old ones; fine is halved(coarse).
+std::vector<float> halved(const std::vector<float>& c, const Grid& coarse, const Grid& fine) {
+  std::vector<float> r(fine.nodes());
+  const auto nx = static_cast<std::size_t>(coarse.size[0]);
+  const auto ny = static_cast<std::size_t>(coarse.size[1]);
+  tbb::parallel_for(0, fine.size[2], [&](int k) {
+    std::vector<double> slice(nx * ny), line(nx);
+    halve(
+        k, coarse.size[2], nx * ny,
+        [&](int z) { return c.data() + static_cast<std::size_t>(z) * nx * ny; }, slice.data());
+    for (int j = 0; j < fine.size[1]; ++j) {
+      halve(
+          j, coarse.size[1], nx,
+          [&](int y) { return slice.data() + static_cast<std::size_t>(y) * nx; }, line.data());
+      float* out = r.data() + fine.index({0, j, k});
+      for (int i = 0; i < fine.size[0]; ++i)
+        halve(
+            i, coarse.size[0], 1, [&](int x) { return line.data() + x; }, out + i);
+    }
+  });
+  return r;
 }
 
 double smallest_spacing(const Grid& g) {
@@ -133,6 +184,7 @@ Fields::Fields(const Volume& volume, const Options& options)
   std::visit(
       [&](const auto& samples) {
         check_volume(volume, samples.size());
+        check_refinement(volume, options.refine);
         check_samples(samples, grid_);
         check_options(options);
         scalar_weights_ = smoothing_weights(grid_, options.sigma);
@@ -183,6 +235,14 @@ Fields::Fields(const Volume& volume, const Options& options)
               tensor_weights_, tensors_[t]);
       },
       volume.samples);
+  for (int level = 0; level < options.refine; ++level) halve_grid();
+}
+
+void Fields::halve_grid() {
+  const Grid fine = halved(grid_);
+  scalars_ = halved(scalars_, grid_, fine);
+  for (auto& t : tensors_) t = halved(t, grid_, fine);
+  grid_ = fine;
 }
 
 Fields::Fields(const Grid& grid, Side side, std::vector<float> scalars,

@@ -34,7 +34,8 @@ struct Local {
 
 class Fields {
  public:
-  /// Throws kernel::InputError as extract does. `samples` are not kept.
+  /// Throws kernel::InputError as extract does. `samples` are not kept. The grid is the refined
+  /// one.
   Fields(const Volume& volume, const Options& options);
   /// Given coefficients; no tensors: T = Hess s.
   Fields(const Grid& grid, Side side, std::vector<float> scalars,
@@ -72,6 +73,8 @@ class Fields {
  private:
   void smooth(const std::function<void(int, double*)>& slice, const Weights& weights,
               std::vector<float>& result) const;
+  /// The same splines on the grid of half the spacing.
+  void halve_grid();
 
   Grid grid_;
   bool structure_;

@@ -32,21 +32,23 @@ class PointField {
   /// Of all x with |x - centre| <= half in every coordinate. Passed: T passes the cone test for
   /// w, n there is within theta of w.
   struct Box {
-    bool passed = false, nonzero = false;  ///< and g is not zero
+    bool passed = false, nonzero = false;  ///< g is not zero; where it is not passed, part by part
     Vec3 w{};
     double theta = 0;
     bool near = false;       ///< a point is within 0.9 h of the box
     std::size_t inside = 0;  ///< points in it
   };
   Box box(const Vec3& centre, const Vec3& half) const;
+  /// The same; what is wider than h/4 in parts, too. The cone test fails on most boxes of h/2.5
+  /// wherever they are, so these would be split all round the surface.
+  Box box_in_parts(const Vec3& centre, const Vec3& half) const;
 
  private:
-  using Key = std::array<int, 3>;
+  using Key = std::array<int, 2>;
   struct Hash {
     std::size_t operator()(const Key& k) const {
       return (static_cast<std::size_t>(k[0]) * 73856093U) ^
-             (static_cast<std::size_t>(k[1]) * 19349663U) ^
-             (static_cast<std::size_t>(k[2]) * 83492791U);
+             (static_cast<std::size_t>(k[1]) * 19349663U);
     }
   };
   Key key(const Vec3& x) const;
@@ -55,8 +57,8 @@ class PointField {
 
   double h_, radius_;
   Vec3 low_;                            ///< of the points' box
-  std::vector<Vec3> points_, normals_;  ///< sorted by cell of the search grid, R wide
-  std::unordered_map<Key, std::pair<Index, Index>, Hash> cells_;
+  std::vector<Vec3> points_, normals_;  ///< by column, R wide, then by z
+  std::unordered_map<Key, std::pair<Index, Index>, Hash> columns_;
 };
 
 }  // namespace crest::extremal

@@ -29,7 +29,9 @@ Node corner(const OctreeLeaf& leaf, int i) {
 
 }  // namespace
 
-/// A cube round the points and what lies within h of them.
+/// A cube round the points and what lies within h of them; if the depth allows it, so wide that
+/// some leaves are h/4 exactly, where the paper's criteria begin: else they are up to twice as
+/// fine.
 Grid PointTree::grid_of(const PointField& field, int depth) {
   Vec3 low = field.points()[0], high = low;
   for (const Vec3& p : field.points())
@@ -40,7 +42,10 @@ Grid PointTree::grid_of(const PointField& field, int depth) {
   double side = 0;
   for (std::size_t k = 0; k < 3; ++k) side = std::max(side, high[k] - low[k]);
   // Not a symmetric place: planes of symmetric points would run along nodes.
-  const double unit = (side + 2.2 * field.h()) / (1 << depth);
+  const double least = side + 2.2 * field.h(), finest = std::ldexp(field.h() / 4, depth);
+  double width = finest;
+  while (width / 2 >= least) width /= 2;
+  const double unit = (finest < least ? least : width) / (1 << depth);
   const Vec3 origin = 0.5 * (low + high) - (0.5 + 0x1p-7) * ((1 << depth) * unit) * Vec3{1, 1, 1};
   return Grid({2, 2, 2}, {unit, unit, unit}, origin);
 }
@@ -51,9 +56,17 @@ PointTree::PointTree(const PointField& field, int depth)
       tree_(depth, [&](const std::vector<OctreeLeaf>& leaves) { return split(leaves); }) {
   const auto& leaves = tree_.leaves();
   boxes_.resize(leaves.size());
+  const auto before = [](const AskedLeaf& a, const AskedLeaf& b) { return a.low < b.low; };
+  tbb::parallel_sort(asked_.begin(), asked_.end(), before);
   tbb::parallel_for(Range(0, leaves.size(), 64), [&](const Range& r) {
-    for (std::size_t i = r.begin(); i < r.end(); ++i) boxes_[i] = prove(leaves[i]);
+    for (std::size_t i = r.begin(); i < r.end(); ++i) {
+      const AskedLeaf leaf = {packed(leaves[i].low), leaves[i].size, {}};
+      const auto at = std::lower_bound(asked_.begin(), asked_.end(), leaf, before);
+      const bool known = at != asked_.end() && at->low == leaf.low && at->size == leaf.size;
+      boxes_[i] = known ? at->box : prove(leaves[i]);
+    }
   });
+  asked_ = {};
   decide_nodes();
   collect_edges();
   tbb::parallel_for(Range(0, edges_.size(), 64), [&](const Range& r) {
@@ -64,20 +77,24 @@ PointTree::PointTree(const PointField& field, int depth)
 PointField::Box PointTree::prove(const OctreeLeaf& leaf) const {
   const double half = 0.5 * leaf.size;
   const double radius = half * grid_.spacing[0];
-  return field_.box(grid_.position(as_vector(leaf.low) + Vec3{half, half, half}),
-                    {radius, radius, radius});
+  return field_.box_in_parts(grid_.position(as_vector(leaf.low) + Vec3{half, half, half}),
+                             {radius, radius, radius});
 }
 
 /// Where the surface may be: until the leaf is at most h/4, then by the paper's criteria.
 std::vector<bool> PointTree::split(const std::vector<OctreeLeaf>& leaves) {
   std::vector<std::uint8_t> found(leaves.size());
+  std::vector<PointField::Box> boxes(leaves.size());
   tbb::parallel_for(Range(0, leaves.size(), 16), [&](const Range& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       const PointField::Box box = prove(leaves[i]);
       found[i] = box.near && !box.nonzero &&
                  (leaves[i].size * grid_.spacing[0] > field_.h() / 4 || criteria(leaves[i], box));
+      boxes[i] = box;
     }
   });
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    if (found[i] == 0) asked_.push_back({packed(leaves[i].low), leaves[i].size, boxes[i]});
   return {found.begin(), found.end()};
 }
 
@@ -227,21 +244,38 @@ void PointTree::decide_edge(OctreeEdge& e) const {
   }
   e.state = EdgeState::plain;
   if (na.sign * turn == nb.sign) return;
-  // A zero by bisection, n carried along from the lower end.
-  double a = 0, b = 1;
-  Vec3 n = na.direction;
-  Local l{};
-  for (int step = 0; step < 16; ++step) {
-    const double t = 0.5 * (a + b);
-    Vec3 x = as_vector(low);
-    x[e.axis] += t * e.size;
-    l = sums(x).local;
-    Vec3 here = dominant_direction(l.tensor);
-    here = static_cast<double>(side(here, n)) * here;
-    e.zero = x;
-    const bool before = (kernel::dot(here, l.gradient) > 0) == (na.sign > 0);
-    (before ? a : b) = t;
-    if (before) n = here;
+  // A zero by the Illinois method, n carried along from the lower end.
+  const auto at = [&](double t, const Vec3& near) {
+    e.zero = as_vector(low);
+    e.zero[e.axis] += t * e.size;
+    const Local l = sums(e.zero).local;
+    const Vec3 n = dominant_direction(l.tensor);
+    return std::tuple(l, static_cast<double>(side(n, near)) * n);
+  };
+  double a = 0, b = 1, last = 0;
+  auto [l, n] = at(a, na.direction);
+  double ga = na.sign * std::fabs(kernel::dot(n, l.gradient));
+  double gb = -na.sign * std::fabs(kernel::dot(nb.direction, sums(as_vector(high)).local.gradient));
+  int stays = 0;  // 1: the upper end has stayed, -1: the lower one
+  for (int step = 0; step < 24; ++step) {
+    const double t = ga == gb ? 0.5 * (a + b) : a + (b - a) * (ga / (ga - gb));
+    const auto [here, direction] = at(t, n);
+    const double g = kernel::dot(direction, here.gradient);
+    l = here;
+    if (g == 0 || (step > 0 && std::fabs(t - last) < 0x1p-14)) break;
+    last = t;
+    if ((g > 0) == (na.sign > 0)) {
+      a = t;
+      ga = g;
+      n = direction;
+      if (stays == 1) gb /= 2;
+      stays = 1;
+    } else {
+      b = t;
+      gb = g;
+      if (stays == -1) ga /= 2;
+      stays = -1;
+    }
   }
   const Vec3 m = dominant_direction(l.tensor);
   e.state =

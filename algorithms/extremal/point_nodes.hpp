@@ -62,8 +62,15 @@ class PointTree {
   bool follow(const Vec3& a, const Vec3& b, const Vec3& lower, const Vec3& upper, int depth,
               OctreeEdge& e, int& turn) const;
 
+  struct AskedLeaf {
+    Place low;
+    int size;
+    PointField::Box box;
+  };
+
   const PointField& field_;
   Grid grid_;
+  std::vector<AskedLeaf> asked_;  ///< not split when asked; empty once the tree stands
   Octree tree_;
   std::vector<PointField::Box> boxes_;  ///< a leaf's
   std::vector<Place> places_;           ///< nodes, ascending

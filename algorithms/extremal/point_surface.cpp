@@ -74,8 +74,17 @@ LevelValues rim_values(const PointField& field, const PointTree& tree, const She
       r.corners[i] = value(mesh.vertices[i].at);
   });
   tbb::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      r.centres[i] = value(mesh.polygons[i].zero);
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      // Between its corners' values: beside a larger leaf the zero may be outside of its polygon,
+      // and no rim runs round it alone.
+      const SheetPolygon& p = mesh.polygons[i];
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t k = 0; k < p.count; ++k) {
+        low = std::min(low, r.corners[p.corners[k]]);
+        high = std::max(high, r.corners[p.corners[k]]);
+      }
+      r.centres[i] = std::clamp(value(p.zero), low, high);
+    }
   });
   return r;
 }
@@ -88,7 +97,7 @@ void count_tree(const PointTree& tree, Counts& c) {
   for (int s = 1 << tree.tree().depth(); s > tree.tree().finest(); s /= 2) ++c.depth;
   for (Index i = 0; i < leaves; ++i) {
     const PointField::Box& b = tree.box(i);
-    ++(b.passed && b.nonzero ? c.empty : b.passed ? c.cone : c.open);
+    ++(b.nonzero ? c.empty : b.passed ? c.cone : c.open);
   }
   for (const OctreeEdge& e : tree.edges()) {
     if (e.state == EdgeState::untested) continue;

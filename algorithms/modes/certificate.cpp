@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "algorithms/modes/extraction.hpp"
+#include "algorithms/modes/positions.hpp"
 
 namespace crest::modes {
 namespace {
@@ -17,7 +17,8 @@ namespace code = certify::modes_code;
 class EdgeRecorder {
  public:
   /// Edges of rejected faces have no roots.
-  EdgeRecorder(Faces& faces, certify::ModeLevel& to) : faces_(faces), to_(to) {
+  EdgeRecorder(Faces& faces, certify::ModeLevel& to, RecordedPositions& positions)
+      : faces_(faces), to_(to), positions_(positions) {
     for (Index f = 0; f < faces_.face_count(); ++f)
       if (faces_.face(f).state == State::rejected)
         for (const Index e : faces_.face(f).edges) {
@@ -46,6 +47,9 @@ class EdgeRecorder {
     roots(e);
   }
 
+  /// Whether every root has found its place.
+  bool placed() const { return placed_; }
+
  private:
   void roots(Index e) {
     const RootRange range = faces_.roots(e);
@@ -55,6 +59,28 @@ class EdgeRecorder {
     for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
     separate(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
+    positions_.places[e] = to_.root_places.size();
+    place(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
+  }
+
+  /// The vertices' places, within the enclosures; what has none lies between its neighbours.
+  void place(Index e, std::span<const Index> list, std::span<const certify::RootRecord> records) {
+    const Edge& edge = faces_.edge(e);
+    double last = 0;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      double low = records[i].low, high = records[i].high;
+      if (low == high) {
+        if (high == 0) high = i + 1 < records.size() ? records[i + 1].low : 1;
+        if (low == 1) low = i > 0 ? records[i - 1].high : 0;
+      }
+      const double t = (faces_.lines().root(list[i]).t - edge.from) / (edge.to - edge.from);
+      double x = std::clamp(t, low, high);
+      if (x <= last) x = last + (high - last) / 2;
+      if (x >= 1) x = last + (1 - last) / 2;
+      placed_ = placed_ && last < x && x < 1 && x <= high;
+      to_.root_places.push_back(x);
+      last = x;
+    }
   }
 
   /// The enclosure on a part of a line.
@@ -105,14 +131,20 @@ class EdgeRecorder {
 
   Faces& faces_;
   certify::ModeLevel& to_;
+  RecordedPositions& positions_;
   std::vector<char> clear_;
+  bool placed_ = true;
 };
 
 /// Writes trees in preorder.
 class Recorder {
  public:
   Recorder(Extraction& extraction, certify::ModeLevel& to)
-      : extraction_(extraction), faces_(extraction.faces()), to_(to), edges_(faces_, to) {
+      : extraction_(extraction),
+        faces_(extraction.faces()),
+        to_(to),
+        edges_(faces_, to, positions_) {
+    positions_.points.resize(faces_.arcs().size());
     // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
     // 2^scale.
     neutral_ = extraction.level().neutral();
@@ -147,9 +179,23 @@ class Recorder {
       to_.tets.push_back(tree.tet);
       cell(tree.cell);
     }
+    if (edges_.placed()) return count_placed(extraction_, positions_, to_);
+    to_.root_places.clear();
+    to_.arc_points.clear();
+    to_.points.clear();
   }
 
  private:
+  void arc(Index a) {
+    to_.arcs.push_back({faces_.arcs()[a].numbers[0], faces_.arcs()[a].numbers[1]});
+    auto& points = positions_.points[a];
+    points.first = to_.points.size();
+    for (const auto& p : extraction_.polyline(a))
+      if (p[0] > 0 && p[1] > 0 && p[0] + p[1] < 1) to_.points.push_back({p[0], p[1]});
+    points.count = to_.points.size() - points.first;
+    to_.arc_points.push_back(static_cast<std::uint16_t>(points.count));
+  }
+
   /// Exact: it is a multiple of 3.
   double lambda(std::int16_t x) const {
     return neutral_ ? x : std::ldexp(x / 3, extraction_.scale());
@@ -169,8 +215,7 @@ class Recorder {
       to_.codes.push_back(code::kGraphFace);
       to_.face_witnesses.push_back(
           {{face.witness.w[0], face.witness.w[1]}, lambda(face.witness.lambda)});
-      for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a)
-        to_.arcs.push_back({faces_.arcs()[a].numbers[0], faces_.arcs()[a].numbers[1]});
+      for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a) arc(a);
     } else {
       to_.codes.push_back(code::kOpenFace);
     }
@@ -204,6 +249,7 @@ class Recorder {
   Extraction& extraction_;
   Faces& faces_;
   certify::ModeLevel& to_;
+  RecordedPositions positions_;
   EdgeRecorder edges_;
   bool neutral_;
 };
@@ -244,6 +290,11 @@ certify::ModesCertificate make_certificate(const ModeField& field, const ZeroSet
   c.tets = zeros.tets;
   for (const auto& s : zeros.simplices) c.zeros.push_back({s});
   c.levels = std::move(levels);
+  if (!is_embedded(zeros.simplices.empty() ? field.mesh : kernel::TetMesh(c.points, c.tets)))
+    for (certify::ModeLevel& level : c.levels) {
+      level.not_placed += level.placed;
+      level.placed = 0;
+    }
   return c;
 }
 

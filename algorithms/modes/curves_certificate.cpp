@@ -32,6 +32,7 @@ void add_special(const DegenerateCurves& curves, certify::ModesCurvesCertificate
       if (faces.contains(f)) tets.insert(t);
   c.special_faces.assign(faces.begin(), faces.end());
   c.plane_faces.assign(planes.begin(), planes.end());
+  c.degenerate_edges = curves.degenerate_edges;
   c.special_tets.assign(tets.begin(), tets.end());
 }
 

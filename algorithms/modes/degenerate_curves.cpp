@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algorithms/modes/degenerate_arcs.hpp"
+#include "algorithms/modes/degenerate_exact.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
 
 namespace crest::modes {
@@ -169,6 +170,7 @@ class Extraction {
   DegenerateCurves run() {
     find_faces();
     solve_faces();
+    find_degenerate_edges();
     join_in_tets();
     Tracer(points_, tets_, result_, interiors_, at_special_).trace();
     return std::move(result_);
@@ -219,6 +221,18 @@ class Extraction {
       for (const std::uint32_t f : faces) ++uses[f];
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (roots_[i].special && uses[i] == 1) return drop_excluded(tets_, excluded_, faces_, roots_);
+  }
+
+  void find_degenerate_edges() {
+    auto& edges = result_.degenerate_edges;
+    for (const SpecialFace& f : result_.special_faces) {
+      const auto [a, b, c] = f.face;
+      edges.insert(edges.end(), {{a, b}, {b, c}, {a, c}});
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::erase_if(
+        edges, [&](const auto& e) { return !is_degenerate_edge(tensors_[e[0]], tensors_[e[1]]); });
   }
 
   void add_point(const FaceCorners& f, const FaceRoot& root) {

@@ -100,6 +100,27 @@ std::optional<SimplexForms<Integer, K>> exact_forms(const std::array<const Tenso
   return std::nullopt;
 }
 
+/// Whether all tensors of an edge are degenerate: its ends are, and are one another's positive
+/// multiples. (A mixture of s v v^T and r w w^T, less multiples of I, has one eigenvalue twice at
+/// single places only unless v = +-w.)
+inline bool is_degenerate_edge(const Tensor& a, const Tensor& b) {
+  const auto [p, q] = integer_rows<2>({&a, &b});
+  bool along = false;
+  for (std::size_t i = 0; i < 5; ++i) {
+    along = along || p[i] * q[i] > 0;
+    if (p[i] * q[i] < 0) return false;
+    for (std::size_t k = 0; k < i; ++k)
+      if (p[i] * q[k] != p[k] * q[i]) return false;
+  }
+  if (!along) return false;
+  // 3 times the deviator times that power of two, in VTK's order.
+  const Integer x = 2 * p[0] - p[1], y = 2 * p[1] - p[0], z = -x - y;
+  const Integer u = 3 * p[2] / 2, v = 3 * p[3] / 2, w = 3 * p[4] / 2;
+  const Integer det = x * (y * z - v * v) - u * (u * z - v * w) + w * (u * v - y * w);
+  const Integer square = x * x + y * y + z * z + 2 * (u * u + v * v + w * w);
+  return 54 * det * det == square * square * square;
+}
+
 /// Times a positive number, so that doubles hold the forms.
 inline Conic<Ball> ball(const Conic<Integer>& c, const Integer& scale) {
   Conic<Ball> b;

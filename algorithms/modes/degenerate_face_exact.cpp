@@ -245,10 +245,12 @@ FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
   std::optional<Seen> best;
   RealRoots roots;
   int fewest = 5;
+  bool vanishes = true;
   for (int number = 0; number < (simple ? kViews : kViewsOfMultiple) && fewest > 0; ++number) {
     const auto seen = see(*forms, number);
     if (!seen) continue;
     const IntegerPolynomial f = IntegerPolynomial({seen->pencil.f.begin(), seen->pencil.f.end()});
+    vanishes = vanishes && f.is_zero();
     if (f.degree() < 4) continue;
     RealRoots found = kernel::real_roots(f);
     int multiple = 0;
@@ -256,7 +258,7 @@ FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
     if (multiple < fewest) fewest = multiple, best.emplace(*seen), roots = std::move(found);
   }
   if (!best) {
-    result.special = SpecialReason::zero_quartic;
+    result.special = vanishes ? SpecialReason::zero_quartic : SpecialReason::multiple_point;
     return result;
   }
   const RootPlace place(*best, *forms);

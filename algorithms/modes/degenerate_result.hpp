@@ -74,6 +74,8 @@ struct DegenerateCurves {
   std::vector<DegenerateCurve> curves;
   std::vector<SpecialFace> special_faces;
   std::vector<SpecialTet> special_tets;
+  /// Of special faces, with degenerate tensors all along; ascending. Curves, but not traced.
+  std::vector<std::array<std::uint32_t, 2>> degenerate_edges;
   std::vector<std::uint32_t> undecided;  ///< tets; none of their arcs is listed
   /// Decided, but not always by claim 7's checker: faces whose conics have multiple common points
   /// that are not in the face.

@@ -174,15 +174,23 @@ void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
       builder.add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
       continue;
     }
-    builder.add_cone(c.tet, c.zeros[0], mesh_faces_[opposite_face(c)]);
+    builder.add_cone(c.tet, c.zeros[0], face_of(c));
   }
 }
 
-/// Only reads the trees.
+std::span<const std::array<double, 3>> Extraction::polyline(Index arc) const {
+  const auto side = static_cast<std::size_t>(static_cast<int>(faces_.arcs()[arc].side) + 1);
+  const auto found = polylines_[side].find(arc);
+  if (found == polylines_[side].end()) return {};
+  return found->second;
+}
+
+/// Only reads the trees, and keeps its polylines.
 ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
   SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
   ModeSurface s = builder.build(deviation_);
+  polylines_[static_cast<std::size_t>(static_cast<int>(side) + 1)] = builder.polylines();
   const auto boundary = count(s);
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;

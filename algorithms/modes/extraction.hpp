@@ -33,6 +33,10 @@ class Extraction {
   /// By face of the mesh: its number among the trees'; kNone: it has none.
   const std::vector<Index>& mesh_faces() const { return mesh_faces_; }
   Index edge_between(Index a, Index b) const;
+  /// The tree's root on the face opposite a cone's zero corner. Requires: it has one.
+  Index face_of(const Cone& cone) const { return mesh_faces_[opposite_face(cone)]; }
+  /// The inner points of an arc's polyline, after result().
+  std::span<const std::array<double, 3>> polyline(Index arc) const;
   int scale() const { return scale_; }
   const Level& level() const { return level_; }
   const ModeField& field() const { return field_; }
@@ -73,6 +77,8 @@ class Extraction {
   ModeCounts counts_;
   std::vector<Index> open_;
   std::unordered_set<Index> open_faces_;  ///< leaves at open cells
+  std::array<std::unordered_map<Index, std::vector<std::array<double, 3>>>, 3>
+      polylines_;  ///< of the minus, the neutral, the plus side, by arc
 };
 
 }  // namespace crest::modes

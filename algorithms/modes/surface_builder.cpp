@@ -373,6 +373,14 @@ void SurfaceBuilder::mesh(const ConeJob& job) {
   touches_.resize(surface_.triangles.size(), open ? 1 : 0);
 }
 
+std::unordered_map<Index, std::vector<std::array<double, 3>>> SurfaceBuilder::polylines() const {
+  std::unordered_map<Index, std::vector<std::array<double, 3>>> r;
+  for (Index arc = 0; arc < inside_of_.size(); ++arc)
+    if (inside_of_[arc] != kNone)
+      for (const ArcPoint& p : inside_[inside_of_[arc]]) r[arc].push_back(p.at);
+  return r;
+}
+
 ModeSurface SurfaceBuilder::build(double deviation) {
   if (deviation > 0) {
     std::set<Index> arcs;

@@ -33,6 +33,8 @@ class SurfaceBuilder {
   ModeSurface build(double deviation);
   /// Of polylines on the domain's boundary, after build().
   std::size_t boundary_segments() const { return boundary_segments_; }
+  /// The inner points of the arcs' polylines, in the arcs' leaf faces, after build().
+  std::unordered_map<Index, std::vector<std::array<double, 3>>> polylines() const;
   /// Whether the triangle's piece ends at an open cell, after build().
   bool touches_open(std::size_t triangle) const { return touches_[triangle] != 0; }
 

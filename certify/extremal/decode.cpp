@@ -30,8 +30,9 @@ void read_grid(ByteReader& reader, ExtremalData& data) {
   for (std::size_t k = 0; k < data.dimension; ++k) {
     data.nodes[k] = reader.integer<std::uint32_t>();
     require_form(data.nodes[k] >= 4, "data section: fewer than 4 nodes along an axis");
-    nodes *= data.nodes[k];
-    require_form(nodes <= 0x40000000U, "data section: more than 2^30 nodes");
+    const auto refined = ((std::uint64_t{data.nodes[k]} - 1) << data.refine) + 1;
+    require_form(refined <= 0x40000000U / nodes, "data section: more than 2^30 nodes");
+    nodes *= refined;
   }
   for (std::size_t k = 0; k < data.dimension; ++k) {
     data.spacing[k] = read_number(reader);
@@ -76,6 +77,9 @@ ExtremalData read_data(std::span<const std::uint8_t> section) {
   data.valley = read_flag(reader);
   data.hessian = read_flag(reader);
   data.has_min_value = read_flag(reader);
+  data.refine = reader.integer<std::uint8_t>();
+  require_form(data.refine <= extremal_code::kMostRefined,
+               "data section: refined more than 3 times");
   read_grid(reader, data);
   for (double* x : {&data.min_value, &data.min_strength, &data.sigma, &data.tensor_sigma})
     *x = read_number(reader);

@@ -21,15 +21,16 @@ void require_fit(const ExtremalData& data) {
 }
 
 std::size_t data_size(const ExtremalData& data) {
-  std::size_t size = 5 + data.dimension * std::size_t{12} + 4 * 8 + data.samples.size();
+  std::size_t size = 6 + data.dimension * std::size_t{12} + 4 * 8 + data.samples.size();
   for (std::size_t k = 0; k < data.dimension; ++k)
     size += 2 * 4 + 8 * (data.weights.at(k).size() + data.tensor_weights.at(k).size());
   return size;
 }
 
 void write_data(ByteWriter& out, const ExtremalData& data) {
-  for (const std::uint8_t byte : {data.dimension, data.type, std::uint8_t{data.valley},
-                                  std::uint8_t{data.hessian}, std::uint8_t{data.has_min_value}})
+  for (const std::uint8_t byte :
+       {data.dimension, data.type, std::uint8_t{data.valley}, std::uint8_t{data.hessian},
+        std::uint8_t{data.has_min_value}, data.refine})
     out.integer(byte);
   const std::size_t d = data.dimension;
   out.numbers(std::span(data.nodes).first(d));

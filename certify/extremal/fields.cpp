@@ -115,6 +115,51 @@ Buffer<float> smooth(Buffer<double>& field, const Grid& grid,
   return out;
 }
 
+/// One row of n blocks of that size, mirrored at its ends, with a knot more between any two.
+void insert_knots(const double* in, size_t n, size_t block, double* out) {
+  const auto at = [&](size_t i, size_t j) { return in[i * block + j]; };
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < block; ++j) {
+      const double low = at(i == 0 ? 0 : i - 1, j), here = at(i, j);
+      const double high = at(i + 1 == n ? i : i + 1, j);
+      out[2 * i * block + j] = ((low + 6 * here) + high) / 8;
+      if (i + 1 < n) out[(2 * i + 1) * block + j] = (here + high) / 2;
+    }
+}
+
+Place halved(const Grid& grid) {
+  Place nodes = grid.nodes;
+  for (unsigned k = 0; k < grid.dimension; ++k) nodes[k] = 2 * nodes[k] - 1;
+  return nodes;
+}
+
+/// The same spline on the grid of half the spacing (SPEC.md, "Coefficients").
+Buffer<float> halve_grid(const Buffer<float>& coefficients, const Grid& grid) {
+  Buffer<double> values(coefficients.size());
+  std::copy(coefficients.begin(), coefficients.end(), values.begin());
+  Place nodes = grid.nodes;
+  for (unsigned axis = grid.dimension; axis-- > 0;) {
+    const size_t n = nodes[axis], block = grid.stride[axis], row = n * block;
+    nodes[axis] = 2 * nodes[axis] - 1;
+    const size_t wide = nodes[axis] * block, rows = values.size() / row;
+    Buffer<double> out(rows * wide);
+    for (size_t r = 0; r < rows; ++r)
+      insert_knots(values.data() + r * row, n, block, out.data() + r * wide);
+    values = std::move(out);
+  }
+  Buffer<float> out(values.size());
+  for (size_t i = 0; i < out.size(); ++i) out[i] = static_cast<float>(values[i]);
+  return out;
+}
+
+void halve_grid(Fields& fields) {
+  fields.l = halve_grid(fields.l, fields.grid);
+  for (auto& t : fields.t)
+    if (!t.empty()) t = halve_grid(t, fields.grid);
+  fields.grid = Grid(fields.grid.dimension, halved(fields.grid));
+  for (unsigned k = 0; k < fields.grid.dimension; ++k) fields.spacing[k] /= 2;
+}
+
 /// Central differences along an axis, in one layer (all nodes with one last coordinate).
 void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis, double spacing,
                  size_t layer, Buffer<double>& out) {
@@ -183,7 +228,7 @@ void check_weights(const std::vector<double>& weights, double sigma, double leas
 
 }  // namespace
 
-Grid::Grid(const ExtremalData& data) : dimension(data.dimension), nodes(data.nodes) {
+Grid::Grid(unsigned dimension, const Place& nodes) : dimension(dimension), nodes(nodes) {
   stride = {1, nodes[0], nodes[0] * nodes[1]};
   count = stride[2] * nodes[2];
 }
@@ -201,10 +246,9 @@ void check_weights(const ExtremalData& data) {
 }
 
 Fields make_fields(const ExtremalData& data) {
-  Fields fields{Grid(data), data.hessian, data.valley, data.spacing, {}, {}, {}};
+  Fields fields{
+      Grid(data.dimension, data.nodes), data.hessian, data.valley, data.spacing, {}, {}, {}};
   const Grid& grid = fields.grid;
-  for (unsigned k = 0; k < 3; ++k)
-    fields.inverse_spacing[k] = k < data.dimension ? 1 / data.spacing[k] : 0;
   Buffer<double> samples = read_samples(data, grid.count);
   if (!data.hessian) {
     Buffer<double> product(samples.size());
@@ -215,6 +259,9 @@ Fields make_fields(const ExtremalData& data) {
       }
   }
   fields.l = smooth(samples, grid, data.weights, fields.most_l);
+  for (unsigned level = 0; level < data.refine; ++level) halve_grid(fields);
+  for (unsigned k = 0; k < 3; ++k)
+    fields.inverse_spacing[k] = k < data.dimension ? 1 / fields.spacing[k] : 0;
   return fields;
 }
 

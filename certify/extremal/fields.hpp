@@ -24,7 +24,7 @@ struct Grid {
   std::array<u32, 3> stride{1, 1, 1};
   u32 count = 0;  ///< nodes
 
-  explicit Grid(const ExtremalData& data);
+  Grid(unsigned dimension, const Place& nodes);
   Place place(u32 node) const {
     return {node % nodes[0], node / nodes[0] % nodes[1], node / stride[2]};
   }

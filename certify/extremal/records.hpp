@@ -9,7 +9,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kExtremal = 8, kExtremalVersion = 1;
+inline constexpr std::uint32_t kExtremal = 8, kExtremalVersion = 2;
 
 namespace extremal_code {
 /// Of a listed cell. Each but kOpen passes the cone test for its w, so it decides its edges.
@@ -21,6 +21,7 @@ inline constexpr std::uint8_t kLeaf = 0, kSplit = 1;
 inline constexpr std::uint8_t kMerelyCritical = 0, kExtremalEdge = 1, kUndecidedType = 2;
 /// Of samples: i8 u8 i16 u16 i32 u32 i64 u64 f32 f64 are 0 to 9. Width in bytes.
 inline constexpr std::array<std::uint8_t, 10> kSampleSize = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+inline constexpr unsigned kMostRefined = 3;
 }  // namespace extremal_code
 
 /// The data section.
@@ -29,6 +30,7 @@ struct ExtremalData {
   std::uint8_t type = 8;       ///< of samples: extremal_code::kSampleSize
   bool valley = false;         ///< s = L, else s = -L
   bool hessian = false;        ///< T = -+Hess L, else the structure tensor
+  std::uint8_t refine = 0;     ///< so often the grid of the samples is halved
   std::array<std::uint32_t, 3> nodes{1, 1, 1};
   std::array<double, 3> spacing{1, 1, 1};
   bool has_min_value = false;

@@ -85,7 +85,7 @@ struct ModeLevel {
   std::vector<std::uint16_t> arc_points{};  ///< inner points of each arc's polyline
   std::vector<std::array<double, 2>>
       points{};  ///< these, from an arc's first root on: weights of its face's corners 0 and 1
-  std::uint32_t placed = 0, not_placed = 0;  ///< pieces of cells and cones
+  std::uint32_t placed = 0, not_placed = 0;  ///< pieces of cells and cones: at least, the others
 };
 
 /// Claim modes: level sets of the mode of a piecewise linear tensor field.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "certify/container/reject.hpp"
+#include "certify/modes_curves/quartic_roots.hpp"
 #include "kernel/arithmetic/ball.hpp"
 
 namespace crest::certify::curves {
@@ -73,9 +74,6 @@ Ball value(const std::vector<Ball>& a, const Ball& t) {
   }
   return sum;
 }
-int sign_of(const Ball& x) {
-  return x.mid > x.rad ? 1 : x.mid < -x.rad ? -1 : 0;
-}
 
 Matrix<Integer> congruent(const Matrix<Integer>& p, const std::array<std::array<int, 3>, 3>& m) {
   Matrix<Integer> half, q;
@@ -125,36 +123,14 @@ int sign_between(const Polynomial& a, const Place& low, const Place& high) {
 /// Intervals of single roots in (0, 1).
 using Intervals = std::vector<std::array<Place, 2>>;
 
-/// By Descartes' rule on dyadic parts, with doubles and errors: the roots found are simple. False
-/// where these do not tell.
-bool isolate_by_doubles(std::array<Ball, 5> b, double low, double high, Intervals& list) {
-  int changes = 0, last = 0;
-  bool certain = true;
-  for (const Ball& x : b) {
-    const int sign = sign_of(x);
-    certain &= sign != 0;
-    changes += last * sign < 0;
-    last = sign;
-  }
-  if (sign_of(b[0]) == 0 || last == 0) return false;
-  if (certain && changes == 0) return true;
-  if (certain && changes == 1) {
-    list.push_back({modes::place(low), modes::place(high)});
-    return true;
-  }
-  if (high - low < 0x1p-40) return false;
-  std::array<Ball, 5> first;
-  for (std::size_t k = 0; k < 5; ++k) {
-    first[k] = b[0];
-    for (std::size_t i = 0; i + k < 4; ++i) b[i] = (b[i] + b[i + 1]) * Ball(0.5);
-  }
-  const double middle = low + (high - low) / 2;
-  return isolate_by_doubles(first, low, middle, list) && isolate_by_doubles(b, middle, high, list);
-}
-
+/// In doubles with errors: the roots found are simple. False where these do not tell.
 bool isolate_by_doubles(const Polynomial& quartic, Intervals& list) {
   const auto a = approximate(quartic);
-  return isolate_by_doubles({a[0], a[1] / 4, a[2] / 6, a[3] / 4, a[4]}, 0, 1, list);
+  std::vector<Bracket> brackets;
+  if (!curves::isolate<Ball>({a[0], a[1] / 4, a[2] / 6, a[3] / 4, a[4]}, 0, 1, 0x1p-40, brackets))
+    return false;
+  for (const Bracket& b : brackets) list.push_back({modes::place(b.low), modes::place(b.high)});
+  return true;
 }
 
 /// By Sturm's theorem. False if a root is multiple.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "certify/modes_curves/quartic_roots.hpp"
 #include "certify/modes_curves/span.hpp"
 
 namespace crest::certify::curves {
@@ -84,38 +85,6 @@ std::array<Number, 5> on_unit_interval(const Power<Number, 5>& c) {
           c[0] - c[4] + odd, c[0] + c[1] + c[2] + c[3] + c[4]};
 }
 
-struct Bracket {
-  double low, high;
-  int sign;  ///< at its lower end
-};
-
-/// Simple roots by Descartes' rule; false where errors or 30 halvings do not tell.
-template <class Number>
-bool isolate(std::array<Number, 5> b, double low, double high, std::vector<Bracket>& list) {
-  int changes = 0, last = 0;
-  bool certain = true;
-  for (const Number& x : b) {
-    const int sign = sign_of(x);
-    certain &= sign != 0;
-    changes += last * sign < 0;
-    last = sign;
-  }
-  if (sign_of(b[0]) == 0 || last == 0) return false;
-  if (certain && changes == 0) return true;
-  if (certain && changes == 1) {
-    list.push_back({low, high, sign_of(b[0])});
-    return true;
-  }
-  if (high - low < 0x1p-30) return false;
-  std::array<Number, 5> first;
-  for (std::size_t k = 0; k < 5; ++k) {
-    first[k] = b[0];
-    for (std::size_t i = 0; i + k < 4; ++i) b[i] = (b[i] + b[i + 1]) * Number(0.5);
-  }
-  const double middle = low + (high - low) / 2;
-  return isolate(first, low, middle, list) && isolate(b, middle, high, list);
-}
-
 Ball middle(const Ball& x) {
   return {x.mid, 0};
 }
@@ -186,7 +155,7 @@ std::optional<std::vector<Vector<Number>>> common_points(const Symmetric<Number>
   for (const bool swapped : {false, true}) {
     const Power<Number, 5> c = swapped ? reversed(by_z.quartic) : by_z.quartic;
     brackets.clear();
-    if (!isolate(on_unit_interval(c), -1, 1, brackets)) return std::nullopt;
+    if (!isolate(on_unit_interval(c), -1, 1, 0x1p-30, brackets)) return std::nullopt;
     for (const Bracket& bracket : brackets) {
       const auto root = narrow(c, bracket);
       if (!root) return std::nullopt;

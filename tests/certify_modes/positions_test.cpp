@@ -268,6 +268,33 @@ TEST_CASE("modes: hole 8, positions are claimed of polygons that are simple and 
   }
 }
 
+TEST_CASE("modes: arcs along a side of two faces place nothing without a point") {
+  // The tensor is the same along edge 01, and det = 0 twice on edge 23: the arcs of the faces at
+  // that edge join its roots, and so do those of the face between two tetrahedra there.
+  const Traceless same = {1, -0.5, 0, 0, 2}, third = {1, -1.5, 0, 0, 0},
+                  fourth = {1, 0.5, 0, 0, 0.2};
+  ModesInput one, two;
+  one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  one.tets = {{0, 1, 2, 3}};
+  two.points = {{0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  two.tets = {{0, 1, 2, 3}, {1, 4, 2, 3}};
+  for (const auto& t : {same, same, third, fourth}) one.tensors.push_back(tensor(t));
+  two.tensors = one.tensors;
+  two.tensors.push_back(tensor(same));
+  for (const ModesInput& input : {one, two}) {
+    auto c = reference_modes(input, {{0, 1}});
+    require_accepted(c);
+    add_positions(c);
+    const auto pieces = static_cast<std::uint32_t>(input.tets.size());
+    CHECK(c.levels[0].placed == 0);
+    CHECK(c.levels[0].not_placed == pieces);
+    require_accepted(c);
+    c.levels[0].placed = 1;
+    c.levels[0].not_placed = pieces - 1;
+    CHECK_FALSE(verify(encode(c)).accepted);
+  }
+}
+
 namespace {
 
 using Edit = std::function<bool(ModeLevel&, Random&)>;
@@ -275,7 +302,9 @@ using Edit = std::function<bool(ModeLevel&, Random&)>;
 /// All must be rejected.
 const std::vector<std::pair<std::string, Edit>> kEdits = {
     {"a piece more", [](ModeLevel& l, Random&) { return ++l.placed, true; }},
-    {"a piece less", [](ModeLevel& l, Random&) { return --l.placed, ++l.not_placed, true; }},
+    {"a piece more, of as many",
+     [](ModeLevel& l, Random&) { return ++l.placed, --l.not_placed, true; }},
+    {"a piece less", [](ModeLevel& l, Random&) { return --l.placed, true; }},
     {"a piece more that is not", [](ModeLevel& l, Random&) { return ++l.not_placed, true; }},
     {"place at an end",
      [](ModeLevel& l, Random& r) {
@@ -332,6 +361,10 @@ TEST_CASE("modes: edited positions are rejected") {
       CAPTURE(kind);
       CHECK_FALSE(verify(encode(mutant)).accepted);
     }
+  // Fewer may be stated.
+  auto modest = c;
+  --modest.levels[0].placed, ++modest.levels[0].not_placed;
+  require_accepted(modest);
   // Nothing stated is no claim.
   auto silent = c;
   auto& level = silent.levels[0];

@@ -122,11 +122,11 @@ TEST_CASE("extremal points: what a box claims holds at its points") {
   const extremal::PointField field(p.points, p.normals, 0.2);
   Draw d(3);
   std::size_t passed = 0, empty = 0, failed = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Vec3& at = p.points[static_cast<std::size_t>(d.integer(0, 1999))];
     const Vec3 centre = {at[0] + 0.1 * d.uniform(), at[1] + 0.1 * d.uniform(),
                          at[2] + 0.1 * d.uniform()};
-    const double half = 0.02 * unit(d);
+    const double half = (i % 2 == 0 ? 0.02 : 0.08) * unit(d);
     const auto box = field.box(centre, {half, half, half});
     passed += box.passed ? 1 : 0;
     empty += box.nonzero ? 1 : 0;

@@ -4,10 +4,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/extremal/fields.hpp"
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/extremal/reference_sheets.hpp"
+#include "tests/support/degenerate_families.hpp"
 
 using namespace crest;
 using namespace crest::tests;
@@ -106,6 +108,84 @@ TEST_CASE("extremal sheets: a closed shell is isotopic to the field's, and lies 
   for (const auto& p : r.points) CHECK(std::hypot(p[0], p[1], p[2]) == Approx(0.6).margin(0.01));
   INFO(verdict.reason);
   CHECK(verdict.accepted);
+}
+
+TEST_CASE("extremal sheets: on a halved grid closed sheets are isotopic to the field's") {
+  struct Sheet {
+    Function f;
+    unsigned nodes;
+    int chi;
+  };
+  for (const Sheet& sheet :
+       {Sheet{sphere_sheet, 32, 2}, Sheet{torus_sheet, 64, 0}, Sheet{genus2_sheet, 64, -2}}) {
+    extremal::Options options = at_least(0.4);
+    const auto before = extremal::extract(sampled(sheet.f, sheet.nodes), options);
+    options.refine = 1;
+    const auto [r, verdict] = extracted(sampled(sheet.f, sheet.nodes), options);
+    INFO(sheet.nodes << " nodes, Euler characteristic " << sheet.chi);
+    REQUIRE(before.components.size() == 1);
+    REQUIRE(r.components.size() == 1);
+    CHECK(before.components[0].isotopic == false);
+    CHECK(r.components[0].isotopic == true);
+    CHECK(r.components[0].euler_characteristic == sheet.chi);
+    CHECK(r.components[0].boundary_loops == 0);
+    CHECK(r.counts.cone + r.counts.open == 0);
+    CHECK(r.components[0].area == Approx(before.components[0].area).epsilon(0.02));
+    CHECK(r.h == before.h);
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+  }
+}
+
+TEST_CASE("extremal sheets: halving the grid leaves the field as it is") {
+  extremal::Volume v = sampled(moebius_sheet, 12);
+  v.spacing = {1, 2, 0.5};
+  extremal::Options options;
+  const extremal::Fields coarse(v, options);
+  options.refine = 2;
+  const extremal::Fields fine(v, options);
+  for (int k = 0; k < 3; ++k) CHECK(fine.grid().size[static_cast<std::size_t>(k)] == 45);
+  const auto at = [](const extremal::Fields& f, const extremal::Vec3& x) {
+    extremal::Node cell;
+    extremal::Vec3 t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      cell[k] = static_cast<int>(x[k]);
+      t[k] = x[k] - cell[k];
+    }
+    return f.at(cell, t);
+  };
+  Draw d(4);
+  double worst = 0, size = 0, hessian = 0;
+  for (int i = 0; i < 500; ++i) {
+    // But next to the border, where coefficients are mirrored anew.
+    const extremal::Vec3 x = {5.5 + 4.9 * d.uniform(), 5.5 + 4.9 * d.uniform(),
+                              5.5 + 4.9 * d.uniform()};
+    const auto a = at(coarse, x), b = at(fine, extremal::operator*(4, x));
+    worst = std::max(worst, std::fabs(a.value - b.value));
+    size = std::max(size, std::fabs(a.value));
+    for (std::size_t n = 0; n < 6; ++n) {
+      worst = std::max(worst, std::fabs(a.tensor[n] - b.tensor[n]));
+      size = std::max(size, std::fabs(a.tensor[n]));
+      hessian = std::max(hessian, std::fabs(a.hessian[n] - b.hessian[n]));
+    }
+  }
+  CHECK(size > 0.1);
+  CHECK(worst < 0x1p-22 * size);    // two roundings to binary32
+  CHECK(hessian < 0x1p-12 * size);  // over a spacing of 1/8, twice
+}
+
+TEST_CASE("extremal sheets: the number of halvings belongs to the data") {
+  extremal::Options options = at_least(0.4);
+  options.refine = 1;
+  certify::ExtremalCertificate c;
+  extremal::extract(sampled(sphere_sheet, 20), options, &c);
+  CHECK(c.data.refine == 1);
+  CHECK(certify::verify(certify::encode(c)).accepted);
+  for (const int refine : {0, 2, 3, 4}) {
+    auto other = c;
+    other.data.refine = static_cast<std::uint8_t>(refine);
+    CHECK_FALSE(certify::verify(certify::encode(other)).accepted);
+  }
 }
 
 TEST_CASE("extremal sheets: by Hess the largest component has the shape and claims no isotopy") {
@@ -221,6 +301,9 @@ TEST_CASE("extremal sheets: bad input is named") {
   extremal::Options o;
   o.sigma = -1;
   CHECK(message(v, o).find("sigma") == 0);
+  o.sigma = 1;
+  o.refine = 4;
+  CHECK(message(v, o).find("refine") == 0);
   v.spacing[1] = 0;
   CHECK(message(v, {}).find("spacing") == 0);
   // Constant: nothing, and no error.

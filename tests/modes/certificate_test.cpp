@@ -13,12 +13,27 @@ using namespace crest::tests;
 
 namespace {
 
-certify::Verdict checked(modes::ModeField field, const std::vector<modes::Level>& levels,
-                         const modes::ModeOptions& options = {}) {
+certify::ModesCertificate certified(modes::ModeField field, const std::vector<modes::Level>& levels,
+                                    const modes::ModeOptions& options = {}) {
   const modes::ZeroSet zeros = modes::insert_zeros(field);
   std::vector<certify::ModeLevel> records;
   for (const auto& level : levels) modes::extract(field, level, options, records.emplace_back());
-  return certify::verify(certify::encode(modes::make_certificate(field, zeros, records)));
+  return modes::make_certificate(field, zeros, records);
+}
+
+certify::Verdict checked(const modes::ModeField& field, const std::vector<modes::Level>& levels,
+                         const modes::ModeOptions& options = {}) {
+  return certify::verify(certify::encode(certified(field, levels, options)));
+}
+
+/// Pieces said to be placed, and all.
+std::array<std::size_t, 2> placed(const certify::ModesCertificate& c) {
+  std::array<std::size_t, 2> r{};
+  for (const auto& level : c.levels) {
+    r[0] += level.placed;
+    r[1] += level.placed + level.not_placed;
+  }
+  return r;
 }
 
 }  // namespace
@@ -29,6 +44,42 @@ TEST_CASE("certificates of the reference fields are accepted") {
     INFO("field " << row.name << ": " << verdict.reason);
     CHECK(verdict.accepted);
   }
+}
+
+TEST_CASE("certificates place the pieces of the reference fields") {
+  std::array<std::size_t, 2> sum{};
+  for (const Row& row : small_boxes()) {
+    const auto field = box(row.rows, 2, 3, Cut::mirrored);
+    const auto c = certified(field, {{0, 1}, {3, 10}, {9, 10}});
+    for (const auto& level : c.levels) {
+      CHECK(level.root_places.size() == level.roots.size());
+      CHECK(level.arc_points.size() == level.arcs.size());
+    }
+    const auto found = placed(c);
+    sum[0] += found[0];
+    sum[1] += found[1];
+    // One more than can be is refused.
+    auto bold = c;
+    auto& level = bold.levels[1];
+    level.placed += level.not_placed + 1;
+    level.not_placed = 0;
+    CHECK_FALSE(certify::verify(certify::encode(bold)).accepted);
+  }
+  INFO(sum[0] << " of " << sum[1]);
+  CHECK(100 * sum[0] >= 99 * sum[1]);
+}
+
+TEST_CASE("nothing is placed where a tetrahedron is flat") {
+  auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  auto points = field.mesh.points();
+  for (auto& p : points) p[2] = 0;
+  field.mesh = kernel::TetMesh(points, field.mesh.tets());
+  const auto c = certified(field, {{3, 10}});
+  CHECK(placed(c)[0] == 0);
+  CHECK(placed(c)[1] > 0);
+  const auto verdict = certify::verify(certify::encode(c));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
 }
 
 TEST_CASE("certificates of piecewise linear fields are accepted") {

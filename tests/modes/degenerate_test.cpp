@@ -4,11 +4,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
+#include "certify/modes_curves/encode.hpp"
+#include "certify/verify.hpp"
 #include "tests/modes/reference_fields.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
@@ -269,6 +272,23 @@ TEST_CASE("degenerate curves on a fourfold axis: the faces around its edges are 
       CHECK(named[f]);
     }
   CHECK(around > 0);
+  // Three of the axis: the deviator is zero at z = -2, where it is that of v v^T, v = (x, y, 0), so
+  // that edges along v are degenerate, too.
+  int on_axis = 0;
+  for (const auto& [a, b] : r.degenerate_edges) {
+    const auto &p = s.points[a], &q = s.points[b];
+    CHECK(p[0] * q[1] == p[1] * q[0]);
+    CHECK(std::hypot(p[0], p[1], p[2] + 2) * std::hypot(q[0], q[1], q[2] + 2) > 0);
+    const bool axis = p[0] == 0 && p[1] == 0 && q[0] == 0 && q[1] == 0;
+    on_axis += axis ? 1 : 0;
+    CHECK((axis || (p[2] == -2 && q[2] == -2)));
+  }
+  CHECK(on_axis == 3);
+  const auto c = curves_certificate(s.points, s.tets, s.tensors, r);
+  CHECK(c.degenerate_edges == r.degenerate_edges);
+  const auto verdict = certify::verify(certify::encode(c));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
 }
 
 TEST_CASE("degenerate curves of degenerate data: zero, constant and dependent tensors are named") {
@@ -289,6 +309,12 @@ TEST_CASE("degenerate curves of degenerate data: zero, constant and dependent te
   CHECK(uniform.special_faces.size() > 2 * s.tets.size());
   for (const auto& f : uniform.special_faces) CHECK(f.reason == SpecialReason::dependent);
   CHECK(uniform.curves.empty());
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (const auto& t : s.tets)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        edges.insert({std::min(t[i], t[k]), std::max(t[i], t[k])});
+  CHECK(uniform.degenerate_edges.size() == edges.size());
 }
 
 TEST_CASE("degenerate points: large and small numbers, isotropic parts") {

@@ -82,3 +82,29 @@ TEST_CASE("theorem A holds for random fields in large boxes") {
     CHECK(euler_characteristic(field, level_of(std::lround(400 + 600 * *critical))) == 0);
   }
 }
+
+TEST_CASE("theorem A: a node of the curve at infinity changes the count by one") {
+  // Euler characteristics: -1 of the closed surface, -1 of a curve with one node; what is left
+  // beside the curve has their difference.
+  const Rows rows = {{3, -3, -5, -3, 6}, {5, -6, 1, 3, 1}, {6, -2, -6, 1, 5}, {-2, 4, 2, -2, 0}};
+  // det of the linear part, and its derivative at (-5, 2, 11): a singular point, exactly.
+  const auto det = [&](const kernel::Vec3& x) {
+    Rows linear = rows;
+    linear[0] = {};
+    const auto t = value_at(linear, x);
+    return t[0] * (t[1] * t[2] - t[4] * t[4]) - t[3] * (t[3] * t[2] - t[4] * t[5]) +
+           t[5] * (t[3] * t[4] - t[1] * t[5]);
+  };
+  const kernel::Vec3 node = {-5, 2, 11};
+  CHECK(det(node) == 0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Of a cubic along a line: four values give the derivative.
+    const auto at = [&](double step) {
+      kernel::Vec3 x = node;
+      x[k] += step;
+      return det(x);
+    };
+    CHECK(8 * (at(1) - at(-1)) - (at(2) - at(-2)) == 0);
+  }
+  CHECK(euler_characteristic(large_box(rows), {0, 1}) == 0);
+}

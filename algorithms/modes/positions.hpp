@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which pieces of a record have polylines that project along their witness to simple, nested
+// polygons (claim 6, theorem 16). In doubles with room to spare: what is not clearly so is not
+// counted.
+#include <unordered_map>
+#include <vector>
+
+#include "algorithms/modes/extraction.hpp"
+#include "certify/modes/records.hpp"
+
+namespace crest::modes {
+
+/// Where the record has an edge's places, an arc's points.
+struct RecordedPositions {
+  std::unordered_map<Index, std::size_t> places;  ///< of a leaf edge: the first
+  struct Points {
+    std::size_t first = 0, count = 0;
+  };
+  std::vector<Points> points;  ///< by arc
+};
+
+/// Sets the counts of the level's pieces that are placed, and that are not.
+void count_placed(Extraction& extraction, const RecordedPositions& positions,
+                  certify::ModeLevel& record);
+
+/// Whether no tetrahedron is flat and two with a common face are on its two sides.
+bool is_embedded(const kernel::TetMesh& mesh);
+
+}  // namespace crest::modes
