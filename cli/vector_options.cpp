@@ -8,7 +8,7 @@ namespace crest::cli {
 
 const char* const kVectorFormats =
     "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts .nrrd .nc, winds .json, "
-      "velocimetry .txt .vec)";
+    "velocimetry .txt .vec)";
 
 void add_vector_options(CLI::App& app, io::VectorRequest& request) {
   app.add_option("--vectors", request.field,
