@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/container/container.hpp"
+#include "certify/container/sha256.hpp"
 #include "certify/verify.hpp"
 #include "cli/input_mesh.hpp"
 #include "kernel/arithmetic/self_test.hpp"
@@ -25,7 +26,7 @@ enum Exit { kAccepted = 0, kRejected = 1, kUsage = 2, kUnreadable = 3, kInternal
 struct Arguments {
   std::string certificate;
   VerifyOptions options;
-  std::string input, output, weld, tensor, order, vectors, diagonal, slice;
+  std::string input, output, stream, weld, tensor, order, vectors, diagonal, slice;
   bool cell_to_point = false, all = false;
   bool split = false, outward = false, quiet = false;
   std::vector<std::string> reseal, rebind;
@@ -127,7 +128,7 @@ void compare_fields(const std::vector<FieldTie>& ties, Verdict& verdict) {
       continue;
     }
     verdict.accepted = false;
-    verdict.reason = tie.file + ": another field, its digest is " + hex(tie.digest);
+    verdict.reason = tie.file + ": other " + tie.what + ", their digest is " + hex(tie.digest);
   }
 }
 
@@ -141,6 +142,12 @@ int check(Arguments& arguments) {
     if (!arguments.input.empty()) {
       ties = read_fields(bytes, arguments);
       if (ties.empty()) arguments.options.input = read_input(arguments);
+    }
+    if (!arguments.stream.empty()) {
+      if (!is_about(bytes, {"coding"}))
+        return complain(kUsage, "--stream is for certificates of coding");
+      const Buffer<std::uint8_t> stream = read_buffer(arguments.stream);
+      ties.push_back({"stream", arguments.stream, "bytes", sha256({std::span(stream)})});
     }
   } catch (const crest::cli::InputUnreadable& problem) {
     // Without words: `crest` has said it.
@@ -186,6 +193,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                  "for compression: the compressed file, compared in the same way")
       ->type_name("FILE")
       ->needs(input);
+  app.add_option("--stream", arguments.stream,
+                 "for coding: the .cmc file, whose bytes must be those proved")
+      ->type_name("FILE");
   app.add_option("--vectors", arguments.vectors, "as for the command that wrote the certificate")
       ->type_name("NAME")
       ->needs(input);

@@ -9,6 +9,7 @@
 #include "certify/container/checker.hpp"
 #include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
+#include "certify/container/sha256.hpp"
 #include "certify/surface/input_tie.hpp"
 #include "certify/surface/mesh_checks.hpp"
 #include "certify/surface/union_find.hpp"
@@ -117,6 +118,7 @@ const char* name_of(int method) {
 void verify_coding(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                    const VerifyOptions& options, Verdict& verdict) {
   const CodingCertificate c = decode_coding(data, claims);
+  verdict.fields = {sha256({std::span<const std::uint8_t>(c.stream)})};
   const bool tolerant = c.mode == CodingMode::tolerance;
   require(tolerant ? c.tolerance > 0 : c.tolerance == 0, "tolerance: does not fit the mode");
   const Topology topology = build_topology(c.faces, c.positions.size());
