@@ -165,7 +165,6 @@ class VertexModel {
             &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
   }
 
-
   Range& range_;
   Lines lines_;
   Line plain_{};
