@@ -94,11 +94,15 @@ class ValenceDecoder {
     const bool extra = loops_left_ > 0 && in_.alone(open_);
     std::array<u32, 3> corner{}, slot{};
     std::array<std::uint64_t, 3> valence{};
+    std::array<int, 3> classes{};
+    int last = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const bool is_extra = extra && k == 0;
-      valence[k] = 3 + in_.small(is_extra ? loop_length_ : start_valence_);
+      valence[k] = is_extra ? 3 + in_.small(loop_length_) : first_valence(k, last);
       corner[k] = make_vertex(is_extra, valence[k]);
+      classes[k] = last = class_[corner[k]];
     }
+    before_ = classes;
     for (std::size_t k = 0; k < 3; ++k)
       slot[k] = make_slot(corner[k], valence[k] - 2, class_[corner[(k + 1) % 3]]);
     join(slot[0], slot[2]);
@@ -172,7 +176,23 @@ class ValenceDecoder {
                                         &lines_(pack(3, clamped(all, -32, 31) + 32, o7, ff, fn)),
                                         &lines_(pack(4, f, n, x, p, ff == 1 ? 1 : 0)),
                                         &lines_(pack(5, p, fp, f, xp, xn))};
-    const auto row = static_cast<std::size_t>(free(slot_f, 3));
+    return read_symbol(lines, static_cast<std::size_t>(free(slot_f, 3)), true);
+  }
+
+  std::uint64_t first_valence(std::size_t k, int last) {
+    const auto& [b0, b1, b2] = before_;
+    const std::array<Line*, 6> lines = {&plain_,
+                                        &lines_(pack(6, k)),
+                                        &lines_(pack(7, k, last)),
+                                        &lines_(pack(8, k, before_[k])),
+                                        &lines_(pack(9, k, before_[k], last)),
+                                        &lines_(pack(10, k, b0, b1, b2, last))};
+    return read_symbol(lines, 0, false).second;
+  }
+
+  /// Whether the vertex is an extra one; its valence.
+  std::pair<bool, std::uint64_t> read_symbol(const std::array<Line*, 6>& lines, std::size_t row,
+                                             bool may_be_extra) {
     const auto decide = [&](std::size_t d) { return in_.mixed(lines, d, mixers_[row][d]); };
     if (decide(0)) return {false, 6};
     if (decide(1)) {
@@ -181,7 +201,8 @@ class ValenceDecoder {
     }
     for (std::size_t d = 4; d < 10; ++d)
       if (decide(d)) return {false, d + 3};
-    if (loops_left_ > 0 && in_.alone(extra_)) return {true, 3 + in_.small(loop_length_)};
+    if (may_be_extra && loops_left_ > 0 && in_.alone(extra_))
+      return {true, 3 + in_.small(loop_length_)};
     return {false, 13 + in_.small(large_)};
   }
 
@@ -227,7 +248,8 @@ class ValenceDecoder {
   std::vector<Slot> slots_;
   std::array<std::vector<std::pair<u32, u32>>, 64> heaps_;
   Counter open_, extra_, same_, ahead_;
-  std::array<Counter, 30> start_valence_, loop_length_, large_, distance_;
+  std::array<Counter, 30> loop_length_, large_, distance_;
+  std::array<int, 3> before_{};  // classes of the corners where the component before began
   std::array<std::array<Counter, 16>, 16> new_;
   Line plain_;
   Lines lines_;
