@@ -87,6 +87,12 @@ run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --repo
 
 run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
 
+run 0 crest encode ellipsoid.off -o c1.cmc --certificate c1.crest --report c1.json --permutation c1.txt --cite
+run 0 crest decode c1.cmc -o c1.ply --report c1d.json
+run 0 crest encode noisy.obj --tolerance 0.001 --keep-order --method valence -o c2.cmc --report c2.json
+run 0 crest decode c2.cmc -o c2.off
+run 0 crest encode blend.ply --connectivity-only --method zigzag -o c3.cmc
+
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"
 done
