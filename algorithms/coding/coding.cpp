@@ -89,7 +89,8 @@ Bytes encode_places(const Surface& decoded, std::span<const Point> points,
           "vertex " + std::to_string(order[v]) +
           ": is 2^31 steps from the origin; use a larger tolerance or --exact");
   Bytes bytes = encode_rounded(decoded, points, step);
-  places = decode_rounded(bytes, decoded);
+  places.clear();
+  for (const Point& point : points) places.push_back(rounded(point, step));
   require_within(points, places, order, options.tolerance);
   return bytes;
 }

@@ -3,72 +3,73 @@
 
 // Triples of integers at vertices, coded in an order that gives many predictions; one routine both
 // ways.
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "algorithms/coding/mixer.hpp"
-#include "algorithms/coding/numbers.hpp"
-#include "algorithms/coding/surface.hpp"
+#include "algorithms/coding/residual_model.hpp"
+#include "algorithms/coding/visit_order.hpp"
 
 namespace crest::coding {
 
-__extension__ using Int128 = __int128;
-
 /// A vertex's three integers.
 using Triple = std::array<std::int64_t, 3>;
-
-/// In which order vertices come: of those with the most parallelograms whose other three vertices
-/// are known, the one that got this many first; without any, a known vertex's neighbour; else the
-/// lowest.
-class VisitOrder {
- public:
-  explicit VisitOrder(const Surface& surface)
-      : surface_(surface),
-        known_(surface.counts().vertices, 0),
-        count_(known_.size(), 0),
-        queued_(known_.size(), 0) {}
-
-  bool known(Index v) const { return known_[v] != 0; }
-  /// The next vertex, or kNone.
-  Index take();
-  void visit(Index w);
-
- private:
-  static constexpr std::size_t kMost = 15;
-  struct Queue {
-    std::vector<Index> entries;
-    std::size_t head = 0;
-  };
-  void credit(Index v) {
-    if (count_[v] < kMost) queues_[++count_[v]].entries.push_back(v);
-    highest_ = std::max<std::size_t>(highest_, count_[v]);
-  }
-
-  const Surface& surface_;
-  std::vector<std::uint8_t> known_, count_, queued_;
-  std::array<Queue, kMost + 1> queues_;
-  std::size_t highest_ = 0;
-  Index lowest_ = 0;
-};
-
-/// What is known around a vertex.
-struct Surroundings {
-  static constexpr std::size_t kMost = 16;
-  std::size_t neighbours = 0, predictions = 0;
-  std::array<Index, kMost> neighbour;
-  std::array<std::array<Index, 3>, kMost> parallelogram;  ///< prediction: first + second - third
-};
-
-Surroundings surroundings(const Surface& surface, const VisitOrder& order, Index v);
 
 /// What an axis' values are like.
 enum class Hint : std::uint32_t {
   none,
   repeats,  ///< often those of a neighbour
   table     ///< of a few, which are listed first
+};
+
+/// The values that there are on an axis, ascending.
+class ValueTable {
+ public:
+  ValueTable() = default;
+  ValueTable(std::span<const Triple> values, std::size_t axis) {
+    for (const Triple& value : values) values_.push_back(value[axis]);
+    std::sort(values_.begin(), values_.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+  }
+  std::int64_t size() const { return static_cast<std::int64_t>(values_.size()); }
+  std::int64_t operator[](std::int64_t place) const {
+    return values_[static_cast<std::size_t>(place)];
+  }
+  /// At most `vertices` values.
+  template <class Range>
+  void code(Range& range, std::size_t vertices, std::int64_t lowest, std::int64_t highest) {
+    SmallNumber count;
+    const std::uint32_t n = 1 + count.code(range, static_cast<std::uint32_t>(values_.size()) - 1);
+    if (n > vertices) throw StreamError("lists more values than there are vertices");
+    LargeNumber gap;
+    values_.resize(n);
+    auto least = static_cast<std::uint64_t>(lowest);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint64_t more = gap.code(range, static_cast<std::uint64_t>(values_[i]) - least);
+      if (more > static_cast<std::uint64_t>(highest) - least ||
+          (more == static_cast<std::uint64_t>(highest) - least && i + 1 < n))
+        throw StreamError("lists a value beyond its range");
+      values_[i] = static_cast<std::int64_t>(least + more);
+      least += more + 1;
+    }
+  }
+  std::int64_t rank(std::int64_t value) const {
+    return std::lower_bound(values_.begin(), values_.end(), value) - values_.begin();
+  }
+  /// Where the listed value nearest to x stands, the lower of two.
+  template <class Wide>
+  std::int64_t nearest(Wide x) const {
+    const auto after = std::lower_bound(values_.begin(), values_.end(), x);
+    const std::int64_t place = after - values_.begin();
+    const bool before =
+        after == values_.end() || (after != values_.begin() && x - *(after - 1) <= *after - x);
+    return before ? place - 1 : place;
+  }
+
+ private:
+  std::vector<std::int64_t> values_;
 };
 
 /// Wide: an integer type that holds sums of 48 values.
@@ -84,7 +85,7 @@ class TripleRoutine {
         least_(least),
         most_(most),
         hints_(hints),
-        lines_(16),
+        residuals_(range),
         lengths_(values.size()),
         order_(surface) {}
 
@@ -92,7 +93,9 @@ class TripleRoutine {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       hints_[axis] =
           static_cast<Hint>(code_below(range_, static_cast<std::uint32_t>(hints_[axis]), 3));
-      if (hints_[axis] == Hint::table) code_table(axis);
+      if (hints_[axis] != Hint::table) continue;
+      if constexpr (Range::kEncodes) tables_[axis] = ValueTable(values_, axis);
+      tables_[axis].code(range_, values_.size(), least_, most_);
     }
     for (Index v = order_.take(); v != kNone; v = order_.take()) {
       const Surroundings around = surroundings(surface_, order_, v);
@@ -103,27 +106,12 @@ class TripleRoutine {
   }
 
  private:
-  struct Prediction {
-    Wide value = 0, spread = 0, pull = 0;  ///< pull: mean of known neighbours - value
-    int expected = 0, most = 0;            ///< of bit lengths of neighbours' residuals
-  };
-  static constexpr std::size_t kContexts = 6;
-
   static Wide mean(Wide sum, std::size_t n) {
     const Wide twice = 2 * sum + static_cast<Wide>(n), over = 2 * static_cast<Wide>(n);
     return twice / over - (twice % over < 0 ? 1 : 0);
   }
-  static int length(Wide x) {
-    if (x < 0) x = -x;
-    const auto low = static_cast<std::uint64_t>(x);
-    if constexpr (sizeof(Wide) > 8)
-      if (const auto high = static_cast<std::uint64_t>(x >> 64))
-        return 64 + static_cast<int>(std::bit_width(high));
-    return static_cast<int>(std::bit_width(low));
-  }
-
-  Prediction predict(const Surroundings& s, std::size_t axis) const {
-    Prediction p;
+  Prediction<Wide> predict(const Surroundings& s, std::size_t axis) const {
+    Prediction<Wide> p;
     Wide near = 0;
     int lengths = 0;
     for (std::size_t i = 0; i < s.neighbours; ++i) {
@@ -158,134 +146,25 @@ class TripleRoutine {
     return p;
   }
 
-  static constexpr std::uint64_t clip(int bits) {
-    return static_cast<std::uint64_t>(std::clamp(bits, 0, 63));
-  }
-  static constexpr std::uint64_t pack(std::uint64_t which,
-                                      std::initializer_list<std::uint64_t> parts) {
-    for (const std::uint64_t part : parts) which = which << 6 | part;
-    return which;
-  }
-
   void code(Index v, std::size_t axis, const Surroundings& s) {
     std::int64_t& value = values_[v][axis];
     if (hints_[axis] == Hint::repeats && code_repeat(value, axis, s)) {
-      here_[axis] = 0;
+      residuals_.skip(axis);
       lengths_[v][axis] = 0;
       return;
     }
-    const Prediction p = predict(s, axis);
+    const Prediction<Wide> p = predict(s, axis);
+    const ValueTable& table = tables_[axis];
     const bool listed = hints_[axis] == Hint::table;
-    const Wide base = listed ? nearest(axis, p.value) : p.value;
-    Wide wanted = -base;
-    if constexpr (Range::kEncodes) wanted += listed ? rank(axis, value) : Wide{value};
-    const int bits = code_length(axis, s, p, length(wanted));
-    Wide residual = 0;
-    bool minus = false;
-    if (bits > 0) {
-      minus = code_sign(axis, s, p, bits, wanted < 0);
-      const auto size =
-          code_size(axis, bits, static_cast<std::uint64_t>(wanted < 0 ? -wanted : wanted));
-      residual = minus ? -static_cast<Wide>(size) : static_cast<Wide>(size);
-    }
-    const Wide result = base + residual;
-    if (listed ? result < 0 || result >= static_cast<Wide>(table_[axis].size())
-               : result < least_ || result > most_)
+    const Wide base = listed ? Wide{table.nearest(p.value)} : p.value;
+    Wide wanted = 0;
+    if constexpr (Range::kEncodes) wanted = (listed ? table.rank(value) : value) - base;
+    const Wide result = base + residuals_.code(axis, s.predictions, p, wanted);
+    if (listed ? result < 0 || result >= table.size() : result < least_ || result > most_)
       throw StreamError("has a coordinate beyond its range");
-    value =
-        listed ? table_[axis][static_cast<std::size_t>(result)] : static_cast<std::int64_t>(result);
-    here_[axis] = bits;
-    minus_[axis] = minus;
-    lengths_[v][axis] = static_cast<std::uint8_t>(bits);
-  }
-
-  int code_length(std::size_t axis, const Surroundings& s, const Prediction& p, int wanted) {
-    const std::uint64_t e = clip(p.expected), n = std::min<std::size_t>(s.predictions, 3);
-    const std::uint64_t spread = clip(length(p.spread)), pull = clip(length(p.pull));
-    const std::uint64_t one = axis > 0 ? clip(here_[axis - 1] + 1) : 0;
-    const std::uint64_t two = axis > 1 ? clip(here_[0] + 1) : 0;
-    const Context<kContexts> context = {
-        &lines_.of(pack(1, {axis, e, n})),      &lines_.of(pack(2, {e, spread, n})),
-        &lines_.of(pack(3, {axis, e, pull})),   &lines_.of(pack(4, {axis, e, one, two})),
-        &lines_.of(pack(5, {spread, pull, e})), &lines_.of(pack(6, {e, clip(p.most), one}))};
-    const auto decide = [&](int number, bool bit) {
-      const auto d = static_cast<std::size_t>(number);
-      return code_mixed(range_, context, d, weights_[axis][d], bit);
-    };
-    int bits = p.expected;
-    if (decide(0, wanted > bits)) {
-      for (int k = 1; ++bits < 64 && decide(std::min(k, 7), wanted > bits); ++k) {
-      }
-    } else {
-      for (int k = 0; bits > 0 && decide(8 + std::min(k, 7), wanted < bits); ++k) --bits;
-    }
-    return bits;
-  }
-
-  bool code_sign(std::size_t axis, const Surroundings& s, const Prediction& p, int bits,
-                 bool minus) {
-    const std::uint64_t side = p.pull < 0 ? 2 : p.pull > 0 ? 1 : 0;
-    const std::uint64_t size = clip(length(p.pull) - bits + 8);
-    const std::uint64_t n = std::min<std::size_t>(s.predictions, 3);
-    const std::uint64_t others = axis == 0   ? 0
-                                 : axis == 1 ? 1 + minus_[0]
-                                             : 3 + 2 * minus_[1] + minus_[0];
-    const Context<4> context = {
-        &lines_.of(pack(7, {side, std::min<std::uint64_t>(size, 15), n})),
-        &lines_.of(pack(8, {axis, side, others})),
-        &lines_.of(pack(9, {axis, side, clip(bits), std::min<std::uint64_t>(size, 15)})),
-        &lines_.of(pack(10, {axis, others}))};
-    return code_mixed(range_, context, 0, sign_weights_[axis], minus);
-  }
-
-  /// The number of `bits` bits; those below the first, three at most, have counters.
-  std::uint64_t code_size(std::size_t axis, int bits, std::uint64_t wanted) {
-    std::uint64_t size = 1;
-    int left = bits - 1;
-    for (std::size_t node = 1; left > 0 && node < 8;) {
-      --left;
-      const bool bit = code_alone(range_, top_[axis][static_cast<std::size_t>(bits)][node],
-                                  (wanted >> left & 1) != 0);
-      size = size << 1 | (bit ? 1 : 0);
-      node = node << 1 | (bit ? 1 : 0);
-    }
-    if (left == 0) return size;
-    return size << left | LargeNumber::code_lower(range_, wanted, left);
-  }
-
-  void code_table(std::size_t axis) {
-    std::vector<std::int64_t>& table = table_[axis];
-    if constexpr (Range::kEncodes) {
-      for (const Triple& value : values_) table.push_back(value[axis]);
-      std::sort(table.begin(), table.end());
-      table.erase(std::unique(table.begin(), table.end()), table.end());
-    }
-    SmallNumber count;
-    const std::uint32_t n = 1 + count.code(range_, static_cast<std::uint32_t>(table.size()) - 1);
-    if (n > values_.size()) throw StreamError("lists more values than there are vertices");
-    LargeNumber gap;
-    table.resize(n);
-    auto least = static_cast<std::uint64_t>(least_);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint64_t more = gap.code(range_, static_cast<std::uint64_t>(table[i]) - least);
-      if (more > static_cast<std::uint64_t>(most_) - least ||
-          (more == static_cast<std::uint64_t>(most_) - least && i + 1 < n))
-        throw StreamError("lists a value beyond its range");
-      table[i] = static_cast<std::int64_t>(least + more);
-      least += more + 1;
-    }
-  }
-  Wide rank(std::size_t axis, std::int64_t value) const {
-    const auto& table = table_[axis];
-    return static_cast<Wide>(std::lower_bound(table.begin(), table.end(), value) - table.begin());
-  }
-  /// Where the listed value nearest to x stands, the lower of two.
-  Wide nearest(std::size_t axis, Wide x) const {
-    const auto& table = table_[axis];
-    const auto after = std::lower_bound(table.begin(), table.end(), x);
-    auto place = after - table.begin();
-    if (after == table.end() || (after != table.begin() && x - *(after - 1) <= *after - x)) --place;
-    return static_cast<Wide>(place);
+    value = static_cast<std::int64_t>(result);
+    if (listed) value = table[value];
+    lengths_[v][axis] = static_cast<std::uint8_t>(residuals_.bits(axis));
   }
 
   bool code_repeat(std::int64_t& value, std::size_t axis, const Surroundings& s) {
@@ -311,16 +190,11 @@ class TripleRoutine {
   std::span<Triple> values_;
   std::int64_t least_, most_;
   std::array<Hint, 3> hints_;
-  std::array<std::vector<std::int64_t>, 3> table_;  ///< ascending
-  Lines lines_;
+  std::array<ValueTable, 3> tables_;
+  ResidualModel<Range, Wide> residuals_;
   std::vector<std::array<std::uint8_t, 3>> lengths_;  ///< of residuals, in bits
   VisitOrder order_;
   Index last_ = kNone;
-  std::array<int, 3> here_{};  ///< lengths at this vertex
-  std::array<bool, 3> minus_{};
-  std::array<std::array<Weights<kContexts>, 16>, 3> weights_;
-  std::array<Weights<4>, 3> sign_weights_;
-  std::array<std::array<std::array<Counter, 8>, 66>, 3> top_;
   std::array<std::array<Counter, 4>, 4> repeat_;
 };
 

@@ -217,19 +217,32 @@ void code_multiples(Range& range, const Surface& surface, std::span<Triple> valu
       .run();
 }
 
-/// Which hints may pay on an axis: few values far from filling their range, many edges between
-/// equal ones.
-std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values,
-                            std::size_t axis) {
+/// An axis' values among the first `count` vertices, ascending, each once.
+std::vector<std::int64_t> distinct(std::span<const Triple> values, std::size_t axis,
+                                   std::size_t count) {
   std::vector<std::int64_t> sorted;
-  for (const Triple& value : values) sorted.push_back(value[axis]);
+  for (const Triple& value : values.first(std::min(count, values.size())))
+    sorted.push_back(value[axis]);
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  std::vector<Hint> hints;
+  return sorted;
+}
+
+/// Few values, far from filling their range?
+bool worth_a_table(std::span<const Triple> values, std::size_t axis) {
+  constexpr std::size_t kSample = 4096;
+  if (2 * distinct(values, axis, kSample).size() > std::min(kSample, values.size())) return false;
+  const std::vector<std::int64_t> all = distinct(values, axis, values.size());
   const auto range =
-      static_cast<std::uint64_t>(sorted.back()) - static_cast<std::uint64_t>(sorted.front());
-  if (2 * sorted.size() <= values.size() && sorted.size() <= range / 2 + 1)
-    hints.push_back(Hint::table);
+      static_cast<std::uint64_t>(all.back()) - static_cast<std::uint64_t>(all.front());
+  return 2 * all.size() <= values.size() && all.size() <= range / 2 + 1;
+}
+
+/// Which hints may pay on an axis.
+std::vector<Hint> plausible(const Surface& surface, std::span<const Triple> values,
+                            std::size_t axis) {
+  std::vector<Hint> hints;
+  if (worth_a_table(values, axis)) hints.push_back(Hint::table);
   std::size_t equal = 0;
   for (Index h = 0; h < 3 * surface.face_count(); ++h)
     equal += values[surface.from(h)][axis] == values[surface.to(h)][axis] ? 1 : 0;
@@ -314,6 +327,13 @@ bool in_reach(const Point& point, double step) {
   return std::all_of(point.begin(), point.end(), [&](double x) {
     return std::fabs(std::nearbyint(x / step)) < static_cast<double>(kMostMultiple);
   });
+}
+
+Point rounded(const Point& point, double step) {
+  Point place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = (std::nearbyint(point[axis] / step) + 0.0) * step;  // no -0
+  return place;
 }
 
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step) {

@@ -30,6 +30,8 @@ double step_within(double tolerance);
 
 /// Are the nearest multiples of `step` below 2^31?
 bool in_reach(const Point& point, double step);
+/// A point in reach as it is decoded: the nearest multiples.
+Point rounded(const Point& point, double step);
 
 /// The same for points, all in reach, rounded to the nearest multiples of `step`.
 Bytes encode_rounded(const Surface& decoded, std::span<const Point> points, double step);

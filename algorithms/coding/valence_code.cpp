@@ -3,60 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
-#include "algorithms/coding/mixer.hpp"
-#include "algorithms/coding/numbers.hpp"
 #include "algorithms/coding/stream_error.hpp"
+#include "algorithms/coding/valence_model.hpp"
 
 namespace crest::coding {
 namespace {
-
-constexpr std::size_t kContexts = 6;
-constexpr int kLineBits = 16;
-constexpr std::uint8_t kExtra = 15;  ///< class of an extra vertex; of others min(valence, 13)
-
-/// A corner of an active loop, and the edge to the next one.
-struct Slot {
-  Index vertex, next, previous;
-  std::int32_t free;  ///< edges between its two neighbours still to come; -1: no more there
-  std::uint8_t kind, opposite;  ///< classes of its vertex and of that across the edge
-};
-
-std::uint8_t class_of(std::uint32_t valence) {
-  return static_cast<std::uint8_t>(std::min(valence, 13u));
-}
-
-/// Slots by free edges; of those with the fewest the latest first.
-class Waiting {
- public:
-  void add(const std::vector<Slot>& slots, Index s) {
-    const auto k = static_cast<std::size_t>(std::min(slots[s].free, kMost));
-    stacks_[k].push_back({s, slots[s].free});
-    least_ = std::min(least_, k);
-  }
-  /// kNone if there is none.
-  Index take(const std::vector<Slot>& slots) {
-    for (; least_ < stacks_.size(); ++least_) {
-      auto& stack = stacks_[least_];
-      while (!stack.empty()) {
-        const auto [s, free] = stack.back();
-        stack.pop_back();
-        if (slots[s].free == free) return s;
-      }
-    }
-    return kNone;
-  }
-
- private:
-  static constexpr std::int32_t kMost = 63;
-  struct Entry {
-    Index slot;
-    std::int32_t free;
-  };
-  std::array<std::vector<Entry>, kMost + 1> stacks_;
-  std::size_t least_ = 0;
-};
 
 /// The mesh that is coded: what comes next, and which slot is where.
 class Original {
@@ -167,7 +119,8 @@ class ValenceRoutine {
         counts_(counts),
         max_faces_(max_faces),
         loops_left_(counts.loops),
-        lines_(kLineBits) {
+        vertex_model_(range),
+        split_model_(range) {
     for (auto& row : new_)
       for (Counter& counter : row) counter = Counter((1 << 22) / 200 * 199, 4);
   }
@@ -175,7 +128,7 @@ class ValenceRoutine {
   void run() {
     for (Index c = 0; c < counts_.components; ++c) {
       start();
-      for (Index f = waiting_.take(slots_); f != kNone; f = waiting_.take(slots_)) step(f);
+      for (Index f = loops_.take(); f != kNone; f = loops_.take()) step(f);
     }
     if (vertices_ != counts_.vertices || loops_left_ > 0)
       throw StreamError("has fewer vertices or boundary loops than the header says");
@@ -184,234 +137,115 @@ class ValenceRoutine {
   Index splits() const { return splits_; }
 
  private:
-  struct Vertex {
-    Index number;  ///< kNone: an extra one
-    std::uint32_t valence;
-    std::uint8_t kind() const { return number == kNone ? kExtra : class_of(valence); }
-  };
-
-  Vertex add_vertex(std::uint32_t valence, bool extra) {
+  /// A slot of a new vertex, which is kNone if it is an extra one.
+  Index add_vertex(std::uint32_t valence, bool extra) {
+    Slot slot{kNone, 0, 0, static_cast<std::int32_t>(valence) - 2, kExtraKind, 0};
     if (extra) {
       --loops_left_;
-      return {kNone, valence};
+      return loops_.add(slot);
     }
     if (vertices_ == counts_.vertices) throw StreamError("has more vertices than the header says");
-    return {vertices_++, valence};
-  }
-  Index add_slot(const Vertex& v, std::int32_t free, std::uint8_t opposite) {
-    slots_.push_back({v.number, 0, 0, free, v.kind(), opposite});
-    return static_cast<Index>(slots_.size() - 1);
-  }
-  void link(Index a, Index b) {
-    slots_[a].next = b;
-    slots_[b].previous = a;
+    slot.vertex = vertices_++;
+    slot.kind = kind_of(valence);
+    return loops_.add(slot);
   }
   void emit(Index a, Index b, Index c) {
     if (a == kNone || b == kNone || c == kNone) return;
     if (faces_.size() == max_faces_) throw StreamError("has more faces than are allowed");
     faces_.push_back({a, b, c});
   }
-  void wait(Index s) { waiting_.add(slots_, s); }
 
   void start() {
     const bool open = loops_left_ > 0 && code_alone(range_, open_, mesh_.has_extra());
-    std::array<Vertex, 3> v;
-    const std::array<std::uint8_t, 3> before = first_kinds_;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t wanted = mesh_.start_valence(k);
-      if (open && k == 0) {
-        v[k] = add_vertex(loop_length_.code(range_, wanted - 3) + 3, true);
-      } else {
-        const std::uint64_t last = k == 0 ? 0 : v[k - 1].kind();
-        const Context<kContexts> context = {
-            &plain_,
-            &lines_.of(pack(6, {k})),
-            &lines_.of(pack(7, {k, last})),
-            &lines_.of(pack(8, {k, before[k]})),
-            &lines_.of(pack(9, {k, before[k], last})),
-            &lines_.of(pack(10, {k, before[0], before[1], before[2], last}))};
-        v[k] = code_vertex(context, 0, wanted, false, false);
-      }
-      first_kinds_[k] = v[k].kind();
+    const Index base = loops_.size();
+    for (Index k = 0; k < 3; ++k) {
+      const bool extra = open && k == 0;
+      add_vertex(vertex_model_.code_first(k, extra, mesh_.start_valence(k)), extra);
     }
     mesh_.start();
-    const Index base = static_cast<Index>(slots_.size());
-    for (std::size_t k = 0; k < 3; ++k)
-      add_slot(v[k], static_cast<std::int32_t>(v[k].valence) - 2, v[(k + 1) % 3].kind());
-    link(base, base + 2);
-    link(base + 2, base + 1);
-    link(base + 1, base);
-    for (Index k = 0; k < 3; ++k) wait(base + k);
-    emit(v[0].number, v[1].number, v[2].number);
+    loops_.link(base, base + 2);
+    loops_.link(base + 2, base + 1);
+    loops_.link(base + 1, base);
+    for (Index k = 0; k < 3; ++k) {
+      loops_[base + k].opposite = loops_[base + (k + 1) % 3].kind;
+      loops_.wait(base + k);
+    }
+    emit(loops_[base].vertex, loops_[base + 1].vertex, loops_[base + 2].vertex);
   }
+
   void step(Index f) {
     mesh_.approach(f);
-    const Index n = slots_[f].next;
-    if (slots_[f].free == 0) return force(f, n);
-    Counter& counter = new_[least15(slots_[f].free)][least15(slots_[n].free)];
+    const Index n = loops_[f].next;
+    if (loops_[f].free == 0) return force(f, n);
+    const auto least15 = [](std::int32_t x) { return static_cast<std::size_t>(std::min(x, 15)); };
+    Counter& counter = new_[least15(loops_[f].free)][least15(loops_[n].free)];
     if (code_alone(range_, counter, mesh_.is_new()))
       extend(f, n);
     else
       meet(f, n);
   }
-  static std::size_t least15(std::int32_t x) { return static_cast<std::size_t>(std::min(x, 15)); }
 
   /// The triangle between the neighbours of f, which is used up.
   void force(Index f, Index n) {
-    const Index p = slots_[f].previous;
-    emit(slots_[f].vertex, slots_[n].vertex, slots_[p].vertex);
-    slots_[f].free = -1;
-    if (slots_[n].next == p) {
-      if (slots_[n].free != 0 || slots_[p].free != 0)
+    const Index p = loops_[f].previous;
+    emit(loops_[f].vertex, loops_[n].vertex, loops_[p].vertex);
+    loops_[f].free = -1;
+    if (loops_[n].next == p) {
+      if (loops_[n].free != 0 || loops_[p].free != 0)
         throw StreamError("closes a loop at which edges are missing");
-      slots_[n].free = slots_[p].free = -1;
+      loops_[n].free = loops_[p].free = -1;
       mesh_.close();
       return;
     }
-    if (slots_[n].free == 0 || slots_[p].free == 0)
+    if (loops_[n].free == 0 || loops_[p].free == 0)
       throw StreamError("has a vertex with more edges than its valence");
     mesh_.force(p);
-    slots_[p].opposite = slots_[f].kind;
-    link(p, n);
-    --slots_[n].free;
-    --slots_[p].free;
-    wait(p);
-    wait(n);
+    loops_[p].opposite = loops_[f].kind;
+    loops_.link(p, n);
+    for (const Index s : {p, n}) {
+      --loops_[s].free;
+      loops_.wait(s);
+    }
   }
 
   void extend(Index f, Index n) {
-    const Vertex v =
-        code_vertex(contexts(f, n), static_cast<std::size_t>(std::min(slots_[f].free, 3)),
-                    mesh_.valence(), mesh_.apex_is_extra(), loops_left_ > 0);
-    const Index x = add_slot(v, static_cast<std::int32_t>(v.valence) - 2, slots_[f].kind);
+    const auto [valence, extra] = vertex_model_.code_next(
+        loops_, f, {mesh_.valence(), mesh_.apex_is_extra()}, loops_left_ > 0);
+    const Index x = add_vertex(valence, extra);
     mesh_.join(f, x);
-    emit(slots_[f].vertex, slots_[n].vertex, v.number);
-    slots_[f].opposite = slots_[n].kind;
-    --slots_[f].free;
-    --slots_[n].free;
-    link(f, x);
-    link(x, n);
-    wait(x);
-    wait(n);
-    wait(f);
+    emit(loops_[f].vertex, loops_[n].vertex, loops_[x].vertex);
+    close_gate(f, n, x, x);
+    loops_.wait(x);
+    loops_.wait(n);
+    loops_.wait(f);
   }
 
-  Vertex code_vertex(const Context<kContexts>& context, std::size_t row, std::uint32_t wanted,
-                     bool extra, bool may_be_extra) {
-    const auto decide = [&](std::size_t number, bool bit) {
-      return code_mixed(range_, context, number, weights_[row][number], bit);
-    };
-    if (decide(0, !extra && wanted == 6)) return add_vertex(6, false);
-    if (decide(1, !extra && wanted < 6)) {
-      if (decide(2, wanted == 5)) return add_vertex(5, false);
-      return add_vertex(decide(3, wanted == 4) ? 4 : 3, false);
-    }
-    for (std::uint32_t k = 7; k < 13; ++k)
-      if (decide(k - 3, !extra && wanted == k)) return add_vertex(k, false);
-    if (may_be_extra && code_alone(range_, closes_, extra))
-      return add_vertex(loop_length_.code(range_, wanted - 3) + 3, true);
-    return add_vertex(large_.code(range_, wanted - 13) + 13, false);
-  }
-
-  static std::uint64_t pack(std::uint64_t which, std::initializer_list<std::uint64_t> parts) {
-    for (const std::uint64_t part : parts) which = which << 6 | part;
-    return which;
-  }
-  Context<kContexts> contexts(Index sf, Index sn) {
-    const Slot &f = slots_[sf], &n = slots_[sn], &p = slots_[f.previous], &nn = slots_[n.next];
-    const auto dev = [](std::uint8_t kind) { return kind == kExtra ? 0 : int{kind} - 6; };
-    const auto odd = [](std::uint8_t kind) { return kind != 6 ? 1 : 0; };
-    const int five = dev(f.kind) + dev(n.kind) + dev(f.opposite) + dev(p.kind) + dev(nn.kind);
-    const int five_odd = odd(f.kind) + odd(n.kind) + odd(f.opposite) + odd(p.kind) + odd(nn.kind);
-    const int all = five + dev(f.kind) + dev(n.kind) + dev(p.opposite) + dev(n.opposite);
-    const int all_odd = five_odd + odd(p.opposite) + odd(n.opposite);
-    const auto ff = static_cast<std::uint64_t>(std::min(f.free, 15)),
-               fn = static_cast<std::uint64_t>(std::min(n.free, 15)),
-               fp = static_cast<std::uint64_t>(std::min(p.free, 15));
-    return {&plain_,
-            &lines_.of(pack(1, {f.kind, n.kind, std::min<std::uint64_t>(ff, 3)})),
-            &lines_.of(pack(2, {static_cast<std::uint64_t>(five + 32) & 63,
-                                static_cast<std::uint64_t>(five_odd), ff})),
-            &lines_.of(pack(3, {static_cast<std::uint64_t>(std::clamp(all, -32, 31) + 32),
-                                static_cast<std::uint64_t>(all_odd), ff, fn})),
-            &lines_.of(pack(4, {f.kind, n.kind, f.opposite, p.kind, ff == 1 ? 1u : 0u})),
-            &lines_.of(pack(5, {p.kind, fp, f.kind, p.opposite, n.opposite}))};
+  /// Between f and n there are now f -> second and first -> n, the two sides of the tip.
+  void close_gate(Index f, Index n, Index first, Index second) {
+    loops_.link(f, second);
+    loops_.link(first, n);
+    loops_[first].opposite = loops_[f].kind;
+    loops_[f].opposite = loops_[n].kind;
+    --loops_[f].free;
+    --loops_[n].free;
   }
 
   /// The triangle meets a slot, which splits the loop or joins another.
   void meet(Index f, Index n) {
-    Index after = 0;
     ++splits_;
-    const Index x = code_slot(f, mesh_.meeting(after));
-    const auto inner = slots_[x].free - 2;
-    const auto second_free =
-        static_cast<std::int32_t>(code_below(range_, after, static_cast<std::uint32_t>(inner) + 1));
-    const Index second = static_cast<Index>(slots_.size());
-    slots_.push_back(slots_[x]);
+    Index after = 0;
+    const Index wanted = mesh_.meeting(after), x = split_model_.code(loops_, f, wanted);
+    const auto inner = static_cast<std::uint32_t>(loops_[x].free - 2);
+    const std::uint32_t second_free = code_below(range_, after, inner + 1);
+    const Index second = loops_.add(Slot(loops_[x]));
     mesh_.split(x, second);
     mesh_.join(f, x);
-    emit(slots_[f].vertex, slots_[n].vertex, slots_[x].vertex);
-    link(second, slots_[x].next);
-    link(f, second);
-    link(x, n);
-    slots_[x].opposite = slots_[f].kind;
-    slots_[f].opposite = slots_[n].kind;
-    slots_[x].free = inner - second_free;
-    slots_[second].free = second_free;
-    --slots_[f].free;
-    --slots_[n].free;
-    for (const Index s : {x, second, n, f}) wait(s);
-  }
-
-  /// A slot with two free edges or more, by its distance along the loop or by number.
-  Index code_slot(Index f, Index wanted) {
-    const auto [same, ahead, distance] = find(f, wanted);
-    if (code_alone(range_, same_loop_, same)) {
-      const bool forward = code_alone(range_, forward_, ahead);
-      std::uint32_t left = distance_.code(range_, distance);
-      const Index n = slots_[f].next;
-      Index s = forward ? slots_[slots_[n].next].next : slots_[slots_[f].previous].previous;
-      for (;; s = forward ? slots_[s].next : slots_[s].previous) {
-        if (s == f || s == n) throw StreamError("splits a loop at a slot that is not there");
-        if (slots_[s].free >= 2 && left-- == 0) break;
-      }
-      if (s == slots_[f].previous || s == slots_[n].next)
-        throw StreamError("splits a loop into one of two edges");
-      return s;
-    }
-    const Index s = code_below(range_, wanted, static_cast<std::uint32_t>(slots_.size()));
-    if (slots_[s].free < 2 || s == f || s == slots_[f].next || s == slots_[f].previous ||
-        s == slots_[slots_[f].next].next)
-      throw StreamError("joins a slot that has no free edges");
-    return s;
-  }
-
-  struct Place {
-    bool same, ahead;
-    std::uint32_t distance;
-  };
-  /// Walks both ways at once, so that the cost is the shorter distance.
-  Place find(Index f, Index wanted) const {
-    if (wanted == kNone) return {};
-    const Index n = slots_[f].next;
-    Index ahead = slots_[slots_[n].next].next, behind = slots_[slots_[f].previous].previous;
-    std::uint32_t passed_ahead = 0, passed_behind = 0;
-    bool ahead_ends = false, behind_ends = false;
-    while (!ahead_ends || !behind_ends) {
-      ahead_ends = ahead_ends || ahead == f;
-      behind_ends = behind_ends || behind == n;
-      if (!ahead_ends) {
-        if (ahead == wanted) return {true, true, passed_ahead};
-        passed_ahead += slots_[ahead].free >= 2 ? 1 : 0;
-        ahead = slots_[ahead].next;
-      }
-      if (!behind_ends) {
-        if (behind == wanted) return {true, false, passed_behind};
-        passed_behind += slots_[behind].free >= 2 ? 1 : 0;
-        behind = slots_[behind].previous;
-      }
-    }
-    return {false, false, 0};
+    emit(loops_[f].vertex, loops_[n].vertex, loops_[x].vertex);
+    loops_.link(second, loops_[x].next);
+    loops_[x].free = static_cast<std::int32_t>(inner - second_free);
+    loops_[second].free = static_cast<std::int32_t>(second_free);
+    close_gate(f, n, x, second);
+    for (const Index s : {x, second, n, f}) loops_.wait(s);
   }
 
   Range& range_;
@@ -419,15 +253,11 @@ class ValenceRoutine {
   const Counts& counts_;
   Index max_faces_, loops_left_, vertices_ = 0, splits_ = 0;
   std::vector<Triangle> faces_;
-  std::vector<Slot> slots_;
-  Waiting waiting_;
-  Lines lines_;
-  Line plain_{};
-  std::array<std::array<Weights<kContexts>, 10>, 4> weights_;
+  ActiveLoops loops_;
+  VertexModel<Range> vertex_model_;
+  SplitModel<Range> split_model_;
   std::array<std::array<Counter, 16>, 16> new_;
-  Counter open_, closes_, same_loop_, forward_;
-  SmallNumber loop_length_, large_, distance_;
-  std::array<std::uint8_t, 3> first_kinds_{};  ///< of the last component's first triangle
+  Counter open_;
 };
 
 }  // namespace

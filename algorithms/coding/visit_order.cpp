@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/coding/position_routine.hpp"
+#include "algorithms/coding/visit_order.hpp"
 
 namespace crest::coding {
 namespace {
