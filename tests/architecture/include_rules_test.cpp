@@ -62,6 +62,7 @@ const std::set<std::string>& result_headers() {
       "algorithms/splines/pinhole.hpp",
       "algorithms/splines/quadratic.hpp",
       "algorithms/splines/value_and_gradient.hpp",
+      "algorithms/strips/strips.hpp",
       "algorithms/vector_fields/planar_field.hpp",
       "algorithms/vector_fields/skeleton_result.hpp",
   };

@@ -104,11 +104,13 @@ run 0 crest spline samples.csv --smoothness sequential -o p3.vti --report p3.jso
 run 0 crest spline p1.vti --evaluate samples.csv --values p4.csv --report p4.json
 run 0 crest lineart c1.vtp --style contours --camera 1,0.5,2,0,0,0 -o l1.svg --certificate l1.crest --report l1.json --cite
 run 0 crest lineart sphere.obj -o l2.svg --save-sidecar l2-sidecar.json --report l2.json
-run 0 crest encode ellipsoid.off -o c1.cmc --certificate c1.crest --report c1.json --permutation c1.txt --cite
-run 0 crest decode c1.cmc -o c1.ply --report c1d.json
-run 0 crest encode noisy.obj --tolerance 0.001 --keep-order --method valence -o c2.cmc --report c2.json
-run 0 crest decode c2.cmc -o c2.off
-run 0 crest encode blend.ply --connectivity-only --method zigzag -o c3.cmc
+run 0 crest encode ellipsoid.off -o z1.cmc --certificate z1.crest --report z1.json --permutation z1.txt --cite
+run 0 crest decode z1.cmc -o z1.ply --report z1d.json
+run 0 crest encode noisy.obj --tolerance 0.001 --keep-order --method valence -o z2.cmc --report z2.json
+run 0 crest decode z2.cmc -o z2.off
+run 0 crest encode blend.ply --connectivity-only --method zigzag -o z3.cmc
+run 0 crest strips ellipsoid.off -o t1.vtp --picture t1.png --index-buffer t1.bin --report t1.json --cite
+run 0 crest strips torus.vtp --tree --no-swaps -o t2.vtp --report t2.json
 
 for report in *.json; do
   sed -E -i '/^  "(crest|peak_rss_bytes)": /d; /^  "seconds": /,/^  }/s/: [0-9].*[0-9]/: 0/' "$report"
