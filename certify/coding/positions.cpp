@@ -145,6 +145,77 @@ struct Prediction {
   int count = 0;               // of parallelograms, at most 3
 };
 
+/// What is added to predictions.
+class Residuals {
+ public:
+  explicit Residuals(Decisions& in) : in_(in) {}
+
+  /// Of the residual read last on the axis.
+  int bits(std::size_t axis) const { return bits_[axis]; }
+  /// A vertex has none there.
+  void skip(std::size_t axis) { bits_[axis] = 0; }
+  Wide read(std::size_t axis, const Prediction& p) {
+    const int bits = bits_[axis] = read_bits(axis, p);
+    if (bits == 0) {
+      minus_[axis] = 0;
+      return 0;
+    }
+    const bool negative = read_sign(axis, p, bits);
+    minus_[axis] = negative;
+    unsigned __int128 size = 1;
+    std::size_t node = 1;
+    int left = bits - 1;
+    for (int k = 0; k < 3 && left > 0; ++k, --left) {
+      const bool bit = in_.alone(size_[axis][static_cast<std::size_t>(bits)][node]);
+      node = 2 * node + bit;
+      size = size << 1 | bit;
+    }
+    size = size << left | in_.plain(left);
+    const auto magnitude = static_cast<Wide>(size);
+    return negative ? -magnitude : magnitude;
+  }
+
+ private:
+  int read_bits(std::size_t axis, const Prediction& p) {
+    const int one = axis == 0 ? 0 : c63(1 + bits_[axis - 1]);
+    const int two = axis == 2 ? c63(1 + bits_[0]) : 0;
+    const int e = p.expected, spread = c63(bit_length(p.spread)), pull = c63(bit_length(p.pull));
+    const std::array<Line*, 6> lines = {
+        &lines_(pack(1, axis, c63(e), p.count)), &lines_(pack(2, c63(e), spread, p.count)),
+        &lines_(pack(3, axis, c63(e), pull)),    &lines_(pack(4, axis, c63(e), one, two)),
+        &lines_(pack(5, spread, pull, c63(e))),  &lines_(pack(6, c63(e), c63(p.most), one))};
+    const auto decide = [&](int d) {
+      const auto i = static_cast<std::size_t>(d);
+      return in_.mixed(lines, i, bit_mixers_[axis][i]);
+    };
+    if (decide(0)) {
+      int k = 1;
+      while (e + k < 64 && decide(std::min(k, 7))) ++k;
+      return e + k;
+    }
+    int k = 0;
+    while (k < e && decide(8 + std::min(k, 7))) ++k;
+    return e - k;
+  }
+
+  bool read_sign(std::size_t axis, const Prediction& p, int bits) {
+    const int side = p.pull < 0 ? 2 : p.pull > 0 ? 1 : 0;
+    const int s15 = std::min(c63(bit_length(p.pull) - bits + 8), 15);
+    const int others = axis == 0 ? 0 : axis == 1 ? 1 + minus_[0] : 3 + 2 * minus_[1] + minus_[0];
+    const std::array<Line*, 4> lines = {
+        &lines_(pack(7, side, s15, p.count)), &lines_(pack(8, axis, side, others)),
+        &lines_(pack(9, axis, side, c63(bits), s15)), &lines_(pack(10, axis, others))};
+    return in_.mixed(lines, 0, sign_mixers_[axis]);
+  }
+
+  Decisions& in_;
+  std::array<int, 3> bits_{}, minus_{};
+  Lines lines_;
+  std::array<std::array<Mixer, 16>, 3> bit_mixers_;
+  std::array<Mixer, 3> sign_mixers_;
+  std::array<std::array<std::array<Counter, 8>, 65>, 3> size_;
+};
+
 /// The integers of all vertices, axis by axis.
 class IntegerDecoder {
  public:
@@ -154,7 +225,8 @@ class IntegerDecoder {
         least_(least),
         greatest_(greatest),
         values_(vertices),
-        lengths_(vertices) {}
+        lengths_(vertices),
+        residuals_(in) {}
 
   std::vector<std::array<i64, 3>> run() {
     for (std::size_t axis = 0; axis < 3; ++axis) read_hint(axis);
@@ -223,7 +295,7 @@ class IntegerDecoder {
                  const std::optional<u32>& before) {
     if (hint_[axis] == 1 && repeats(v, axis, around)) return;
     const Prediction p = predict(axis, around, before);
-    const Wide residual = read_residual(axis, p);
+    const Wide residual = residuals_.read(axis, p);
     Wide value = p.value + residual;
     if (hint_[axis] == 2) {
       const Wide index = base(table_[axis], p.value) + residual;
@@ -233,7 +305,7 @@ class IntegerDecoder {
     }
     require(value >= least_ && value <= greatest_, "stream: a coordinate is out of range");
     values_[v][axis] = static_cast<i64>(value);
-    lengths_[v][axis] = static_cast<std::uint8_t>(bits_[axis]);
+    lengths_[v][axis] = static_cast<std::uint8_t>(residuals_.bits(axis));
   }
 
   static Wide base(const std::vector<i64>& table, Wide at) {
@@ -257,65 +329,12 @@ class IntegerDecoder {
       if (in_.alone(repeat_[axis][count])) {
         values_[v][axis] = x;
         lengths_[v][axis] = 0;
-        bits_[axis] = 0;
+        residuals_.skip(axis);
         return true;
       }
       tried[count++] = x;
     }
     return false;
-  }
-
-  Wide read_residual(std::size_t axis, const Prediction& p) {
-    const int bits = bits_[axis] = read_bits(axis, p);
-    if (bits == 0) {
-      minus_[axis] = 0;
-      return 0;
-    }
-    const bool negative = read_sign(axis, p, bits);
-    minus_[axis] = negative;
-    unsigned __int128 size = 1;
-    std::size_t node = 1;
-    int left = bits - 1;
-    for (int k = 0; k < 3 && left > 0; ++k, --left) {
-      const bool bit = in_.alone(size_[axis][static_cast<std::size_t>(bits)][node]);
-      node = 2 * node + bit;
-      size = size << 1 | bit;
-    }
-    size = size << left | in_.plain(left);
-    const auto magnitude = static_cast<Wide>(size);
-    return negative ? -magnitude : magnitude;
-  }
-
-  int read_bits(std::size_t axis, const Prediction& p) {
-    const int one = axis == 0 ? 0 : c63(1 + bits_[axis - 1]);
-    const int two = axis == 2 ? c63(1 + bits_[0]) : 0;
-    const int e = p.expected, spread = c63(bit_length(p.spread)), pull = c63(bit_length(p.pull));
-    const std::array<Line*, 6> lines = {
-        &lines_(pack(1, axis, c63(e), p.count)), &lines_(pack(2, c63(e), spread, p.count)),
-        &lines_(pack(3, axis, c63(e), pull)),    &lines_(pack(4, axis, c63(e), one, two)),
-        &lines_(pack(5, spread, pull, c63(e))),  &lines_(pack(6, c63(e), c63(p.most), one))};
-    const auto decide = [&](int d) {
-      const auto i = static_cast<std::size_t>(d);
-      return in_.mixed(lines, i, bit_mixers_[axis][i]);
-    };
-    if (decide(0)) {
-      int k = 1;
-      while (e + k < 64 && decide(std::min(k, 7))) ++k;
-      return e + k;
-    }
-    int k = 0;
-    while (k < e && decide(8 + std::min(k, 7))) ++k;
-    return e - k;
-  }
-
-  bool read_sign(std::size_t axis, const Prediction& p, int bits) {
-    const int side = p.pull < 0 ? 2 : p.pull > 0 ? 1 : 0;
-    const int s15 = std::min(c63(bit_length(p.pull) - bits + 8), 15);
-    const int others = axis == 0 ? 0 : axis == 1 ? 1 + minus_[0] : 3 + 2 * minus_[1] + minus_[0];
-    const std::array<Line*, 4> lines = {
-        &lines_(pack(7, side, s15, p.count)), &lines_(pack(8, axis, side, others)),
-        &lines_(pack(9, axis, side, c63(bits), s15)), &lines_(pack(10, axis, others))};
-    return in_.mixed(lines, 0, sign_mixers_[axis]);
   }
 
   Decisions& in_;
@@ -325,12 +344,8 @@ class IntegerDecoder {
   std::vector<std::array<std::uint8_t, 3>> lengths_;
   std::array<std::uint64_t, 3> hint_{};
   std::array<std::vector<i64>, 3> table_;
-  std::array<int, 3> bits_{}, minus_{};
-  Lines lines_;
-  std::array<std::array<Mixer, 16>, 3> bit_mixers_;
-  std::array<Mixer, 3> sign_mixers_;
   std::array<std::array<Counter, 3>, 3> repeat_;
-  std::array<std::array<std::array<Counter, 8>, 65>, 3> size_;
+  Residuals residuals_;
 };
 
 constexpr i64 kMost53 = i64{1} << 53;
