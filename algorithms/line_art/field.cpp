@@ -169,8 +169,8 @@ Stars stars_of(const kernel::TriangleMesh& mesh, const std::vector<PrincipalFram
   return s;
 }
 
-/// The index of every face, times the symmetry: least turns along edges and the scaled corners sum to
-/// a whole number of turns.
+/// The index of every face, times the symmetry: least turns along edges and the scaled corners sum
+/// to a whole number of turns.
 void find_singularities(const kernel::TriangleMesh& mesh, const Stars& s, DirectionField& field) {
   using std::numbers::pi;
   const int n = field.symmetry;

@@ -12,7 +12,7 @@ namespace crest::io {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
-constexpr double kError = 0.01;                       // mm, of outlines
+constexpr double kError = 0.01;                        // mm, of outlines
 constexpr const char* kDate = "1970-01-01T00:00:00Z";  // the same bytes every time
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
