@@ -21,26 +21,17 @@ struct Slot {
   u32 pushed = 0;  // the latest push
 };
 
-class ValenceDecoder {
+/// Active loops of slots, and what is decoded of the closed surface.
+class Loops {
  public:
-  ValenceDecoder(std::span<const std::uint8_t> section, const StreamCounts& counts,
-                 std::size_t faces)
-      : in_(section), counts_(counts), most_faces_(faces), loops_left_(counts.loops) {
-    for (auto& row : new_)
-      for (Counter& counter : row) counter = {(1 << 22) / 200 * 199, 4};
-  }
+  Loops(const StreamCounts& counts, std::size_t faces)
+      : most_vertices_(counts.vertices), most_faces_(faces), loops_left_(counts.loops) {}
 
-  FaceList run() {
-    for (u32 c = 0; c < counts_.components; ++c) {
-      begin_component();
-      while (const auto f = pop()) step(*f);
-    }
-    in_.finish();
-    require(real_ == counts_.vertices && loops_left_ == 0, "stream: vertices or loops are missing");
-    return std::move(faces_);
-  }
-
- private:
+  Slot& operator[](u32 s) { return slots_[s]; }
+  std::size_t size() const { return slots_.size(); }
+  u32 loops_left() const { return loops_left_; }
+  int class_of_vertex(u32 v) const { return class_[v]; }
+  int class_of(u32 s) const { return class_[slots_[s].vertex]; }
   u32 make_vertex(bool extra, std::uint64_t valence) {
     if (extra) {
       require(loops_left_ > 0, "stream: more loops than the header says");
@@ -48,7 +39,7 @@ class ValenceDecoder {
       class_.push_back(kExtra);
       number_.push_back(kNoSlot);
     } else {
-      require(real_ < counts_.vertices, "stream: more vertices than the header says");
+      require(real_ < most_vertices_, "stream: more vertices than the header says");
       class_.push_back(static_cast<int>(std::min<std::uint64_t>(valence, 13)));
       number_.push_back(real_++);
     }
@@ -62,11 +53,11 @@ class ValenceDecoder {
     slots_[s].next = t;
     slots_[t].previous = s;
   }
-  int class_of(u32 s) const { return class_[slots_[s].vertex]; }
   void push(u32 s) {
     slots_[s].pushed = ++pushes_;
     heaps_[std::min<std::uint64_t>(slots_[s].free, 63)].push_back({s, pushes_});
   }
+  /// The slot to go on with: of the fewest free edges, the latest.
   std::optional<u32> pop() {
     for (auto& heap : heaps_)
       while (!heap.empty()) {
@@ -90,77 +81,46 @@ class ValenceDecoder {
     --slots_[s].free;
   }
 
-  void begin_component() {
-    const bool extra = loops_left_ > 0 && in_.alone(open_);
-    std::array<u32, 3> corner{}, slot{};
-    std::array<std::uint64_t, 3> valence{};
-    std::array<int, 3> classes{};
-    int last = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_extra = extra && k == 0;
-      valence[k] = is_extra ? 3 + in_.small(loop_length_) : first_valence(k, last);
-      corner[k] = make_vertex(is_extra, valence[k]);
-      classes[k] = last = class_[corner[k]];
-    }
-    before_ = classes;
-    for (std::size_t k = 0; k < 3; ++k)
-      slot[k] = make_slot(corner[k], valence[k] - 2, class_[corner[(k + 1) % 3]]);
-    join(slot[0], slot[2]);
-    join(slot[2], slot[1]);
-    join(slot[1], slot[0]);
-    for (const u32 s : slot) push(s);
-    appear(slot[0], slot[1], slot[2]);
+  FaceList take() {
+    require(real_ == most_vertices_ && loops_left_ == 0, "stream: vertices or loops are missing");
+    return std::move(faces_);
   }
 
-  void step(u32 f) {
-    const u32 n = slots_[f].next, p = slots_[f].previous;
-    if (slots_[f].free == 0) {
-      forced(f, n, p);
-      return;
-    }
-    const auto capped = [&](u32 s) {
-      return static_cast<std::size_t>(std::min<std::uint64_t>(slots_[s].free, 15));
-    };
-    if (in_.alone(new_[capped(f)][capped(n)]))
-      new_vertex(f, n);
-    else
-      old_slot(f, n, p);
+ private:
+  u32 most_vertices_;
+  std::size_t most_faces_, triangles_ = 0;
+  u32 loops_left_, real_ = 0, pushes_ = 0;
+  std::vector<int> class_;
+  std::vector<u32> number_;  // of vertices, kNoSlot for extra ones
+  std::vector<Slot> slots_;
+  std::array<std::vector<std::pair<u32, u32>>, 64> heaps_;
+  FaceList faces_;
+};
+
+/// Valences of new vertices.
+class Valences {
+ public:
+  Valences(Decisions& in, Loops& slots) : in_(in), slots_(slots) {}
+
+  std::uint64_t loop_length() { return 3 + in_.small(loop_length_); }
+  /// Of corner k where a component begins, `last` the class of the one before it there.
+  std::uint64_t first(std::size_t k, int last) {
+    const auto& [b0, b1, b2] = before_;
+    const std::array<Line*, 6> lines = {&plain_,
+                                        &lines_(pack(6, k)),
+                                        &lines_(pack(7, k, last)),
+                                        &lines_(pack(8, k, before_[k])),
+                                        &lines_(pack(9, k, before_[k], last)),
+                                        &lines_(pack(10, k, b0, b1, b2, last))};
+    return read_symbol(lines, 0, false).second;
   }
 
-  void forced(u32 f, u32 n, u32 p) {
-    appear(f, n, p);
-    slots_[f].alive = false;
-    if (slots_[n].next == p) {
-      require(slots_[n].free == 0 && slots_[p].free == 0, "stream: edges are left in a last face");
-      slots_[n].alive = slots_[p].alive = false;
-      return;
-    }
-    decrease(n);
-    decrease(p);
-    slots_[p].opposite = class_of(f);
-    join(p, n);
-    push(p);
-    push(n);
-  }
-
-  void new_vertex(u32 f, u32 n) {
-    const auto [extra, valence] = read_valence(f, n);
-    const u32 x = make_slot(make_vertex(extra, valence), valence - 2, class_of(f));
-    appear(f, n, x);
-    slots_[f].opposite = class_of(n);
-    decrease(f);
-    decrease(n);
-    join(f, x);
-    join(x, n);
-    push(x);
-    push(n);
-    push(f);
-  }
-
-  std::pair<bool, std::uint64_t> read_valence(u32 slot_f, u32 slot_n) {
+  /// The classes where a component began.
+  void began(const std::array<int, 3>& classes) { before_ = classes; }
+  std::pair<bool, std::uint64_t> next(u32 slot_f, u32 slot_n) {
     const u32 slot_p = slots_[slot_f].previous, slot_nn = slots_[slot_n].next;
-    const int f = class_of(slot_f), n = class_of(slot_n), p = class_of(slot_p),
-              nn = class_of(slot_nn);
+    const int f = slots_.class_of(slot_f), n = slots_.class_of(slot_n), p = slots_.class_of(slot_p),
+              nn = slots_.class_of(slot_nn);
     const int x = slots_[slot_f].opposite, xp = slots_[slot_p].opposite,
               xn = slots_[slot_n].opposite;
     const auto dev = [](int c) { return c == kExtra ? 0 : c - 6; };
@@ -179,17 +139,7 @@ class ValenceDecoder {
     return read_symbol(lines, static_cast<std::size_t>(free(slot_f, 3)), true);
   }
 
-  std::uint64_t first_valence(std::size_t k, int last) {
-    const auto& [b0, b1, b2] = before_;
-    const std::array<Line*, 6> lines = {&plain_,
-                                        &lines_(pack(6, k)),
-                                        &lines_(pack(7, k, last)),
-                                        &lines_(pack(8, k, before_[k])),
-                                        &lines_(pack(9, k, before_[k], last)),
-                                        &lines_(pack(10, k, b0, b1, b2, last))};
-    return read_symbol(lines, 0, false).second;
-  }
-
+ private:
   /// Whether the vertex is an extra one; its valence.
   std::pair<bool, std::uint64_t> read_symbol(const std::array<Line*, 6>& lines, std::size_t row,
                                              bool may_be_extra) {
@@ -201,9 +151,109 @@ class ValenceDecoder {
     }
     for (std::size_t d = 4; d < 10; ++d)
       if (decide(d)) return {false, d + 3};
-    if (may_be_extra && loops_left_ > 0 && in_.alone(extra_))
-      return {true, 3 + in_.small(loop_length_)};
+    if (may_be_extra && slots_.loops_left() > 0 && in_.alone(extra_)) return {true, loop_length()};
     return {false, 13 + in_.small(large_)};
+  }
+
+  Decisions& in_;
+  Loops& slots_;
+  Counter extra_;
+  std::array<Counter, 30> loop_length_, large_;
+  std::array<int, 3> before_{};  // classes of the corners where the component before began
+  Line plain_;
+  Lines lines_;
+  std::array<std::array<Mixer, 10>, 4> mixers_;
+};
+
+class ValenceDecoder {
+ public:
+  ValenceDecoder(std::span<const std::uint8_t> section, const StreamCounts& counts,
+                 std::size_t faces)
+      : in_(section),
+        components_(counts.components),
+        slots_(counts, faces),
+        valences_(in_, slots_) {
+    for (auto& row : new_)
+      for (Counter& counter : row) counter = {(1 << 22) / 200 * 199, 4};
+  }
+
+  FaceList run() {
+    for (u32 c = 0; c < components_; ++c) {
+      begin_component();
+      while (const auto f = slots_.pop()) step(*f);
+    }
+    in_.finish();
+    return slots_.take();
+  }
+
+ private:
+  void begin_component() {
+    const bool extra = slots_.loops_left() > 0 && in_.alone(open_);
+    std::array<u32, 3> corner{}, slot{};
+    std::array<std::uint64_t, 3> valence{};
+    std::array<int, 3> classes{};
+    int last = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_extra = extra && k == 0;
+      valence[k] = is_extra ? valences_.loop_length() : valences_.first(k, last);
+      corner[k] = slots_.make_vertex(is_extra, valence[k]);
+      classes[k] = last = slots_.class_of_vertex(corner[k]);
+    }
+    valences_.began(classes);
+    for (std::size_t k = 0; k < 3; ++k)
+      slot[k] =
+          slots_.make_slot(corner[k], valence[k] - 2, slots_.class_of_vertex(corner[(k + 1) % 3]));
+    slots_.join(slot[0], slot[2]);
+    slots_.join(slot[2], slot[1]);
+    slots_.join(slot[1], slot[0]);
+    for (const u32 s : slot) slots_.push(s);
+    slots_.appear(slot[0], slot[1], slot[2]);
+  }
+
+  void step(u32 f) {
+    const u32 n = slots_[f].next, p = slots_[f].previous;
+    if (slots_[f].free == 0) {
+      forced(f, n, p);
+      return;
+    }
+    const auto capped = [&](u32 s) {
+      return static_cast<std::size_t>(std::min<std::uint64_t>(slots_[s].free, 15));
+    };
+    if (in_.alone(new_[capped(f)][capped(n)]))
+      new_vertex(f, n);
+    else
+      old_slot(f, n, p);
+  }
+
+  void forced(u32 f, u32 n, u32 p) {
+    slots_.appear(f, n, p);
+    slots_[f].alive = false;
+    if (slots_[n].next == p) {
+      require(slots_[n].free == 0 && slots_[p].free == 0, "stream: edges are left in a last face");
+      slots_[n].alive = slots_[p].alive = false;
+      return;
+    }
+    slots_.decrease(n);
+    slots_.decrease(p);
+    slots_[p].opposite = slots_.class_of(f);
+    slots_.join(p, n);
+    slots_.push(p);
+    slots_.push(n);
+  }
+
+  void new_vertex(u32 f, u32 n) {
+    const auto [extra, valence] = valences_.next(f, n);
+    const u32 x =
+        slots_.make_slot(slots_.make_vertex(extra, valence), valence - 2, slots_.class_of(f));
+    slots_.appear(f, n, x);
+    slots_[f].opposite = slots_.class_of(n);
+    slots_.decrease(f);
+    slots_.decrease(n);
+    slots_.join(f, x);
+    slots_.join(x, n);
+    slots_.push(x);
+    slots_.push(n);
+    slots_.push(f);
   }
 
   u32 walk_to_slot(u32 f, u32 n, u32 p) {
@@ -226,35 +276,26 @@ class ValenceDecoder {
     const u32 x = walk_to_slot(f, n, p);
     require(x != f && x != n && x != p && x != slots_[n].next, "stream: a face on its own edge");
     const std::uint64_t k = slots_[x].free - 2, b = in_.below(k + 1);
-    const u32 y = make_slot(slots_[x].vertex, b, slots_[x].opposite);
-    appear(f, n, x);
-    join(y, slots_[x].next);
-    join(f, y);
-    join(x, n);
-    slots_[x].opposite = class_of(f);
-    slots_[f].opposite = class_of(n);
+    const u32 y = slots_.make_slot(slots_[x].vertex, b, slots_[x].opposite);
+    slots_.appear(f, n, x);
+    slots_.join(y, slots_[x].next);
+    slots_.join(f, y);
+    slots_.join(x, n);
+    slots_[x].opposite = slots_.class_of(f);
+    slots_[f].opposite = slots_.class_of(n);
     slots_[x].free = k - b;
-    decrease(f);
-    decrease(n);
-    for (const u32 s : {x, y, n, f}) push(s);
+    slots_.decrease(f);
+    slots_.decrease(n);
+    for (const u32 s : {x, y, n, f}) slots_.push(s);
   }
 
   Decisions in_;
-  const StreamCounts& counts_;
-  std::size_t most_faces_, triangles_ = 0;
-  u32 loops_left_, real_ = 0, pushes_ = 0;
-  std::vector<int> class_;
-  std::vector<u32> number_;  // of vertices, kNoSlot for extra ones
-  std::vector<Slot> slots_;
-  std::array<std::vector<std::pair<u32, u32>>, 64> heaps_;
-  Counter open_, extra_, same_, ahead_;
-  std::array<Counter, 30> loop_length_, large_, distance_;
-  std::array<int, 3> before_{};  // classes of the corners where the component before began
+  u32 components_;
+  Loops slots_;
+  Valences valences_;
+  Counter open_, same_, ahead_;
+  std::array<Counter, 30> distance_;
   std::array<std::array<Counter, 16>, 16> new_;
-  Line plain_;
-  Lines lines_;
-  std::array<std::array<Mixer, 10>, 4> mixers_;
-  FaceList faces_;
 };
 
 }  // namespace
