@@ -124,99 +124,116 @@ TEST_CASE("coding: streams of all methods and modes are accepted") {
 
 using Edit = std::function<bool(CodingCertificate&, Random&)>;
 
-const std::map<std::string, Edit>& edits() {
-  static const std::map<std::string, Edit> all = {
-      {"vertices exchanged",
-       [](auto& c, auto& r) {
-         const auto i = r() % c.permutation.size(), j = r() % c.permutation.size();
-         std::swap(c.permutation[i], c.permutation[j]);
-         return i != j;
-       }},
-      {"a vertex twice",
-       [](auto& c, auto& r) {
-         const auto i = r() % c.permutation.size(), j = r() % c.permutation.size();
-         c.permutation[i] = c.permutation[j];
-         return i != j;
-       }},
-      {"a face turned round",
-       [](auto& c, auto& r) {
-         auto& face = c.faces[r() % c.faces.size()];
-         std::swap(face[0], face[1]);
-         return true;
-       }},
-      {"all faces turned round",
-       [](auto& c, auto&) {
-         for (auto& face : c.faces) std::swap(face[0], face[1]);
-         return true;
-       }},
-      {"a face less",
-       [](auto& c, auto& r) {
-         c.faces.erase(c.faces.begin() + static_cast<std::ptrdiff_t>(r() % c.faces.size()));
-         return true;
-       }},
-      {"a diagonal flipped",
-       [](auto& c, auto&) {
-         // 0 1 b and a 1 0: the first two of a grid share a diagonal.
-         auto &s = c.faces[0], &t = c.faces[1];
-         if (s[0] != t[0] || s[2] != t[1]) return false;
-         const auto [a, b, d] = s;
-         const auto e = t[2];
-         s = {a, b, e};
-         t = {b, d, e};
-         return true;
-       }},
-      {"a bit of a place",
-       [](auto& c, auto& r) {
-         c.positions[r() % c.positions.size()][r() % 3] ^= 1;
-         return c.mode == CodingMode::exact;
-       }},
-      {"the sign of a zero",
-       [](auto& c, auto&) {
-         for (auto& p : c.positions)
-           for (auto& x : p)
-             if (x << 1 == 0) {
-               x ^= std::uint64_t{1} << 63;
-               return c.mode == CodingMode::exact;
-             }
-         return false;
-       }},
-      {"a place too far",
-       [](auto& c, auto& r) {
-         auto& x = c.positions[r() % c.positions.size()][r() % 3];
-         x = std::bit_cast<std::uint64_t>(std::bit_cast<double>(x) + 4 * c.tolerance);
-         return c.mode == CodingMode::tolerance;
-       }},
-      {"a tolerance too small",
-       [](auto& c, auto&) {
-         c.tolerance /= 1000;
-         return c.mode == CodingMode::tolerance;
-       }},
-      {"no tolerance",
-       [](auto& c, auto&) {
-         c.tolerance = 0;
-         return c.mode == CodingMode::tolerance;
-       }},
-      {"another mode",
-       [](auto& c, auto& r) {
-         c.mode = static_cast<CodingMode>((static_cast<std::uint64_t>(c.mode) + 1 + r() % 2) % 3);
-         c.tolerance = c.mode == CodingMode::tolerance ? 1e300 : 0;
-         return true;
-       }},
-      {"order kept, or not",
-       [](auto& c, auto&) {
-         c.keep_order = !c.keep_order;
-         return true;
-       }},
-      {"a component more", [](auto& c, auto&) { return ++c.components, true; }},
-      {"a handle more", [](auto& c, auto&) { return ++c.handles, true; }},
-      {"a loop more", [](auto& c, auto&) { return ++c.loops, true; }},
-      {"a byte of the stream",
-       [](auto& c, auto& r) {
-         c.stream[r() % c.stream.size()] ^= static_cast<std::uint8_t>(1u << r() % 8);
-         return true;
-       }},
-      {"a byte less", [](auto& c, auto&) { return c.stream.pop_back(), true; }},
-      {"a byte more", [](auto& c, auto&) { return c.stream.push_back(0), true; }}};
+using Edits = std::map<std::string, Edit>;
+
+Edits first_edits() {
+  return {{"vertices exchanged",
+           [](auto& c, auto& r) {
+             const auto i = r() % c.permutation.size(), j = r() % c.permutation.size();
+             std::swap(c.permutation[i], c.permutation[j]);
+             return i != j;
+           }},
+          {"a vertex twice",
+           [](auto& c, auto& r) {
+             const auto i = r() % c.permutation.size(), j = r() % c.permutation.size();
+             c.permutation[i] = c.permutation[j];
+             return i != j;
+           }},
+          {"a face turned round",
+           [](auto& c, auto& r) {
+             auto& face = c.faces[r() % c.faces.size()];
+             std::swap(face[0], face[1]);
+             return true;
+           }},
+          {"all faces turned round",
+           [](auto& c, auto&) {
+             for (auto& face : c.faces) std::swap(face[0], face[1]);
+             return true;
+           }},
+          {"a face less",
+           [](auto& c, auto& r) {
+             c.faces.erase(c.faces.begin() + static_cast<std::ptrdiff_t>(r() % c.faces.size()));
+             return true;
+           }},
+          {"a diagonal flipped",
+           [](auto& c, auto&) {
+             // 0 1 b and a 1 0: the first two of a grid share a diagonal.
+             auto &s = c.faces[0], &t = c.faces[1];
+             if (s[0] != t[0] || s[2] != t[1]) return false;
+             const auto [a, b, d] = s;
+             const auto e = t[2];
+             s = {a, b, e};
+             t = {b, d, e};
+             return true;
+           }},
+          {"a bit of a place", [](auto& c, auto& r) {
+             c.positions[r() % c.positions.size()][r() % 3] ^= 1;
+             return c.mode == CodingMode::exact;
+           }}};
+}
+
+Edits more_edits() {
+  return {{"the sign of a zero",
+           [](auto& c, auto&) {
+             for (auto& p : c.positions)
+               for (auto& x : p)
+                 if (x << 1 == 0) {
+                   x ^= std::uint64_t{1} << 63;
+                   return c.mode == CodingMode::exact;
+                 }
+             return false;
+           }},
+          {"a place too far",
+           [](auto& c, auto& r) {
+             auto& x = c.positions[r() % c.positions.size()][r() % 3];
+             x = std::bit_cast<std::uint64_t>(std::bit_cast<double>(x) + 4 * c.tolerance);
+             return c.mode == CodingMode::tolerance;
+           }},
+          {"a tolerance too small",
+           [](auto& c, auto&) {
+             c.tolerance /= 1000;
+             return c.mode == CodingMode::tolerance;
+           }},
+          {"no tolerance",
+           [](auto& c, auto&) {
+             c.tolerance = 0;
+             return c.mode == CodingMode::tolerance;
+           }},
+          {"another mode",
+           [](auto& c, auto& r) {
+             c.mode =
+                 static_cast<CodingMode>((static_cast<std::uint64_t>(c.mode) + 1 + r() % 2) % 3);
+             c.tolerance = c.mode == CodingMode::tolerance ? 1e300 : 0;
+             return true;
+           }},
+          {"order kept, or not",
+           [](auto& c, auto&) {
+             c.keep_order = !c.keep_order;
+             return true;
+           }},
+          {"a component more", [](auto& c, auto&) { return ++c.components, true; }}};
+}
+
+Edits last_edits() {
+  return {{"a handle more", [](auto& c, auto&) { return ++c.handles, true; }},
+          {"a loop more", [](auto& c, auto&) { return ++c.loops, true; }},
+          {"a byte of the stream",
+           [](auto& c, auto& r) {
+             c.stream[r() % c.stream.size()] ^= static_cast<std::uint8_t>(1u << r() % 8);
+             return true;
+           }},
+          {"a byte less", [](auto& c, auto&) { return c.stream.pop_back(), true; }},
+          {"a byte more", [](auto& c, auto&) { return c.stream.push_back(0), true; }}};
+}
+
+/// Each changes what is stated, or says that it could not.
+const Edits& edits() {
+  static const Edits all = [] {
+    Edits list = first_edits();
+    list.merge(more_edits());
+    list.merge(last_edits());
+    return list;
+  }();
   return all;
 }
 

@@ -53,117 +53,131 @@ LineEdge& some_edge(LineArtCertificate& c, Random& random) {
   return c.edges[random() % c.edges.size()];
 }
 
+using Edits = std::map<std::string, Edit>;
+
+Edits first_edits() {
+  return {{"front",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             e.pieces[r() % e.pieces.size()].front += r() % 2 == 0 ? 1 : -1;
+             return true;
+           }},
+          {"hiding",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             e.pieces[r() % e.pieces.size()].hiding += r() % 2 == 0 ? 1 : -1;
+             return true;
+           }},
+          {"hidden made visible",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             LinePiece& piece = e.pieces[r() % e.pieces.size()];
+             const bool hidden = piece.front > 0;
+             piece = {0, 0};
+             return hidden;
+           }},
+          {"edge dropped",
+           [](auto& c, auto& r) {
+             c.edges.erase(c.edges.begin() + static_cast<std::ptrdiff_t>(r() % c.edges.size()));
+             return true;
+           }},
+          {"edge twice",
+           [](auto& c, auto& r) {
+             const auto at = static_cast<std::ptrdiff_t>(r() % c.edges.size());
+             const LineEdge copy = c.edges[static_cast<std::size_t>(at)];
+             c.edges.insert(c.edges.begin() + at, copy);
+             return true;
+           }},
+          {"other edge", [](auto& c, auto& r) {
+             some_edge(c, r).high += 1;
+             return true;
+           }}};
+}
+
+Edits more_edits() {
+  return {{"event dropped, pieces merged",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.empty()) return false;
+             const auto at = static_cast<std::ptrdiff_t>(r() % e.breaks.size());
+             e.breaks.erase(e.breaks.begin() + at);
+             e.pieces.erase(e.pieces.begin() + at + static_cast<std::ptrdiff_t>(r() % 2));
+             return true;
+           }},
+          {"events exchanged",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.size() < 2) return false;
+             std::swap(e.breaks[0], e.breaks[1]);
+             return true;
+           }},
+          {"events made one place",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.size() < 2) return false;
+             e.breaks[0].push_back(e.breaks[1][0]);
+             e.breaks.erase(e.breaks.begin() + 1);
+             e.pieces.erase(e.pieces.begin() + 1);
+             return true;
+           }},
+          {"other partner",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.empty()) return false;
+             e.breaks[r() % e.breaks.size()][0].first += 1;
+             return true;
+           }},
+          {"event of the other kind",
+           [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.empty()) return false;
+             LineEvent& event = e.breaks[0][0];
+             event.kind =
+                 event.kind == LineEvent::kCrossing ? LineEvent::kPiercing : LineEvent::kCrossing;
+             return true;
+           }},
+          {"turned round", [](auto& c, auto& r) {
+             LineEdge& e = some_edge(c, r);
+             if (e.breaks.empty()) return false;
+             std::reverse(e.breaks.begin(), e.breaks.end());
+             std::reverse(e.pieces.begin(), e.pieces.end());
+             return e.breaks.size() > 1 || e.pieces[0] != e.pieces[1];
+           }}};
+}
+
+Edits last_edits() {
+  return {{"crease dropped",
+           [](auto& c, auto&) {
+             c.creases.clear();
+             // Its edge may be occluding.
+             const auto drawing = reference_drawing(c);
+             return !drawing || drawing->edges.size() != c.edges.size();
+           }},
+          {"hatch on another face",
+           [](auto& c, auto& r) {
+             c.hatch_faces[0] = static_cast<std::uint32_t>(
+                 (c.hatch_faces[0] + 1 + r() % (c.faces.size() - 1)) % c.faces.size());
+             return true;
+           }},
+          {"hatch repeats a point",
+           [](auto& c, auto&) {
+             c.hatches[0].push_back(c.hatches[0].back());
+             return true;
+           }},
+          {"hatch of a point", [](auto& c, auto&) {
+             c.hatches[0].resize(1);
+             return true;
+           }}};
+}
+
 /// Each changes what is stated, or says that it could not.
-const std::map<std::string, Edit>& edits() {
-  static const std::map<std::string, Edit> all = {
-      {"front",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         e.pieces[r() % e.pieces.size()].front += r() % 2 == 0 ? 1 : -1;
-         return true;
-       }},
-      {"hiding",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         e.pieces[r() % e.pieces.size()].hiding += r() % 2 == 0 ? 1 : -1;
-         return true;
-       }},
-      {"hidden made visible",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         LinePiece& piece = e.pieces[r() % e.pieces.size()];
-         const bool hidden = piece.front > 0;
-         piece = {0, 0};
-         return hidden;
-       }},
-      {"edge dropped",
-       [](auto& c, auto& r) {
-         c.edges.erase(c.edges.begin() + static_cast<std::ptrdiff_t>(r() % c.edges.size()));
-         return true;
-       }},
-      {"edge twice",
-       [](auto& c, auto& r) {
-         const auto at = static_cast<std::ptrdiff_t>(r() % c.edges.size());
-         const LineEdge copy = c.edges[static_cast<std::size_t>(at)];
-         c.edges.insert(c.edges.begin() + at, copy);
-         return true;
-       }},
-      {"other edge",
-       [](auto& c, auto& r) {
-         some_edge(c, r).high += 1;
-         return true;
-       }},
-      {"event dropped, pieces merged",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.empty()) return false;
-         const auto at = static_cast<std::ptrdiff_t>(r() % e.breaks.size());
-         e.breaks.erase(e.breaks.begin() + at);
-         e.pieces.erase(e.pieces.begin() + at + static_cast<std::ptrdiff_t>(r() % 2));
-         return true;
-       }},
-      {"events exchanged",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.size() < 2) return false;
-         std::swap(e.breaks[0], e.breaks[1]);
-         return true;
-       }},
-      {"events made one place",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.size() < 2) return false;
-         e.breaks[0].push_back(e.breaks[1][0]);
-         e.breaks.erase(e.breaks.begin() + 1);
-         e.pieces.erase(e.pieces.begin() + 1);
-         return true;
-       }},
-      {"other partner",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.empty()) return false;
-         e.breaks[r() % e.breaks.size()][0].first += 1;
-         return true;
-       }},
-      {"event of the other kind",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.empty()) return false;
-         LineEvent& event = e.breaks[0][0];
-         event.kind =
-             event.kind == LineEvent::kCrossing ? LineEvent::kPiercing : LineEvent::kCrossing;
-         return true;
-       }},
-      {"turned round",
-       [](auto& c, auto& r) {
-         LineEdge& e = some_edge(c, r);
-         if (e.breaks.empty()) return false;
-         std::reverse(e.breaks.begin(), e.breaks.end());
-         std::reverse(e.pieces.begin(), e.pieces.end());
-         return e.breaks.size() > 1 || e.pieces[0] != e.pieces[1];
-       }},
-      {"crease dropped",
-       [](auto& c, auto&) {
-         c.creases.clear();
-         // Its edge may be occluding.
-         const auto drawing = reference_drawing(c);
-         return !drawing || drawing->edges.size() != c.edges.size();
-       }},
-      {"hatch on another face",
-       [](auto& c, auto& r) {
-         c.hatch_faces[0] = static_cast<std::uint32_t>(
-             (c.hatch_faces[0] + 1 + r() % (c.faces.size() - 1)) % c.faces.size());
-         return true;
-       }},
-      {"hatch repeats a point",
-       [](auto& c, auto&) {
-         c.hatches[0].push_back(c.hatches[0].back());
-         return true;
-       }},
-      {"hatch of a point", [](auto& c, auto&) {
-         c.hatches[0].resize(1);
-         return true;
-       }}};
+const Edits& edits() {
+  static const Edits all = [] {
+    Edits list = first_edits();
+    list.merge(more_edits());
+    list.merge(last_edits());
+    return list;
+  }();
   return all;
 }
 
