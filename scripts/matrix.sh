@@ -130,7 +130,7 @@ for path in $(made block-twist twist.vtu) $(inputs tensors bunny_stress.vtk notc
   run "$path" modes "$path" --degenerate -o curves.vtp --certificate c.crest --report r.json
 done
 for path in $(made lattice lattice.vtu) $(inputs vectorfields cylinder_Re35.vtk wind_gfs_2014-11-30.json \
-  cylinder_slice_513x65.vti piv_insight_run1.vec piv_challenge_B00001.txt water_gbr.json); do
+  cylinder_slice_513x65.vti piv_insight_run1.vec piv_challenge_B00001.txt water_gbr.json sqflow2D-1608.nrrd); do
   run "$path" skeleton "$path" -o skeleton.vtp --picture p.png --certificate c.crest --report r.json
 done
 for path in $(made torus torus.off) $(inputs meshes moebius.obj suzanne.obj teapot.obj fandisk.off); do

@@ -154,8 +154,8 @@ class LineCheck {
     const Ray &ray = match_.in.claimed[i].ray, &other = match_.out.claimed[j].ray;
     bool same = ray.root == other.root && (ray.exit == kNone) == (other.exit == kNone);
     if (ray.exit != kNone && other.exit != kNone)
-      same =
-          same && ray.exit == (other.root == 3 ? match_.fan[other.exit] : match_.side(other.exit));
+      same = same &&
+             ray.exit == (other.root == 3 ? match_.fan[other.exit] : match_.corner[other.exit]);
     if (ray.exit == kNone && other.exit == kNone)
       same = same && in_.paths[i].direction == out_.paths[j].direction &&
              fan_of(match_.in, in_.paths[i]) == match_.fan[fan_of(match_.out, out_.paths[j])];

@@ -17,9 +17,6 @@ struct Match {
   std::vector<u32> fan;                   ///< all have one
   std::vector<u32> loop;                  ///< all have one
   std::vector<u32> region, switch_point;  ///< after match_boundary
-
-  /// The same side of the same triangle, or kNone.
-  u32 side(u32 output_side) const { return corner[output_side]; }
 };
 
 /// Requires: prove_surface has accepted both. `vertices`: the output's in the input. Throws Reject

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Proven lines as the triangles that they cross, and which of two is at the left: order by
-// inheritance (SPEC.md, lemma 15).
+// Proven lines as the triangles that they cross; which of two is at the left: order by inheritance
+// (SPEC.md, lemma 15).
 #include "certify/skeleton/proof.hpp"
 
 namespace crest::certify::compression {

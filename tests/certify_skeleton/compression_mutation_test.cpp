@@ -140,8 +140,11 @@ void make_undecided(SkeletonSeparatrix& line, SkeletonCertificate& c) {
   recount(c);
 }
 
-std::vector<std::pair<std::string, Edit>> false_edits() {
-  std::vector<std::pair<std::string, Edit>> all = {
+using Edits = std::vector<std::pair<std::string, Edit>>;
+
+/// Of maps and triangles.
+Edits false_maps() {
+  return {
       {"zeros exchanged", exchanged(&C::zeros)},
       {"zero elsewhere", changed(&C::zeros)},
       {"zeros short", shortened(&C::zeros)},
@@ -181,6 +184,10 @@ std::vector<std::pair<std::string, Edit>> false_edits() {
          return !c.output.orbits.empty() && (c.output.orbits.pop_back(), true);
        }},
   };
+}
+
+/// Of both skeletons.
+void add_false_skeletons(Edits& all) {
   for (auto which : {&C::input, &C::output}) {
     const std::string whose = which == &C::input ? " of the input" : " of the output";
     all.push_back({"turn changed" + whose, of_line(which, [](auto& line, auto&, Random& r) {
@@ -210,6 +217,11 @@ std::vector<std::pair<std::string, Edit>> false_edits() {
                      return true;
                    }});
   }
+}
+
+Edits false_edits() {
+  Edits all = false_maps();
+  add_false_skeletons(all);
   // A separatrix in neither of both.
   all.push_back({"separatrix dropped from both", [](C& c, Random& r) {
                    const auto i = pick(c.separatrices, r);

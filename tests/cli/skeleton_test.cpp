@@ -72,8 +72,7 @@ TEST_CASE("crest-verify --input compares positions, triangles and vectors of a f
   CHECK(other.out.find("REJECTED: b.vtk: other positions, triangles and vectors") != std::string::npos);
   const auto none = run_crest("crest-verify a.crest --input c.vtk", folder.path());
   CHECK(none.exit_code == 3);
-  const auto output =
-      run_crest("crest-verify a.crest --input a.vtk --output b.vtk", folder.path());
+  const auto output = run_crest("crest-verify a.crest --input a.vtk --output b.vtk", folder.path());
   CHECK(output.exit_code == 2);
   CHECK(output.err.find("--output is for certificates of compression") != std::string::npos);
 }
