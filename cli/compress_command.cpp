@@ -14,6 +14,7 @@
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "cli/vector_options.hpp"
+#include "io/vector_fields/skeleton_writer.hpp"
 #include "io/write/planar_field_writer.hpp"
 
 namespace crest::cli {
@@ -39,8 +40,10 @@ Outcome work(Run& run, const CompressOptions& o) {
   run.report()["vectors"] = file.field;
   report_compression(run.report(), field, o.compression, result);
   if (!result.same_skeleton)
-    throw std::runtime_error("the skeletons of the fields differ, nothing is written: " +
-                             result.difference);
+    return {"the skeletons of the two fields are not proven equal, nothing is written: " +
+                result.difference + "\n",
+            {"roessl2005surfaces"},
+            kNotCertified};
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
@@ -53,6 +56,9 @@ Outcome work(Run& run, const CompressOptions& o) {
     run.write("-o", [&](const std::string& path) {
       io::write_planar_field(path, result.field.points, result.field.triangles, file.field,
                              result.field.vectors);
+    });
+    run.write("--picture", [&](const std::string& path) {
+      io::write_skeleton_picture(path, {&result.field, &result.after});
     });
   });
   return {compression_summary(field, result),

@@ -36,8 +36,7 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   });
   run.report()["vectors"] = file.field;
   const Json words = skeleton_in_words(field, skeleton);
-  for (const auto& [key, value] : std::get<Json::Members>(words.value()))
-    run.report()[key] = value;
+  for (const auto& [key, value] : std::get<Json::Members>(words.value())) run.report()[key] = value;
   io::SkeletonScene scene{&field, &skeleton};
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
@@ -62,10 +61,7 @@ Outcome work(Run& run, const SkeletonOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<SkeletonOptions>();
   SkeletonOptions& o = *options;
-  add_common_options(
-      app, o.common,
-      kVectorFormats,
-      "the skeleton (.vtp)");
+  add_common_options(app, o.common, kVectorFormats, "the skeleton (.vtp)");
   add_vector_options(app, o.vectors);
   return [options] {
     return run_command({"skeleton", options->common, {".vtp"}},

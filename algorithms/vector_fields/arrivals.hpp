@@ -38,8 +38,8 @@ int left_of_passing(const Mesh& mesh, const Arrival& a, const Step& entry, HalfE
   if (a.zero) {
     // Its ray is on a line that nothing crosses.
     using kernel::operator-;
-    const double turn = kernel::cross(place_on(mesh, a.steps->front()) - *a.zero,
-                                      place_on(mesh, entry) - *a.zero);
+    const double turn =
+        kernel::cross(place_on(mesh, a.steps->front()) - *a.zero, place_on(mesh, entry) - *a.zero);
     return turn > 0 ? -1 : turn < 0 ? 1 : 0;
   }
   const Index offset = (mesh.twin(entry.exit) % 3 + 3 - exit % 3) % 3;

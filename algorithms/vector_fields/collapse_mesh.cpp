@@ -71,9 +71,8 @@ bool CollapseMesh::adjacent(Index from, Index to) const {
   if (corners_[first] != from || !alive(first / 3)) return false;
   fan(from, fan_);
   const HalfEdge last = Domain::previous(fan_.back());
-  return this->from(last) == to || std::any_of(fan_.begin(), fan_.end(), [&](HalfEdge h) {
-           return this->to(h) == to;
-         });
+  return this->from(last) == to ||
+         std::any_of(fan_.begin(), fan_.end(), [&](HalfEdge h) { return this->to(h) == to; });
 }
 
 /// The link condition: so many neighbours in common.
@@ -106,8 +105,8 @@ CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {
   plan.to = to;
   plan.star.clear();
   if (twins_[fan_.front()] == kNone) return plan_boundary(from, to, plan);
-  const auto first = std::find_if(fan_.begin(), fan_.end(),
-                                  [&](HalfEdge h) { return this->to(h) == to; });
+  const auto first =
+      std::find_if(fan_.begin(), fan_.end(), [&](HalfEdge h) { return this->to(h) == to; });
   std::rotate(fan_.begin(), first, fan_.end());
   for (const HalfEdge h : fan_) plan.star.push_back(h / 3);
   plan.gone = {plan.star.front(), plan.star.back()};
@@ -120,7 +119,8 @@ CollapseRefusal CollapseMesh::plan_boundary(Index from, Index to, Collapse& plan
   const bool ahead = this->to(after) == to;
   if (!ahead && this->from(before) != to) return CollapseRefusal::boundary;
   const Vec2 &p = point(this->from(before)), &q = point(from), &r = point(this->to(after));
-  if (kernel::orientation(p, q, r) != Sign::zero || kernel::flow_along(p, q, {r[0] - q[0], r[1] - q[1]}) != Sign::positive)
+  if (kernel::orientation(p, q, r) != Sign::zero ||
+      kernel::flow_along(p, q, {r[0] - q[0], r[1] - q[1]}) != Sign::positive)
     return CollapseRefusal::boundary;
   const Sign s = kernel::flow_across(p, q, vector(from));
   if (s == Sign::zero || kernel::flow_across(p, q, vector(this->from(before))) != s ||
@@ -162,9 +162,10 @@ void CollapseMesh::apply(const Collapse& plan) {
   journal_.gone = plan.gone;
   const bool open = twins_[fan_.front()] == kNone;
   if (!open)
-    std::rotate(fan_.begin(), std::find_if(fan_.begin(), fan_.end(),
-                                           [&](HalfEdge h) { return to(h) == plan.to; }),
-                fan_.end());
+    std::rotate(
+        fan_.begin(),
+        std::find_if(fan_.begin(), fan_.end(), [&](HalfEdge h) { return to(h) == plan.to; }),
+        fan_.end());
   const std::size_t n = fan_.size();
   // The sides of the triangles that vanish, merged.
   const bool first_goes = !open || to(fan_.front()) == plan.to, last_goes = !open || !first_goes;

@@ -22,8 +22,8 @@ struct BoundaryEdge {
 /// A collapse that keeps the domain and all triangles positive.
 struct Collapse {
   Index from = kNone, to = kNone;
-  std::vector<Index> star;     ///< triangles around `from`, counter-clockwise from `to` on
-  std::array<Index, 2> gone{}; ///< those that vanish; at the boundary one, twice
+  std::vector<Index> star;      ///< triangles around `from`, counter-clockwise from `to` on
+  std::array<Index, 2> gone{};  ///< those that vanish; at the boundary one, twice
 };
 
 enum class CollapseRefusal : std::uint8_t { none, geometry, boundary };

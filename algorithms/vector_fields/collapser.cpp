@@ -79,8 +79,8 @@ Collapser::Answer Collapser::examine_zeros() {
   for (const Index z : old) {
     const ZeroKind kind = state_.zeros[z].kind;
     if (kind == ZeroKind::centre) return Answer::critical;
-    const auto now = std::find_if(fresh.begin(), fresh.end(),
-                                  [&](const NewZero& n) { return n.kind == kind; });
+    const auto now =
+        std::find_if(fresh.begin(), fresh.end(), [&](const NewZero& n) { return n.kind == kind; });
     moved_zeros_.push_back({z, state_.zeros[z], {kind, now->triangle, true}});
   }
   return Answer::yes;
@@ -119,8 +119,8 @@ Collapser::Answer Collapser::prove_orbit(Index number) {
     for (const double wider : {4.0, 1.0, 16.0, 0.25}) {
       SearchOrbit now;
       if (!state_.close(old, k, wider, now)) continue;
-      const AnnulusDoor door{now.forward, state_.mesh.twin(now.exits.front()),
-                             1 - now.high.front(), 1 - now.low.front()};
+      const AnnulusDoor door{now.forward, state_.mesh.twin(now.exits.front()), 1 - now.high.front(),
+                             1 - now.low.front()};
       if (!closes(state_.mesh, door, now.exits)) continue;
       if (state_.enclosed(now) != state_.enclosed(old)) return Answer::orbit;
       moved_orbits_.push_back({number, old});

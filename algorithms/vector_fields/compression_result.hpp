@@ -31,8 +31,8 @@ struct CompressionCounts {
   int passes = 0;
   std::uint64_t collapses = 0, tests = 0, retraced_crossings = 0, inherited = 0;
   RefusedCollapses refused;
-  int rounds = 1;           ///< searches, until the proven skeletons were equal
-  std::size_t pinned = 0;   ///< separatrices whose triangles were kept for that
+  int rounds = 1;             ///< searches, until the proven skeletons were equal
+  std::size_t pinned = 0;     ///< separatrices whose triangles were kept for that
   std::size_t undecided = 0;  ///< separatrices of the input without a proven end
 };
 

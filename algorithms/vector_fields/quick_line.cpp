@@ -216,7 +216,8 @@ std::vector<Vec2> points_along(const CollapseMesh& mesh, bool forward, HalfEdge 
     int side = 0;
     if (crossing.run(share, nullptr, side, share) != QuickEnd::crossed) break;
     for (const Vec2& x : crossing.points) result.push_back(place(x));
-    entry = mesh.twin(3 * (entry / 3) + static_cast<Index>((c + static_cast<std::size_t>(side)) % 3));
+    entry =
+        mesh.twin(3 * (entry / 3) + static_cast<Index>((c + static_cast<std::size_t>(side)) % 3));
     share = 1 - share;
   }
   return result;
@@ -233,8 +234,7 @@ bool inside(const std::vector<Vec2>& polygon, const Vec2& x) {
   return in;
 }
 
-bool closes(const CollapseMesh& mesh, const AnnulusDoor& door,
-            const std::vector<HalfEdge>& exits) {
+bool closes(const CollapseMesh& mesh, const AnnulusDoor& door, const std::vector<HalfEdge>& exits) {
   std::vector<Index> triangles;
   for (const HalfEdge h : exits) triangles.push_back(h / 3);
   std::sort(triangles.begin(), triangles.end());

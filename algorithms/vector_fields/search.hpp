@@ -16,7 +16,7 @@ struct SearchLine {
   Index ordinal = kNone;  ///< of the boundary edge at which it starts
   EndKind end = EndKind::undecided;
   Index target = 0;
-  bool ordered = false;  ///< its place among the arrivals at its end is known
+  bool ordered = false;            ///< its place among the arrivals at its end is known
   std::optional<Step> first = {};  ///< as long as its triangle stays
   std::vector<Step> steps;
 };

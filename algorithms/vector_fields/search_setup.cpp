@@ -75,10 +75,8 @@ void SearchState::take_zeros() {
 
 void SearchState::take_orbits() {
   for (const Annulus& a : input_.annuli) {
-    SearchOrbit gate{a.forward,
-                     {mesh.twin(a.side)},
-                     {1 - from_tail(a.right)},
-                     {1 - from_tail(a.left)}};
+    SearchOrbit gate{
+        a.forward, {mesh.twin(a.side)}, {1 - from_tail(a.right)}, {1 - from_tail(a.left)}};
     gate.exits.resize(a.turns.size(), kNone);
     SearchOrbit& orbit = orbits.emplace_back();
     orbit.forward = a.forward;

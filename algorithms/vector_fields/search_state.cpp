@@ -30,8 +30,8 @@ void SearchState::place_zero(Index zero, const SearchZero& at) {
   zero_in[z.triangle] = zero;
   if (z.kind != ZeroKind::sink && z.kind != ZeroKind::source) return;
   const bool attracting = z.kind == ZeroKind::sink;
-  z.trap = ellipse_in(TriangleFrame<double>(mesh.data(z.triangle), 0, attracting, 0x1p-53),
-                      attracting);
+  z.trap =
+      ellipse_in(TriangleFrame<double>(mesh.data(z.triangle), 0, attracting, 0x1p-53), attracting);
 }
 
 std::optional<Index> SearchState::orbit_entered(bool forward, const Step& step) const {
@@ -111,8 +111,8 @@ QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, I
     if (line.steps.size() > most) return QuickEnd::lost;
     Step step;
     ++crossings;
-    const QuickEnd result = cross_quickly(mesh, forward, entry, 1 - last.share,
-                                          trap_in(entry / 3, forward), step);
+    const QuickEnd result =
+        cross_quickly(mesh, forward, entry, 1 - last.share, trap_in(entry / 3, forward), step);
     if (result == QuickEnd::trapped) {
       // Where it was, lines were proven to end.
       if (zeros[zero_in[entry / 3]].moved &&
@@ -165,9 +165,9 @@ bool SearchState::close(const SearchOrbit& orbit, std::size_t k, double wider,
 std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
   if (orbit.exits.empty()) return {};
   // From the gate's return: near the orbit.
-  const auto polygon = points_along(mesh, orbit.forward, mesh.twin(orbit.exits.front()),
-                                    1 - (orbit.low.back() + orbit.high.back()) / 2,
-                                    orbit.exits.size());
+  const auto polygon =
+      points_along(mesh, orbit.forward, mesh.twin(orbit.exits.front()),
+                   1 - (orbit.low.back() + orbit.high.back()) / 2, orbit.exits.size());
   std::vector<Index> result;
   for (Index z = 0; z < zeros.size(); ++z) {
     if (inside(polygon, place_of(z))) result.push_back(z);

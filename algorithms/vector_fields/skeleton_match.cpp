@@ -133,160 +133,13 @@ class Matcher {
     return by_ordinal_[found_.mesh.boundary_edge(3 * old_triangle_[h / 3] + h % 3).ordinal];
   }
 
-  bool zeros() {
-    std::map<Index, Index> by_triangle;
-    for (Index z = 0; z < out_.zeros.size(); ++z)
-      by_triangle[old_triangle_[out_.zeros[z].triangles.front()]] = z;
-    if (by_triangle.size() != in_.zeros.size()) return differ("another number of zeros");
-    old_zero_.assign(out_.zeros.size(), kNone);
-    for (Index z = 0; z < in_.zeros.size(); ++z) {
-      const Index moved = found_.zeros[z].triangle;
-      const auto at = by_triangle.find(moved == kNone ? in_.zeros[z].triangles.front() : moved);
-      if (at == by_triangle.end()) return differ("zero " + std::to_string(z) + ": is gone");
-      const CriticalPoint &a = in_.zeros[z].item, &b = out_.zeros[at->second].item;
-      if (a.kind != b.kind || a.index != b.index || a.where != b.where)
-        return differ("zero " + std::to_string(z) + ": is of another class");
-      result_.zeros.push_back(at->second);
-      old_zero_[at->second] = z;
-    }
-    return true;
-  }
-
-  bool boundary() {
-    const Boundary &a = in_.boundary, &b = out_.boundary;
-    if (a.switch_points.size() != b.switch_points.size() || a.loops.size() != b.loops.size())
-      return differ("another number of switch points");
-    std::map<std::pair<HalfEdge, bool>, Index> known;
-    for (Index i = 0; i < a.switch_points.size(); ++i)
-      known[{a.switch_points[i].edge, a.switch_points[i].at_vertex}] = i;
-    switches_.assign(known.size(), kNone);
-    for (Index i = 0; i < b.switch_points.size(); ++i) {
-      const SwitchPoint& s = b.switch_points[i];
-      const auto at = known.find({old_edge(s.edge), s.at_vertex});
-      if (at == known.end() || a.switch_points[at->second].inside != s.inside ||
-          a.switch_points[at->second].inflow_after != s.inflow_after)
-        return differ("another switch point");
-      switches_[at->second] = i;
-    }
-    for (const auto& [h, r] : b.regions) {
-      const auto old = a.regions.find(old_edge(h));
-      if (old == a.regions.end()) return differ("another region of the boundary");
-      if (r.at_from != kNone) regions_[old->second.at_from] = r.at_from;
-    }
-    for (const auto& [h, r] : b.regions)
-      if (r.at_to != kNone && r.at_from == kNone)
-        regions_.try_emplace(a.regions.at(old_edge(h)).at_to, r.at_to);
-    loop_names_.assign(b.half_edges.size(), kNone);
-    std::unordered_map<HalfEdge, Index> loop_of;
-    for (Index i = 0; i < a.half_edges.size(); ++i)
-      for (const HalfEdge h : a.half_edges[i]) loop_of[h] = i;
-    for (Index i = 0; i < b.half_edges.size(); ++i)
-      loop_names_[i] = loop_of.at(old_edge(b.half_edges[i].front()));
-    return true;
-  }
-
-  void orbits() {
-    std::vector<Index> same;
-    for (Index i = 0; i < std::max<std::size_t>(found_.mesh.triangle_count(), in_.zeros.size()); ++i)
-      same.push_back(i);
-    a_.emplace(in_, CollapseMesh(in_.domain, in_.boundary), same, same, same);
-    b_.emplace(out_, found_.mesh, old_triangle_, old_zero_, loop_names_);
-    const auto a = a_->orbits(), b = b_->orbits();
-    result_.orbits.assign(a.size(), kNone);
-    std::size_t i = 0, k = 0;
-    while (i < a.size() && k < b.size()) {
-      const auto &x = a_->enclosed(a[i]), &y = b_->enclosed(b[k]);
-      if (x == y) result_.orbits[a[i]] = b[k];
-      i += x <= y ? 1 : 0;
-      k += y <= x ? 1 : 0;
-    }
-    if (a.size() != b.size() ||
-        std::find(result_.orbits.begin(), result_.orbits.end(), kNone) != result_.orbits.end())
-      differ("other closed orbits");
-  }
-
-  bool separatrices() {
-    std::map<std::array<Index, 4>, Index> starts;
-    std::map<std::pair<bool, Index>, Index> counts;
-    const auto key = [&](const Start& s, const Start& named, Index origin) {
-      const bool ray = s.kind == StartKind::ray;
-      Index which = ray ? static_cast<Index>(2 + named.sense) : s.forward ? 1 : 0;
-      if (!ray && !s.from_switch_point) which = counts[{s.from_switch_point, origin}]++;
-      return std::array<Index, 4>{s.from_switch_point ? 1U : 0U, origin, s.forward ? 1U : 0U,
-                                  which};
-    };
-    for (Index i = 0; i < out_.traces.size(); ++i) {
-      const Start& s = out_.traces[i].start;
-      starts[key(s, s, s.origin)] = i;
-    }
-    counts.clear();
-    if (out_.traces.size() != in_.traces.size()) return differ("another number of separatrices");
-    for (Index i = 0; i < in_.traces.size(); ++i) {
-      const Start& s = in_.traces[i].start;
-      const Index origin = s.from_switch_point ? switches_[s.origin] : result_.zeros[s.origin];
-      const auto at = starts.find(key(s, found_.lines[i].start, origin));
-      if (at == starts.end()) return differ("separatrix " + std::to_string(i) + ": is gone");
-      result_.separatrices.push_back(at->second);
-    }
-    for (Index i = 0; i < in_.traces.size(); ++i) compare_end(i);
-    return result_.differing.empty();
-  }
-
-  void compare_end(Index i) {
-    const Trace &s = in_.traces[i], &t = out_.traces[result_.separatrices[i]];
-    // Of an undecided line nothing is claimed.
-    if (s.end == EndKind::undecided) return;
-    if (t.end == EndKind::undecided) {
-      differ(i, "is undecided in the output");
-      return;
-    }
-    Index target = s.target;
-    if (s.end == EndKind::critical_point || s.end == EndKind::zero_flow)
-      target = result_.zeros[s.target];
-    if (s.end == EndKind::switch_point) target = switches_[s.target];
-    if (s.end == EndKind::closed_orbit) target = result_.orbits[s.target];
-    if (s.end == EndKind::boundary) {
-      const auto r = regions_.find(s.target);
-      target = r == regions_.end() ? kNone : r->second;
-    }
-    if (s.end != t.end || target != t.target) differ(i, "ends elsewhere");
-  }
-
-  void orders() {
-    std::map<std::array<Index, 3>, std::vector<Index>> groups;
-    for (Index i = 0; i < in_.traces.size(); ++i) {
-      if (in_.traces[i].end == EndKind::undecided) continue;
-      const auto a = a_->side(i), b = b_->side(result_.separatrices[i]);
-      if (!a || !b) continue;
-      if (a != b) {
-        differ(i, "comes to its orbit from the other side");
-        continue;
-      }
-      groups[{static_cast<Index>(in_.traces[i].end), in_.traces[i].target, *a}].push_back(i);
-    }
-    for (const auto& [end, lines] : groups)
-      if (!same_order(static_cast<EndKind>(end[0]), end[1], lines))
-        for (const Index i : lines) differ(i, "arrives in another order");
-  }
-
-  bool same_order(EndKind end, Index target, const std::vector<Index>& lines) {
-    const bool leftmost = end != EndKind::boundary;
-    std::vector<Arrival> a, b;
-    for (const Index i : lines) {
-      const auto x = a_->arrival(i);
-      if (!x) return true;
-      a.push_back(*x);
-    }
-    if (!sort_arrivals(a_->domain(), a, leftmost, result_.inherited)) return false;
-    for (const Arrival& x : a) {
-      const auto y = b_->arrival(result_.separatrices[x.line]);
-      if (!y) return false;
-      b.push_back(*y);
-    }
-    return in_order(b_->domain(), b, a_->cyclic(end, target), leftmost, result_.inherited)
-        .value_or(false);
-  }
-
+  bool zeros();
+  bool boundary();
+  void orbits();
+  bool separatrices();
+  void compare_end(Index i);
+  void orders();
+  bool same_order(EndKind end, Index target, const std::vector<Index>& lines);
   const Analysis &in_, &out_;
   const SearchState& found_;
   std::vector<Index> old_triangle_;  ///< of the output's
@@ -296,6 +149,159 @@ class Matcher {
   std::optional<Named> a_, b_;
   SkeletonMatch result_;
 };
+
+bool Matcher::zeros() {
+  std::map<Index, Index> by_triangle;
+  for (Index z = 0; z < out_.zeros.size(); ++z)
+    by_triangle[old_triangle_[out_.zeros[z].triangles.front()]] = z;
+  if (by_triangle.size() != in_.zeros.size()) return differ("another number of zeros");
+  old_zero_.assign(out_.zeros.size(), kNone);
+  for (Index z = 0; z < in_.zeros.size(); ++z) {
+    const Index moved = found_.zeros[z].triangle;
+    const auto at = by_triangle.find(moved == kNone ? in_.zeros[z].triangles.front() : moved);
+    if (at == by_triangle.end()) return differ("zero " + std::to_string(z) + ": is gone");
+    const CriticalPoint &a = in_.zeros[z].item, &b = out_.zeros[at->second].item;
+    if (a.kind != b.kind || a.index != b.index || a.where != b.where)
+      return differ("zero " + std::to_string(z) + ": is of another class");
+    result_.zeros.push_back(at->second);
+    old_zero_[at->second] = z;
+  }
+  return true;
+}
+
+bool Matcher::boundary() {
+  const Boundary &a = in_.boundary, &b = out_.boundary;
+  if (a.switch_points.size() != b.switch_points.size() || a.loops.size() != b.loops.size())
+    return differ("another number of switch points");
+  std::map<std::pair<HalfEdge, bool>, Index> known;
+  for (Index i = 0; i < a.switch_points.size(); ++i)
+    known[{a.switch_points[i].edge, a.switch_points[i].at_vertex}] = i;
+  switches_.assign(known.size(), kNone);
+  for (Index i = 0; i < b.switch_points.size(); ++i) {
+    const SwitchPoint& s = b.switch_points[i];
+    const auto at = known.find({old_edge(s.edge), s.at_vertex});
+    if (at == known.end() || a.switch_points[at->second].inside != s.inside ||
+        a.switch_points[at->second].inflow_after != s.inflow_after)
+      return differ("another switch point");
+    switches_[at->second] = i;
+  }
+  for (const auto& [h, r] : b.regions) {
+    const auto old = a.regions.find(old_edge(h));
+    if (old == a.regions.end()) return differ("another region of the boundary");
+    if (r.at_from != kNone) regions_[old->second.at_from] = r.at_from;
+  }
+  for (const auto& [h, r] : b.regions)
+    if (r.at_to != kNone && r.at_from == kNone)
+      regions_.try_emplace(a.regions.at(old_edge(h)).at_to, r.at_to);
+  loop_names_.assign(b.half_edges.size(), kNone);
+  std::unordered_map<HalfEdge, Index> loop_of;
+  for (Index i = 0; i < a.half_edges.size(); ++i)
+    for (const HalfEdge h : a.half_edges[i]) loop_of[h] = i;
+  for (Index i = 0; i < b.half_edges.size(); ++i)
+    loop_names_[i] = loop_of.at(old_edge(b.half_edges[i].front()));
+  return true;
+}
+
+void Matcher::orbits() {
+  std::vector<Index> same;
+  for (Index i = 0; i < std::max<std::size_t>(found_.mesh.triangle_count(), in_.zeros.size()); ++i)
+    same.push_back(i);
+  a_.emplace(in_, CollapseMesh(in_.domain, in_.boundary), same, same, same);
+  b_.emplace(out_, found_.mesh, old_triangle_, old_zero_, loop_names_);
+  const auto a = a_->orbits(), b = b_->orbits();
+  result_.orbits.assign(a.size(), kNone);
+  std::size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    const auto &x = a_->enclosed(a[i]), &y = b_->enclosed(b[k]);
+    if (x == y) result_.orbits[a[i]] = b[k];
+    i += x <= y ? 1 : 0;
+    k += y <= x ? 1 : 0;
+  }
+  if (a.size() != b.size() ||
+      std::find(result_.orbits.begin(), result_.orbits.end(), kNone) != result_.orbits.end())
+    differ("other closed orbits");
+}
+
+bool Matcher::separatrices() {
+  std::map<std::array<Index, 4>, Index> starts;
+  std::map<std::pair<bool, Index>, Index> counts;
+  const auto key = [&](const Start& s, const Start& named, Index origin) {
+    const bool ray = s.kind == StartKind::ray;
+    Index which = ray ? static_cast<Index>(2 + named.sense) : s.forward ? 1 : 0;
+    if (!ray && !s.from_switch_point) which = counts[{s.from_switch_point, origin}]++;
+    return std::array<Index, 4>{s.from_switch_point ? 1U : 0U, origin, s.forward ? 1U : 0U, which};
+  };
+  for (Index i = 0; i < out_.traces.size(); ++i) {
+    const Start& s = out_.traces[i].start;
+    starts[key(s, s, s.origin)] = i;
+  }
+  counts.clear();
+  if (out_.traces.size() != in_.traces.size()) return differ("another number of separatrices");
+  for (Index i = 0; i < in_.traces.size(); ++i) {
+    const Start& s = in_.traces[i].start;
+    const Index origin = s.from_switch_point ? switches_[s.origin] : result_.zeros[s.origin];
+    const auto at = starts.find(key(s, found_.lines[i].start, origin));
+    if (at == starts.end()) return differ("separatrix " + std::to_string(i) + ": is gone");
+    result_.separatrices.push_back(at->second);
+  }
+  for (Index i = 0; i < in_.traces.size(); ++i) compare_end(i);
+  return result_.differing.empty();
+}
+
+void Matcher::compare_end(Index i) {
+  const Trace &s = in_.traces[i], &t = out_.traces[result_.separatrices[i]];
+  // Of an undecided line nothing is claimed.
+  if (s.end == EndKind::undecided) return;
+  if (t.end == EndKind::undecided) {
+    differ(i, "is undecided in the output");
+    return;
+  }
+  Index target = s.target;
+  if (s.end == EndKind::critical_point || s.end == EndKind::zero_flow)
+    target = result_.zeros[s.target];
+  if (s.end == EndKind::switch_point) target = switches_[s.target];
+  if (s.end == EndKind::closed_orbit) target = result_.orbits[s.target];
+  if (s.end == EndKind::boundary) {
+    const auto r = regions_.find(s.target);
+    target = r == regions_.end() ? kNone : r->second;
+  }
+  if (s.end != t.end || target != t.target) differ(i, "ends elsewhere");
+}
+
+void Matcher::orders() {
+  std::map<std::array<Index, 3>, std::vector<Index>> groups;
+  for (Index i = 0; i < in_.traces.size(); ++i) {
+    if (in_.traces[i].end == EndKind::undecided) continue;
+    const auto a = a_->side(i), b = b_->side(result_.separatrices[i]);
+    if (!a || !b) continue;
+    if (a != b) {
+      differ(i, "comes to its orbit from the other side");
+      continue;
+    }
+    groups[{static_cast<Index>(in_.traces[i].end), in_.traces[i].target, *a}].push_back(i);
+  }
+  for (const auto& [end, lines] : groups)
+    if (!same_order(static_cast<EndKind>(end[0]), end[1], lines))
+      for (const Index i : lines) differ(i, "arrives in another order");
+}
+
+bool Matcher::same_order(EndKind end, Index target, const std::vector<Index>& lines) {
+  const bool leftmost = end != EndKind::boundary;
+  std::vector<Arrival> a, b;
+  for (const Index i : lines) {
+    const auto x = a_->arrival(i);
+    if (!x) return true;
+    a.push_back(*x);
+  }
+  if (!sort_arrivals(a_->domain(), a, leftmost, result_.inherited)) return false;
+  for (const Arrival& x : a) {
+    const auto y = b_->arrival(result_.separatrices[x.line]);
+    if (!y) return false;
+    b.push_back(*y);
+  }
+  return in_order(b_->domain(), b, a_->cyclic(end, target), leftmost, result_.inherited)
+      .value_or(false);
+}
 
 }  // namespace
 

@@ -16,7 +16,7 @@ ThesisTest::ThesisTest(const SearchState& state, const Collapse& plan,
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
       if (mesh.from(h) != plan.from && mesh.to(h) != plan.from)
         ring_.push_back({mesh.from(h), mesh.to(h)});
-  closed_ = ring_.front().first == ring_.back().second;
+  closed_ = plan.gone[0] != plan.gone[1];
   std::sort(star_.begin(), star_.end());
   if (!closed_) return;
   add_switches(state);
@@ -26,8 +26,8 @@ ThesisTest::ThesisTest(const SearchState& state, const Collapse& plan,
 }
 
 std::size_t ThesisTest::side_of(Index from, Index to) const {
-  return static_cast<std::size_t>(
-      std::find(ring_.begin(), ring_.end(), std::pair{from, to}) - ring_.begin());
+  return static_cast<std::size_t>(std::find(ring_.begin(), ring_.end(), std::pair{from, to}) -
+                                  ring_.begin());
 }
 
 /// Changes of the flow across the ring, inside sides and at corners.

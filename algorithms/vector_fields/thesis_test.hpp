@@ -29,7 +29,7 @@ class ThesisTest {
                  std::vector<Mark>& marks) const;
   static std::vector<Index> circular(std::vector<Mark> marks);
 
-  std::vector<Index> star_;  ///< ascending
+  std::vector<Index> star_;                    ///< ascending
   std::vector<std::pair<Index, Index>> ring_;  ///< sides by their vertices, counter-clockwise
   std::vector<Mark> switches_;
   std::vector<Index> before_;

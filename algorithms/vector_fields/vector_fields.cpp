@@ -63,6 +63,9 @@ Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doo
   for (const AnnulusDoor& door : doors) search.try_door(door);
   for (const Start& start : find_starts(domain, zeros, portraits, boundary))
     traces.push_back(trace(around, start, annuli));
+  // Now that all annuli are known, lines end where they first enter one.
+  for (Trace& t : traces)
+    if (t.end == EndKind::closed_orbit) t = trace(around, Start(t.start), annuli);
 }
 
 Skeleton Analysis::skeleton() const {

@@ -91,6 +91,8 @@ run 0 crest modes twist.vtu --mode 0.6 --neutral -o m1.vtp --picture m1.png --ce
 run 0 crest modes twist.vtu --degenerate -o m2.vtp --certificate m2.crest --report m2.json
 
 run 0 crest skeleton lattice.vtu -o k1.vtp --picture k1.png --certificate k1.crest --report k1.json --cite
+run 0 crest compress lattice.vtu -o k2.vtu --certificate k2.crest --report k2.json --cite
+run 0 crest compress lattice.vtu --equivalence relaxed --test thesis -o k3.vtu --report k3.json
 
 # 600 samples of a function on numbers of a generator of Lehmer's.
 awk 'function draw() { state = state * 48271 % 2147483647; return state / 2147483648 }

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compressed fields: the skeletons of both are proven equal, by the producer and by the checker.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "algorithms/vector_fields/certificate.hpp"
+#include "algorithms/vector_fields/collapse_mesh.hpp"
+#include "certify/verify.hpp"
+#include "tests/vector_fields/counts.hpp"
+
+using namespace crest;
+using namespace crest::tests;
+using namespace crest::vector_fields;
+
+namespace {
+
+CompressionOptions options_for(Equivalence e, CollapseTest test = CollapseTest::retrace) {
+  CompressionOptions options;
+  options.equivalence = e;
+  options.test = test;
+  return options;
+}
+
+/// Compresses, and asks the checker.
+Compression proven(const PlanarField& field, const CompressionOptions& options) {
+  certify::CompressionCertificate record;
+  Compression result = compress(field, options, record);
+  INFO(result.difference);
+  REQUIRE(result.same_skeleton);
+  const auto verdict = certify::verify(certify::encode(record));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+  return result;
+}
+
+/// The output's vertices are some of the input's, bit for bit.
+void check_vertices(const PlanarField& field, const Compression& c) {
+  REQUIRE(c.vertex_of.size() == c.field.points.size());
+  CHECK(std::is_sorted(c.vertex_of.begin(), c.vertex_of.end()));
+  for (std::size_t i = 0; i < c.vertex_of.size(); ++i) {
+    CHECK(c.field.points[i] == field.points[c.vertex_of[i]]);
+    CHECK(c.field.vectors[i] == field.vectors[c.vertex_of[i]]);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Compressed lattice fields have the same skeleton, in three notions") {
+  for (const auto& [seed, hole] :
+       {std::pair{1ULL, true}, {2ULL, false}, {4ULL, false}, {6ULL, true}}) {
+    INFO("seed " << seed);
+    const PlanarField field = field_of(sampling::lattice_field(seed, 40, hole));
+    const Counts counts = counts_of(extract_skeleton(field));
+    std::size_t last = field.triangles.size();
+    for (const Equivalence e : {Equivalence::strong, Equivalence::original, Equivalence::relaxed}) {
+      const Compression c = proven(field, options_for(e));
+      check_vertices(field, c);
+      Counts after = counts_of(c.after);
+      if (e == Equivalence::relaxed) after.foci = counts.foci;
+      CHECK(after == counts);
+      // Each notion allows more than the one before.
+      CHECK(c.field.triangles.size() < last);
+      last = c.field.triangles.size();
+    }
+    CHECK(last < field.triangles.size() / 10);
+  }
+}
+
+TEST_CASE("Compression: the printed test of the thesis keeps the skeleton, too") {
+  const PlanarField field = field_of(sampling::lattice_field(2, 40, true));
+  const Compression c = proven(field, options_for(Equivalence::original, CollapseTest::thesis));
+  CHECK(c.counts.refused.order > 0);
+  CHECK(c.field.triangles.size() < field.triangles.size() / 4);
+}
+
+TEST_CASE("Compression: positions and vectors scaled by powers of two collapse alike") {
+  const PlanarField field = field_of(sampling::lattice_field(3, 24));
+  const Compression expected = compress(field, options_for(Equivalence::original));
+  for (const auto& [place, vector] : {std::pair{-17, 0}, {10, -27}}) {
+    PlanarField scaled = field;
+    for (auto& p : scaled.points)
+      for (double& x : p) x = std::ldexp(x, place);
+    for (auto& v : scaled.vectors)
+      for (double& x : v) x = std::ldexp(x, vector);
+    const Compression c = compress(scaled, options_for(Equivalence::original));
+    CHECK(c.vertex_of == expected.vertex_of);
+    CHECK(c.field.triangles == expected.field.triangles);
+  }
+}
+
+TEST_CASE("Compression: fields with ties keep what cannot be followed in doubles") {
+  // Small integers: zeros at vertices, on edges and lines, tangent runs, straight separatrices.
+  Random random(20);
+  std::size_t collapses = 0;
+  for (int i = 0; i < 4; ++i) {
+    PlanarField field = field_of(sampling::lattice_field(1, 6));
+    for (auto& v : field.vectors)
+      v = {static_cast<double>(random() % 5) - 2, static_cast<double>(random() % 5) - 2};
+    certify::CompressionCertificate record;
+    const Compression c = compress(field, options_for(Equivalence::original), record);
+    INFO("field " << i << ": " << c.difference);
+    if (!c.same_skeleton) continue;  // refused: nothing is claimed
+    const auto verdict = certify::verify(certify::encode(record));
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+    collapses += c.counts.collapses;
+  }
+  CHECK(collapses > 0);
+}
+
+TEST_CASE("Collapses are taken back to the last bit") {
+  const PlanarField field = field_of(sampling::lattice_field(2, 12, true));
+  const Domain domain(field);
+  const Boundary boundary = examine_boundary(domain);
+  CollapseMesh mesh(domain, boundary);
+  std::vector<Index> vertex_of;
+  Collapse plan;
+  std::size_t applied = 0, refused = 0;
+  for (HalfEdge h = 0; h < 3 * domain.triangle_count(); ++h) {
+    if (!mesh.alive(h / 3)) continue;
+    if (mesh.plan(mesh.from(h), mesh.to(h), plan) != CollapseRefusal::none) {
+      ++refused;
+      continue;
+    }
+    const auto before = mesh.field(vertex_of).triangles;
+    const Index live = mesh.live_triangles();
+    mesh.apply(plan);
+    CHECK(mesh.live_triangles() < live);
+    // Still a mesh of the same domain: positive triangles, each edge in two at most.
+    const PlanarField smaller = mesh.field(vertex_of);
+    CHECK(Domain(smaller).euler_characteristic() == domain.euler_characteristic());
+    mesh.undo();
+    CHECK(mesh.field(vertex_of).triangles == before);
+    CHECK(mesh.live_triangles() == live);
+    if (h % 3 == 0) {
+      mesh.apply(plan);
+      ++applied;
+    }
+  }
+  CHECK(applied > 0);
+  CHECK(refused > 0);
+}
