@@ -211,7 +211,7 @@ TEST_CASE("splines: a bracket holds the limit of its vertex, not another zero at
   // Integers with the level on corners of the partition: edges (0, b1 > 0, -) occur.
   Random random(kSeed);
   std::size_t other_zeros = 0;
-  for (std::uint64_t i = 0; i < scaled(30); ++i) {
+  for (std::uint64_t i = 0; i < scaled(12); ++i) {
     const auto volume = sampled_volume({3, 3, 3}, 0, [&](double, double, double) {
       return static_cast<double>(random() % 3) - 1;
     });
