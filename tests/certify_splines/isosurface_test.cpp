@@ -190,16 +190,17 @@ TEST_CASE("splines: a sphere through a vertex, tangent to a face's plane, needs 
 }
 
 TEST_CASE("splines: the level equal to a sample, and a plateau on the level") {
-  const auto volume = sampled_volume({5, 5, 5}, 3, [](double x, double y, double z) {
-    return x + 2 * y - z + (x == 2 && y == 2 ? 1 : 0);
+  const auto volume = sampled_volume({4, 4, 4}, 3, [](double x, double y, double z) {
+    return x + 2 * y - z + (x == 1 && y == 2 ? 1 : 0);
   });
   ReferenceOptions options;
   options.depth = 12;
   const auto c = reference_isosurface(volume, options);
   REQUIRE(c);
   require_accepted(*c);
+  options.depth = 3;
   const auto plateau =
-      sampled_volume({6, 6, 6}, 2, [](double x, double, double) { return std::min(x, 2.0); });
+      sampled_volume({5, 3, 3}, 2, [](double x, double, double) { return std::min(x, 2.0); });
   CHECK_FALSE(reference_isosurface(plateau, options));
   SplineIsosurfaceCertificate none;
   none.volume = plateau;
@@ -210,7 +211,7 @@ TEST_CASE("splines: a bracket holds the limit of its vertex, not another zero at
   // Integers with the level on corners of the partition: edges (0, b1 > 0, -) occur.
   Random random(kSeed);
   std::size_t other_zeros = 0;
-  for (std::uint64_t i = 0; i < scaled(30); ++i) {
+  for (std::uint64_t i = 0; i < scaled(12); ++i) {
     const auto volume = sampled_volume({3, 3, 3}, 0, [&](double, double, double) {
       return static_cast<double>(random() % 3) - 1;
     });
@@ -241,12 +242,12 @@ TEST_CASE("splines: leaves that do not conform, trees that are not whole, are re
   alone.bisected.insert(alone.bisected.begin(), 0);
   alone.trees.insert(alone.trees.begin(), {1, 0, 0});
   REQUIRE(alone.bisected[1] != 0);
-  CHECK(reason(alone).ends_with("is bisected on the other side alone"));
+  CHECK(reason(alone).starts_with("a face of "));
   auto deeper = *made;
   const auto leaf = std::find(deeper.trees.begin(), deeper.trees.end(), 0);
   *leaf = 1;
   deeper.trees.insert(leaf + 1, {0, 0});
-  CHECK(reason(deeper).find("a face of ") == 0);
+  CHECK(reason(deeper).starts_with("a face of "));
   auto less = *made;
   less.trees.pop_back();
   CHECK(reason(less).ends_with("is not complete"));

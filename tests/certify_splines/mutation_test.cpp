@@ -120,7 +120,7 @@ TEST_CASE("splines: edited bytes of rays' certificates are rejected unless true"
   Random random(kSeed);
   Tally tally;
   for (std::uint64_t i = 0; i < 4; ++i)
-    tally.edit_bytes(random_rays(i, random), decode_spline_rays, scaled(120), random);
+    tally.edit_bytes(random_rays(i, random), decode_spline_rays, scaled(70), random);
   tally.say("spline-rays, bytes");
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("splines: edited bytes of isosurfaces' certificates are rejected unles
     const auto c = reference_isosurface(volume, options);
     if (!c || c->bisected.empty()) continue;
     ++made;
-    tally.edit_bytes(*c, decode_spline_isosurface, scaled(100), random);
+    tally.edit_bytes(*c, decode_spline_isosurface, scaled(60), random);
   }
   CHECK(made == 3);
   tally.say("spline-isosurface, bytes");
