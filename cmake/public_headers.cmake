@@ -19,6 +19,7 @@ set(public
   algorithms/ridges/salience.hpp
   algorithms/smooth_ridges/surface.hpp
   algorithms/sampling/plain_surfaces.hpp
+  algorithms/splines/quadratic_certificate.hpp
   certify/certificate.hpp
   certify/verify.hpp
   kernel/arithmetic/self_test.hpp

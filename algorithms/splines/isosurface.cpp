@@ -47,9 +47,12 @@ EdgeZero zero_of(double b0, double b1, double b2, double error) {
   }
 }
 
-/// Leaves of one tetrahedron that are bisected for their own sake: where the level set touches a
-/// plane of faces or a plateau their number would double with every third level.
-constexpr int kMostLeaves = 128;
+/// Leaves that are bisected for their own sake, of one tetrahedron and of all: where the level set
+/// touches a plane of faces or a plateau their number would double with every third level.
+constexpr std::size_t kMostLeaves = 1024;
+std::size_t most_leaves(std::size_t tetrahedra) {
+  return 65536 + 4 * tetrahedra;
+}
 
 class Mesher {
  public:
@@ -100,13 +103,15 @@ class Mesher {
 
   void bisect(int max_depth) {
     std::vector<Root> roots;
+    std::size_t met = 0;  // tetrahedra that are not empty
     if (max_depth > 0)
       for_each_active([&](const Cube& cube, const CubeCoefficients<double>& a) {
         for (std::size_t t = 0; t < kTetrahedra; ++t) {
           const LeafNet net = test_.net(a, cube, t, nullptr);
           const Root root = root_of(cube) + t;
-          if (!test_.empty(net) && !test_.settled(net, cube, t, forest_.corners_of(root)))
-            roots.push_back(root);
+          if (test_.empty(net)) continue;
+          ++met;
+          if (!test_.settled(net, cube, t, forest_.corners_of(root))) roots.push_back(root);
         }
       });
     std::unordered_map<Root, int> leaves;

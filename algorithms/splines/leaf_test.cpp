@@ -217,12 +217,13 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
     std::uint64_t all = std::uint64_t{1} << kFineBits;
     for (const FinePoint& p : *corners)
       for (const std::int64_t x : p) all |= static_cast<std::uint64_t>(x);
-    bits += 2 * (kFineBits - std::countr_zero(all) + 1) + 4;
-    if (bits_ == 0 || bits > 53) leaf.error += 16 * kUnitRoundoff * leaf.largest;
+    bits += 2 * (kFineBits - std::countr_zero(all) + 1);
+    if (bits_ == 0 || bits > 51) leaf.error += 16 * kUnitRoundoff * leaf.largest;
   } else {
     leaf.b = root.c;  // a difference of doubles has its exact sign
   }
-  // Products of two coefficients, factors of a shape below 2^10, sums of them.
+  // Of two coefficients, and edges that are multiples of 1/2 and at most 1: four bits behind the
+  // point, sums below 2^9.
   leaf.exact_products = bits_ > 0 && 2 * bits + 13 <= 53;
   return leaf;
 }

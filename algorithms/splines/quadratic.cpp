@@ -165,14 +165,55 @@ std::vector<ValueAndGradient> QuadraticSpline::evaluate(std::span<const Vec3> po
 
 namespace {
 
-/// 2 |grad l| of the two kinds of triangles that hold the centre, by the axes of their plane.
-struct JumpFactors {
-  std::array<std::array<double, 3>, 3> plane;
-  explicit JumpFactors(const kernel::SampledGrid& grid) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        plane[i][k] = 2 * std::sqrt(1 / (grid.spacing[i] * grid.spacing[i]) +
-                                    1 / (grid.spacing[k] * grid.spacing[k]));
+std::size_t slot_of(const Lattice& p) {
+  return static_cast<std::size_t>(62 + p[0] + 5 * p[1] + 25 * p[2]);
+}
+
+/// The conditions inside a cube whose word is C, and what their failure makes the gradient jump by
+/// at the centre.
+struct Jumps {
+  struct Condition {
+    std::size_t u, v, p, q;
+    double factor;
+  };
+  std::vector<Condition> intra, inter;
+
+  explicit Jumps(const kernel::SampledGrid& grid) {
+    // 2 |grad l|, but for a factor 2 between pyramids; by the axes of the triangle's plane.
+    const auto plane = [&](std::size_t i, std::size_t k) {
+      return 2 * std::sqrt(1 / (grid.spacing[i] * grid.spacing[i]) +
+                           1 / (grid.spacing[k] * grid.spacing[k]));
+    };
+    for (const Crossing& x : kCrossing) {
+      if (x.junction == Junction::inter_cube) continue;
+      const auto& [u, v] = x.opposite;
+      Condition c{slot_of(u), slot_of(v), slot_of(x.triangle[0]), slot_of(x.triangle[1]), 0};
+      std::size_t first = 0;
+      while (u[first] == v[first]) ++first;
+      if (x.junction == Junction::inter_pyramid) {
+        // Centres of two faces: they differ along both axes.
+        const std::size_t second = u[2] != v[2] ? 2 : 1;
+        c.factor = 2 * plane(first, second);
+        inter.push_back(c);
+      } else {
+        // Corners: the triangle has a corner and the face's centre.
+        c.p = c.q;
+        std::size_t face = 0;
+        while (x.triangle[1][face] == 0) ++face;
+        c.factor = plane(first, 3 - first - face);
+        intra.push_back(c);
+      }
+    }
+  }
+
+  double largest(const CubeCoefficients<double>& a) const {
+    double largest = 0;
+    for (const Condition& c : intra)
+      largest = std::max(largest, c.factor * std::fabs(a[c.u] + a[c.v] - 2 * a[c.q]));
+    for (const Condition& c : inter)
+      largest = std::max(largest,
+                         c.factor * std::fabs(a[c.u] + a[c.v] - a[62] - 0.5 * (a[c.p] + a[c.q])));
+    return largest;
   }
 };
 
@@ -189,48 +230,17 @@ constexpr auto kHull = [] {
   return places;
 }();
 
-double largest_jump(const CubeCoefficients<double>& a, const JumpFactors& factors) {
-  const auto at = [&](const Lattice& p) {
-    return a[static_cast<std::size_t>(62 + p[0] + 5 * p[1] + 25 * p[2])];
-  };
-  double largest = 0;
-  for (const Crossing& x : kCrossing) {
-    if (x.junction == Junction::inter_cube) continue;
-    const double sides = at(x.opposite[0]) + at(x.opposite[1]);
-    const Lattice &p = x.triangle[0], &q = x.triangle[1];
-    // The axes along which the opposite corners differ span the plane's normal.
-    std::size_t axes[2] = {0, 2};
-    if (x.opposite[0][0] == x.opposite[1][0]) axes[0] = 1;
-    if (x.opposite[0][2] == x.opposite[1][2]) axes[1] = 1;
-    double r, factor;
-    if (x.junction == Junction::inter_pyramid) {
-      r = sides - at({0, 0, 0}) - 0.5 * (at(p) + at(q));
-      factor = 2 * factors.plane[axes[0]][axes[1]];
-    } else {
-      r = sides - 2 * at(q);
-      // u - v lies along one axis: the plane is that of the corner and the face's centre.
-      std::size_t along = 0;
-      while (x.opposite[0][along] == x.opposite[1][along]) ++along;
-      std::size_t face = 0;
-      while (q[face] == 0) ++face;
-      factor = factors.plane[along][3 - along - face];
-    }
-    largest = std::fmax(largest, factor * std::fabs(r));
-  }
-  return largest;
-}
-
 }  // namespace
 
 SplineSummary summarise(const QuadraticSpline& spline) {
-  const JumpFactors factors(spline.grid());
+  const Jumps jumps(spline.grid());
   const Cube n = spline.cubes();
   struct Part {
     double low = HUGE_VAL, high = -HUGE_VAL, jump = -1;
     Cube where{};
     void join(const Part& o) {
-      low = std::fmin(low, o.low);
-      high = std::fmax(high, o.high);
+      low = std::min(low, o.low);
+      high = std::max(high, o.high);
       if (o.jump > jump || (o.jump == jump && o.where < where)) {
         jump = o.jump;
         where = o.where;
@@ -247,10 +257,10 @@ SplineSummary summarise(const QuadraticSpline& spline) {
               const auto a = cube_coefficients(spline.stencil<double>(cube));
               Part one;
               for (const std::uint8_t s : kHull) {
-                one.low = std::fmin(one.low, a[s]);
-                one.high = std::fmax(one.high, a[s]);
+                one.low = std::min(one.low, a[s]);
+                one.high = std::max(one.high, a[s]);
               }
-              one.jump = largest_jump(a, factors);
+              one.jump = jumps.largest(a);
               one.where = cube;
               part.join(one);
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of section 8.7 on one thread: coefficients and hull a cube, microseconds a ray, the share of
-// cubes a level may meet and of rays that rationals decide; on Marschner and Lobb's function or, as
-// stand-ins for figures 8.10 to 8.13, on volumes from files.
+// Times of section 8.7 on one thread: coefficients and hull a cube, microseconds a ray, the share
+// of cubes a level may meet and of rays that rationals decide; on Marschner and Lobb's function or,
+// as stand-ins for figures 8.10 to 8.13, on volumes from files.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -67,11 +67,13 @@ void measure(const Arguments& a) {
   splines::RayCounts counts;
   const double cast = timed(a.repeat, [&] { counts = caster->cast(rays, hits); });
   const auto all = static_cast<double>(rays.size());
-  fmt::print("{:.2f} ns a cube for coefficients and hull, {:.3f} % of {} cubes may meet the level\n",
-             1e9 * prepared / cubes, 100 * static_cast<double>(caster->active().count()) / cubes,
-             spline.cube_count());
   fmt::print(
-      "{:.3f} us a ray, {} rays, {:.1f} % hit, {:.2f} cubes and {:.2f} tetrahedra a ray, {} climbed\n",
+      "{:.2f} ns a cube for coefficients and hull, {:.3f} % of {} cubes may meet the level\n",
+      1e9 * prepared / cubes, 100 * static_cast<double>(caster->active().count()) / cubes,
+      spline.cube_count());
+  fmt::print(
+      "{:.3f} us a ray, {} rays, {:.1f} % hit, {:.2f} cubes and {:.2f} tetrahedra a ray, {} "
+      "climbed\n",
       1e6 * cast / all, rays.size(), 100 * static_cast<double>(counts.hits) / all,
       static_cast<double>(counts.cubes) / all, static_cast<double>(counts.tetrahedra) / all,
       counts.climbed);
