@@ -105,48 +105,60 @@ Leaves check_leaves(const SplineVolume& volume, const QuadraticSpline& spline,
   return all;
 }
 
+namespace {
+
+/// Whether a bracket on an edge holds the limit of its zero of s - c + e for e -> 0: s - c is not
+/// negative from the positive end to there, and negative beyond.
+template <class Number>
+std::optional<bool> holds_limit(const std::array<Number, 3>& b,
+                                const std::array<double, 2>& bracket) {
+  const auto at = [&](double t) {
+    const Number u(t), v = Number(1) - u;
+    return v * v * b[0] + Number(2) * v * u * b[1] + u * u * b[2];
+  };
+  const auto falls = is_negative(b[2]);  // from the first end, which is positive
+  if (!falls) return std::nullopt;
+  const Number near = at(bracket[*falls ? 0 : 1]), far = at(bracket[*falls ? 1 : 0]);
+  const auto too_far = is_negative(near), too_near = is_positive(far);
+  if (!too_far || !too_near) return std::nullopt;
+  if (*too_far || *too_near) return false;
+  // At the end itself s - c may be 0 and positive behind.
+  if (*falls ? bracket[1] > 0 : bracket[0] < 1) return true;
+  const auto rises = is_positive(b[1]);
+  return rises ? std::optional(!*rises) : std::nullopt;
+}
+
+template <class Number>
+std::optional<bool> holds_limit_on(const SplineVolume& volume, const QuadraticSpline& spline,
+                                   const Forest& forest, const ActiveLeaf& leaf,
+                                   const std::array<std::size_t, 2>& ends,
+                                   const std::array<double, 2>& bracket) {
+  const std::size_t cube = leaf.root / kTetrahedra;
+  const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
+  const auto root_form = quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet);
+  const auto form = leaf_form(root_form, tet, forest.cube_corner(cube), leaf.simplex, volume.level);
+  return holds_limit(form.edge(ends[0], ends[1]), bracket);
+}
+
+}  // namespace
+
 void check_brackets(const SplineIsosurfaceCertificate& c, const QuadraticSpline& spline,
                     const Forest& forest, const Leaves& leaves, const Mesh& mesh) {
-  // Whether there is no change of sign on the edge before the bracket, and none after it.
-  const auto holds = [&]<class Number>(const LeafForm<Number>& form, const Mesh::Vertex& vertex,
-                                       const std::array<double, 2>& bracket) {
-    const auto b = form.edge(vertex.ends[0], vertex.ends[1]);
-    const auto at = [&](double t) {
-      const Number u(t), v = Number(1) - u;
-      return v * v * b[0] + Number(2) * v * u * b[1] + u * u * b[2];
-    };
-    const auto first = is_negative(b[0]);
-    const Number low = at(bracket[0]), high = at(bracket[1]);
-    if (!first) return std::optional<bool>();
-    // On the side of the end, or 0.
-    const auto beyond_low = *first ? is_positive(low) : is_negative(low);
-    const auto beyond_high = *first ? is_negative(high) : is_positive(high);
-    if (!beyond_low || !beyond_high) return std::optional<bool>();
-    return std::optional(!*beyond_low && !*beyond_high);
+  const auto holds = [&](std::size_t i) {
+    const Mesh::Vertex& vertex = mesh.vertices[i];
+    const ActiveLeaf& leaf = leaves.active[vertex.leaf];
+    const kernel::RoundUpward guard;
+    const auto near =
+        holds_limit_on<Interval>(c.volume, spline, forest, leaf, vertex.ends, c.brackets[i]);
+    return near ? *near
+                : *holds_limit_on<Rational>(c.volume, spline, forest, leaf, vertex.ends,
+                                            c.brackets[i]);
   };
-  constexpr std::size_t kPiece = 64;
-  parallel_for((mesh.vertices.size() + kPiece - 1) / kPiece, [] { return 0; },
-               [&](int, std::size_t piece) {
-                 const std::size_t end = std::min(mesh.vertices.size(), (piece + 1) * kPiece);
-                 for (std::size_t i = piece * kPiece; i < end; ++i) {
-                   const Mesh::Vertex& vertex = mesh.vertices[i];
-                   const ActiveLeaf& leaf = leaves.active[vertex.leaf];
-                   const std::size_t cube = leaf.root / kTetrahedra;
-                   const Tetrahedron tet = tetrahedron(leaf.root % kTetrahedra);
-                   const auto form = [&]<class Number>(Number) {
-                     return leaf_form(
-                         quadratic(spline.neighbourhood<Number>(spline.position(cube)), tet), tet,
-                         forest.cube_corner(cube), leaf.simplex, c.volume.level);
-                   };
-                   std::optional<bool> good;
-                   {
-                     const kernel::RoundUpward guard;
-                     good = holds(form(Interval(0)), vertex, c.brackets[i]);
-                     if (!good) good = holds(form(Rational(0)), vertex, c.brackets[i]);
-                   }
-                   require(*good, "the bracket of vertex {} does not hold its zero", i);
-                 }
-               });
+  parallel_for(
+      mesh.vertices.size(), [] { return 0; },
+      [&](int, std::size_t i) {
+        require(holds(i), "the bracket of vertex {} does not hold its zero", i);
+      });
 }
 
 }  // namespace crest::certify::spline_isosurface

@@ -46,6 +46,8 @@ class Walk {
     if (!enter()) return hit_ == nullptr ? nullptr : "does not meet the domain";
     if (ray_.compare(from_, to_) == Sign::zero) return at_point();
     find_cube(false);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (ray_.direction(d) != Sign::zero) look_ahead(d);
     for (;;) {
       const Parameter next = next_plane();
       const bool skip = scene_.one_sided[scene_.spline.number(cube_)] != 0;
@@ -94,25 +96,24 @@ class Walk {
     }
   }
 
-  Parameter plane_ahead(std::size_t d) const {
+  void look_ahead(std::size_t d) {
     const bool up = ray_.direction(d) == Sign::positive;
-    return ray_.crossing(d, 2 * (std::int64_t{cube_[d]} + (up ? 1 : 0)));
+    ahead_[d] = ray_.crossing(d, 2 * (std::int64_t{cube_[d]} + (up ? 1 : 0)));
   }
   /// Where the ray leaves the cube; leaving_ holds the axes of all planes there.
   Parameter next_plane() {
-    Parameter next;
+    std::size_t next = 3;
     leaving_ = 0;
     for (std::size_t d = 0; d < 3; ++d) {
       if (ray_.direction(d) == Sign::zero) continue;
-      const Parameter plane = plane_ahead(d);
-      const Sign order = leaving_ == 0 ? Sign::negative : ray_.compare(plane, next);
+      const Sign order = next == 3 ? Sign::negative : ray_.compare(ahead_[d], ahead_[next]);
       if (order == Sign::negative) {
-        next = plane;
+        next = d;
         leaving_ = 0;
       }
       if (order != Sign::positive) leaving_ |= 1U << d;
     }
-    return next;
+    return ahead_[next];
   }
   /// Into the next cube; false where the domain ends.
   bool step() {
@@ -121,6 +122,7 @@ class Walk {
       const bool up = ray_.direction(d) == Sign::positive;
       if (up ? cube_[d] + 1 == scene_.spline.cubes(d) : cube_[d] == 0) return false;
       cube_[d] += up ? 1 : ~0U;
+      look_ahead(d);
     }
     return true;
   }
@@ -159,6 +161,7 @@ class Walk {
   Zeros zeros_;
   const SplineHit* hit_;
   Parameter from_, to_;
+  std::array<Parameter, 3> ahead_;  ///< the next plane across each axis
   CubePosition cube_{};
   unsigned leaving_ = 0;
   const char* verdict_ = nullptr;

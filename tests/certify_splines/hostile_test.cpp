@@ -21,7 +21,7 @@ double distance_like(double x, double y, double z) {
   return (x - 1.4) * (x - 1.4) + (y - 1.6) * (y - 1.6) + (z - 1.5) * (z - 1.5) - 1;
 }
 SplineRaysCertificate some_rays(double scale = 1) {
-  auto volume = sampled_volume({5, 5, 5}, 0.25 * scale, [&](double x, double y, double z) {
+  auto volume = sampled_volume({5, 5, 5}, 0.3 * scale, [&](double x, double y, double z) {
     return scale * distance_like(x, y, z);
   });
   return reference_rays(volume, {{-1, 1.5, 1.25, 1, 0, 0.0625},
@@ -31,7 +31,7 @@ SplineRaysCertificate some_rays(double scale = 1) {
 }
 SplineIsosurfaceCertificate some_surface(double scale = 1) {
   return *reference_isosurface(
-      sampled_volume({5, 5, 5}, 0.25 * scale,
+      sampled_volume({5, 5, 5}, 0.3 * scale,
                      [&](double x, double y, double z) { return scale * distance_like(x, y, z); }));
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("splines: infinite numbers, NaN and -0 are malformed wherever they are
 TEST_CASE("splines: words of the claim that are no counts") {
   for (const Bytes& bytes : all_kinds()) {
     const std::size_t first = kHeaderSize + open_container(bytes).data.size();
-    const std::size_t step = std::max<std::size_t>(1, (bytes.size() - first) / 150);
+    const std::size_t step = std::max<std::size_t>(1, (bytes.size() - first) / 50);
     for (std::size_t at = first; at + 4 + kSealSize <= bytes.size(); at += step)
       for (const std::uint32_t word : {0U, 1U, 0x80000000U, 0xffffffffU}) {
         Bytes mutant = bytes;
@@ -146,7 +146,7 @@ TEST_CASE("splines: words of the claim that are no counts") {
         CHECK_NOTHROW(verify(mutant));
       }
     // Counts of the data section: no memory is asked for before they are compared with the bytes.
-    for (std::size_t at = kHeaderSize; at < kHeaderSize + 128; ++at) {
+    for (std::size_t at = kHeaderSize; at < kHeaderSize + 128; at += 2) {
       Bytes mutant = bytes;
       const std::uint32_t word = 0x07ffffffU;
       std::memcpy(mutant.data() + at, &word, 4);

@@ -195,9 +195,10 @@ class MeshWriter {
       return Rational(v * v * form.b[i][i] + 2 * u * v * form.b[i][j] + u * u * form.b[j][j]);
     };
     const bool negative = q(0) < 0;
-    const double high =
-        least_double(0, 1, [&](double t) { return negative ? q(t) >= 0 : q(t) <= 0; });
-    c_.brackets.push_back({q(high) == 0 || high == 0 ? high : std::nextafter(high, 0.0), high});
+    const bool at_end = form.b[i][j] <= 0;  // where s - c is 0 at a positive end
+    const double high = least_double(
+        0, 1, [&](double t) { return negative ? q(t) >= 0 : q(t) <= 0 && (t > 0 || at_end); });
+    c_.brackets.push_back({q(high) == 0 ? high : std::nextafter(high, 0.0), high});
     return at->second;
   }
 
