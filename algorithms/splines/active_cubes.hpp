@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which cubes a level set may meet, as a tree of bits: a node is a word of 4 x 4 x 4 bits, one a
-// child that has any.
+// Active cubes, those that a level set may meet, as a tree of bits: a node is a word of 4 x 4 x 4
+// bits, one a child that has any.
 #include <functional>
 #include <vector>
 

@@ -20,7 +20,7 @@ using kernel::Vec3;
 /// Indices of a vertex, or of a cube, possibly outside of the domain.
 using Place = std::array<int, 3>;
 
-/// The colours of the cubes, as of a chessboard.
+/// As on a chessboard: a black cube has an even sum of indices.
 constexpr bool is_black(const Place& cube) {
   return ((cube[0] + cube[1] + cube[2]) & 1) == 0;
 }

@@ -41,10 +41,25 @@ struct Segment {
   /// Whether it has a zero in [from, x].
   bool zero_until(const Rational& x) const {
     if (x < from) return false;
-    if (x >= to) return kernel::exact_segment_zero(b0, b1, b2);
+    const auto [c1, c2] = until(x < to ? x : to);
+    return kernel::exact_segment_zero(b0, c1, c2);
+  }
+  /// Whether x is its first zero.
+  bool first_zero_at(const Rational& x) const {
+    if (x < from || x > to) return false;
+    if (x == from) return b0 == 0;
+    const auto [c1, c2] = until(x);
+    // On [from, x] it is (1 - s) (b0 (1 - s) + 2 c1 s).
+    return c2 == 0 && b0 != 0 && (c1 == 0 || (c1 < 0) == (b0 < 0));
+  }
+
+ private:
+  /// b1 and b2 of the part [from, x].
+  std::array<Rational, 2> until(const Rational& x) const {
+    if (from == to) return {b1, b2};
     const Rational s = (x - from) / (to - from), r = 1 - s;
     const Rational c1 = r * b0 + s * b1;
-    return kernel::exact_segment_zero(b0, c1, Rational(r * c1 + s * (r * b1 + s * b2)));
+    return {c1, r * c1 + s * (r * b1 + s * b2)};
   }
 };
 
@@ -172,11 +187,9 @@ std::optional<Hit> ExactRays::first_zero(const ExactRay& ray, const Rational& fr
     hit.cube = piece.cube;
     hit.tetrahedron = static_cast<std::uint8_t>(piece.tetrahedron);
     hit.t = hit.t_hi = least_double_with_zero(segment);
-    // A root that is a double is its own bracket.
-    const Rational t(hit.t_hi);
-    const auto l = piece.place(ray.at(t));
-    const bool on_root = t >= a && t <= b && kernel::value_at(piece.net, l) == 0;
-    hit.t_lo = on_root ? hit.t_hi : std::fmax(0, next_down(hit.t_hi));
+    // A zero that is a double is its own bracket.
+    hit.t_lo =
+        segment.first_zero_at(Rational(hit.t_hi)) ? hit.t_hi : std::fmax(0, next_down(hit.t_hi));
     hit.tangent = segment.b1 * segment.b1 == segment.b0 * segment.b2;
     return hit;
   }

@@ -29,8 +29,8 @@ struct Isosurface {
   std::vector<std::uint32_t> bisected;
   std::vector<std::uint8_t> trees;
 
-  /// The centres of leaves that are neither empty nor simple at the greatest depth, or after 128
-  /// bisections in one tetrahedron of the partition.
+  /// The centres of leaves that are neither empty nor simple at the greatest depth, or after 1024
+  /// bisections in one tetrahedron of the partition, or 65536 and four a tetrahedron in all.
   std::vector<Vec3> undecided;
   int depth = 0;
   std::int64_t euler_characteristic = 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/splines/exact_rays.hpp"
 #include "kernel/arithmetic/approximate.hpp"
@@ -52,6 +53,9 @@ struct LatticeRay {
     return p;
   }
 };
+
+/// Half the distance from 1 to the next long double.
+constexpr double kFine = std::numeric_limits<long double>::epsilon() / 2;
 
 double next_up(double x) {
   return std::nextafter(x, HUGE_VAL);
@@ -176,6 +180,8 @@ struct RayCaster::Walk {
   struct Segment {
     double a, b, b0, b1, b2;
   };
+  struct FineNet;
+  double bracket(const FineNet& fine, const Cube& cube, std::size_t t, double side, double at);
   bool settle(const Cube& cube, std::size_t t, const CubeCoefficients<double>& coefficients,
               const Segment& s);
 };
@@ -266,63 +272,79 @@ bool RayCaster::Walk::visit_cube(const Cube& cube, double a, double b) {
   return false;
 }
 
+/// The segment's tetrahedron in long doubles, less c: what its coefficients may be off by.
+struct RayCaster::Walk::FineNet {
+  QuadraticNet<long double> net;
+  double largest = 0, error = 0;
+
+  FineNet(const RayCaster& caster, const Cube& cube, std::size_t t,
+          const CubeCoefficients<double>& coefficients) {
+    double samples = 0;
+    if (caster.spline_.exact()) {
+      for (std::size_t i = 0; i < 10; ++i) net.c[i] = coefficients[kSlots[t][i]];
+    } else {
+      const auto f = caster.spline_.stencil<long double>(cube);
+      for (const long double x : f) samples = std::max(samples, std::fabs(static_cast<double>(x)));
+      net = tetrahedron_net(cube_coefficients(f), t);
+    }
+    for (long double& c : net.c) {
+      c -= static_cast<long double>(caster.level_);
+      largest = std::max(largest, std::fabs(static_cast<double>(c)));
+    }
+    error = 32 * kFine * largest + 64 * kFine * samples;
+  }
+};
+
+/// Where a fall through zero near `at` is, in hit.t_lo and hit.t_hi; 0 where long doubles do not
+/// tell, else the speed of the fall.
+double RayCaster::Walk::bracket(const FineNet& fine, const Cube& cube, std::size_t t, double side,
+                                double at) {
+  const LatticeRay<long double> ray_there(caster.spline_.frame(), ray, largest_side(caster));
+  double speed = 0;
+  for (const long double x : ray_there.direction) speed += std::fabs(static_cast<double>(x));
+  // Newton's step from `at`, then one more if the first is not yet as small as the errors.
+  for (int step = 0; step < 2; ++step) {
+    const auto r = kernel::value_and_gradient_at(fine.net, barycentric(t, ray_there.at(at, cube)));
+    const auto g = gradient(t, r.gradient);
+    long double slope = 0;
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      slope += g[k] * ray_there.direction[k];
+      length += std::fabs(static_cast<double>(g[k]));
+    }
+    const double fall = -side * static_cast<double>(slope);
+    if (!(fall > 0)) return 0;
+    const double off =
+        16 * kFine * (ray_there.magnitude + at * ray_there.slope) * length + fine.error;
+    const long double move = r.value / slope, better = static_cast<long double>(at) - move;
+    double error = 1.25 * off / fall;
+    const double reach = std::max(std::fabs(static_cast<double>(move)), error);
+    // The quadratic term: a barycentric coordinate changes by at most `speed`.
+    if (!(512 * speed * speed * fine.largest * reach * reach <= off)) {
+      at = static_cast<double>(better);
+      continue;
+    }
+    error += 4 * kFine * std::fabs(at);
+    hit.t = static_cast<double>(better);
+    hit.t_lo = below(better - static_cast<long double>(error));
+    hit.t_hi = above(better + static_cast<long double>(error));
+    double widest = hit.t_lo;
+    for (int i = 0; i < 4; ++i) widest = next_up(widest);
+    return hit.t_hi <= widest ? fall : 0;
+  }
+  return 0;
+}
+
 /// Brackets the first zero of a segment that has one; false: more bits are needed.
 bool RayCaster::Walk::settle(const Cube& cube, std::size_t t,
                              const CubeCoefficients<double>& coefficients, const Segment& s) {
   const double side = s.b0 < 0 ? -1 : 1;
   const double h = side * (s.b0 - s.b1), q = side * (s.b0 - 2 * s.b1 + s.b2);
-  const double root = std::sqrt(std::fmax(0, h * h - q * side * s.b0));
+  const double root = std::sqrt(std::max(0.0, h * h - q * side * s.b0));
   const double share = h > 0 ? side * s.b0 / (h + root) : (h - root) / q;
-  double at = s.a + share * (s.b - s.a);
-  using Long = long double;
-  constexpr double v = std::numeric_limits<Long>::epsilon() / 2;
-  QuadraticNet<Long> net;
-  double largest = 0, samples = 0;
-  if (caster.spline_.exact()) {
-    for (std::size_t i = 0; i < 10; ++i)
-      net.c[i] = static_cast<Long>(coefficients[kSlots[t][i]]) - static_cast<Long>(caster.level_);
-  } else {
-    auto f = caster.spline_.stencil<Long>(cube);
-    for (const Long x : f) samples = std::fmax(samples, std::fabs(static_cast<double>(x)));
-    net = tetrahedron_net(cube_coefficients(f), t);
-    for (Long& c : net.c) c -= static_cast<Long>(caster.level_);
-  }
-  for (const Long c : net.c) largest = std::fmax(largest, std::fabs(static_cast<double>(c)));
-  const LatticeRay<Long> fine(caster.spline_.frame(), ray, largest_side(caster));
-  double speed = 0;
-  for (const Long x : fine.direction) speed += std::fabs(static_cast<double>(x));
-  // Newton's step from `at`, then the step that only bounds what is left.
-  Long better = at;
-  double error = 0, fall = 0;
-  for (int step = 0; step < 2; ++step) {
-    const auto r = kernel::value_and_gradient_at(net, barycentric(t, fine.at(at, cube)));
-    const auto g = gradient(t, r.gradient);
-    Long slope = 0;
-    double length = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      slope += g[k] * fine.direction[k];
-      length += std::fabs(static_cast<double>(g[k]));
-    }
-    fall = -side * static_cast<double>(slope);
-    if (!(fall > 0)) return false;
-    const double off =
-        16 * v * (fine.magnitude + at * fine.slope) * length + 32 * v * largest + 64 * v * samples;
-    const Long move = r.value / slope;
-    better = static_cast<Long>(at) - move;
-    error = 1.25 * off / fall;
-    const double reach = std::fmax(std::fabs(static_cast<double>(move)), error);
-    // The quadratic term: a barycentric coordinate changes by at most `speed`.
-    if (512 * speed * speed * largest * reach * reach <= off) break;
-    if (step == 1) return false;
-    at = static_cast<double>(better);
-  }
-  error += 4 * v * std::fabs(at);
-  hit.t = static_cast<double>(better);
-  hit.t_lo = below(better - static_cast<Long>(error));
-  hit.t_hi = above(better + static_cast<Long>(error));
-  double widest = hit.t_lo;
-  for (int i = 0; i < 4; ++i) widest = next_up(widest);
-  if (!(hit.t_hi <= widest)) return false;
+  const FineNet fine(caster, cube, t, coefficients);
+  const double fall = bracket(fine, cube, t, side, s.a + share * (s.b - s.a));
+  if (!(fall > 0)) return false;
   // Up to `before` there is no zero, from there to `after` the tetrahedron is certain.
   const double near = 16 * delta / fall, before = hit.t_lo - near, after = hit.t_hi + near;
   const auto until = [&](double x) {
