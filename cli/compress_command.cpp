@@ -47,7 +47,8 @@ Outcome work(Run& run, const CompressOptions& o) {
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
-      // The checker shares no code with the compression: what it refuses is a bug on either side.
+      // The checker shares no code with the compression: what it refuses is a bug on either
+      // side.
       if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
         throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
       run.write_certificate("compression", bytes, undecided_count(result.before));

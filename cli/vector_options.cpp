@@ -11,15 +11,13 @@ const char* const kVectorFormats =
     "velocimetry .txt .vec)";
 
 void add_vector_options(CLI::App& app, io::VectorRequest& request) {
-  app.add_option("--vectors", request.field,
-                 "the array (default: the only one of 2 or 3 numbers)")
+  app.add_option("--vectors", request.field, "the array (default: the only one of 2 or 3 numbers)")
       ->type_name("NAME");
   app.add_flag("--cell-to-point", request.cell_to_point,
                "take vectors of cells: at a point the mean of those around it");
   const std::map<std::string, io::Diagonal> diagonals = {
       {"up", io::Diagonal::up}, {"down", io::Diagonal::down}, {"short", io::Diagonal::shorter}};
-  app.add_option("--diagonal", request.diagonal,
-                 "of grids' cells: up, down or short (default: up)")
+  app.add_option("--diagonal", request.diagonal, "of grids' cells: up, down or short (default: up)")
       ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))
       ->type_name("WORD");
   app.add_option("--slice", request.slice, "the layer of a grid with several, from 0")

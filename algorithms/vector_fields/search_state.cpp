@@ -169,9 +169,8 @@ std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
       points_along(mesh, orbit.forward, mesh.twin(orbit.exits.front()),
                    1 - (orbit.low.back() + orbit.high.back()) / 2, orbit.exits.size());
   std::vector<Index> result;
-  for (Index z = 0; z < zeros.size(); ++z) {
+  for (Index z = 0; z < zeros.size(); ++z)
     if (inside(polygon, place_of(z))) result.push_back(z);
-  }
   for (Index i = 0; i < loop_points_.size(); ++i)
     if (inside(polygon, loop_points_[i])) result.push_back(static_cast<Index>(zeros.size()) + i);
   return result;

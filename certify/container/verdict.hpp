@@ -41,8 +41,8 @@ struct Verdict {
   std::vector<std::string> lines;  ///< one per claim proved, in order
   std::string reason;              ///< why not accepted; empty otherwise
   std::optional<Digest> data;      ///< digest of the data section, as recomputed
-  /// Of what files may be compared with: each field, as a claim about it alone has it, if several; a
-  /// stream.
+  /// Of what files may be compared with: each field, as a claim about it alone has it, if several;
+  /// a stream.
   std::vector<Digest> fields;
   SignCounts signs;
   AngleCounts angles;

@@ -217,8 +217,8 @@ class PageFaces {
     const Rational area = turn(at[0], at[1], at[2]);
     // Seen edge-on: as near as its nearest corner where its box is and p on its line.
     if (area == 0) {
-      const bool on_line = turn(at[0], at[1], p) == 0 && turn(at[1], at[2], p) == 0 &&
-                           turn(at[2], at[0], p) == 0;
+      const bool on_line =
+          turn(at[0], at[1], p) == 0 && turn(at[1], at[2], p) == 0 && turn(at[2], at[0], p) == 0;
       return {on_line, false, *std::max_element(near.begin(), near.end())};
     }
     Depth depth{true, true, 0};

@@ -10,8 +10,8 @@ namespace crest::io {
 enum class Purpose {
   geometry,      ///< an oriented manifold without faces of area zero
   connectivity,  ///< an oriented manifold: areas play no part
-  function   ///< a manifold that carries values: one-sided parts, faces of area zero and mid-side
-             ///< nodes stay, since nothing of the values may be lost
+  function  ///< a manifold that carries values: one-sided parts, faces of area zero and mid-side
+            ///< nodes stay, since nothing of the values may be lost
 };
 
 /// In this order: polygons become triangles (PolygonCutter), faces with repeated corners and

@@ -69,7 +69,8 @@ TEST_CASE("crest-verify --input compares positions, triangles and vectors of a f
         std::string::npos);
   const auto other = run_crest("crest-verify a.crest --input b.vtk", folder.path());
   CHECK(other.exit_code == 1);
-  CHECK(other.out.find("REJECTED: b.vtk: other positions, triangles and vectors") != std::string::npos);
+  CHECK(other.out.find("REJECTED: b.vtk: other positions, triangles and vectors") !=
+        std::string::npos);
   const auto none = run_crest("crest-verify a.crest --input c.vtk", folder.path());
   CHECK(none.exit_code == 3);
   const auto output = run_crest("crest-verify a.crest --input a.vtk --output b.vtk", folder.path());
