@@ -107,8 +107,8 @@ void compare(const char* title, int n, Function f, double c, int size) {
       widest = std::max(widest, a);
     }
     const auto count = static_cast<double>(points.size());
-    fmt::print("  {:<24} value {:.5f} mean {:.5f} max, gradient {:6.2f} mean {:6.2f} max degrees\n",
-               name, mean / count, max, angle / count, widest);
+    fmt::print("| {} | {:.5f} | {:.5f} | {:.2f} | {:.2f} |\n", name, mean / count, max,
+               angle / count, widest);
   };
   row("quadratic super spline", [&](const Vec3& p) { return spline.evaluate(p); });
   for (const Model& model : kModels)
@@ -118,6 +118,7 @@ void compare(const char* title, int n, Function f, double c, int size) {
       s.gradient = (1 / h) * s.gradient;
       return s;
     });
+  fmt::print("\n");
 }
 
 }  // namespace
