@@ -89,7 +89,8 @@ void compare(const char* title, int n, Function f, double c, int size) {
   const auto points = visible_points(spline, f, c, size, largest);
   fmt::print(
       "{}, {}^3 samples, {} points; the function less c on the spline's isosurface: at most "
-      "{:.4f}\n",
+      "{:.4f}\n\n"
+      "| model | value: mean | max | gradient, degrees: mean | max |\n|---|---|---|---|---|\n",
       title, n, points.size(), largest);
   const auto row = [&](const char* name,
                        const std::function<ValueAndGradient(const Vec3&)>& model) {
