@@ -89,7 +89,8 @@ void compare(const char* title, int n, Function f, double c, int size) {
   const auto points = visible_points(spline, f, c, size, largest);
   fmt::print(
       "{}, {}^3 samples, {} points; the function less c on the spline's isosurface: at most "
-      "{:.4f}\n",
+      "{:.4f}\n\n"
+      "| model | value: mean | max | gradient, degrees: mean | max |\n|---|---|---|---|---|\n",
       title, n, points.size(), largest);
   const auto row = [&](const char* name,
                        const std::function<ValueAndGradient(const Vec3&)>& model) {
@@ -107,8 +108,8 @@ void compare(const char* title, int n, Function f, double c, int size) {
       widest = std::max(widest, a);
     }
     const auto count = static_cast<double>(points.size());
-    fmt::print("  {:<24} value {:.5f} mean {:.5f} max, gradient {:6.2f} mean {:6.2f} max degrees\n",
-               name, mean / count, max, angle / count, widest);
+    fmt::print("| {} | {:.5f} | {:.5f} | {:.2f} | {:.2f} |\n", name, mean / count, max,
+               angle / count, widest);
   };
   row("quadratic super spline", [&](const Vec3& p) { return spline.evaluate(p); });
   for (const Model& model : kModels)
@@ -118,6 +119,7 @@ void compare(const char* title, int n, Function f, double c, int size) {
       s.gradient = (1 / h) * s.gradient;
       return s;
     });
+  fmt::print("\n");
 }
 
 }  // namespace
