@@ -97,7 +97,7 @@ run 0 crest compress lattice.vtu --equivalence relaxed --test thesis -o k3.vtu -
 # 600 samples of a function on numbers of a generator of Lehmer's.
 awk 'function draw() { state = state * 48271 % 2147483647; return state / 2147483648 }
   BEGIN { state = 20041; print "x,y,z,value"
-    for (i = 0; i < 600; ++i) { x = draw(); y = draw(); z = draw(); printf "%.17g,%.17g,%.17g,%.17g\n", x, y, z, x * y - z * z * x } }' \
+    for (i = 0; i < 600; ++i) { x = draw(); y = draw(); z = draw(); printf "%.17g,%.17g,%.17g,%.17g\n", x, y, z, x * y - z * z * z * z * x } }' \
   >samples.csv
 run 0 crest spline samples.csv -o p1.vti --certificate p1.crest --report p1.json --evaluate samples.csv \
   --values p1.csv --cite
