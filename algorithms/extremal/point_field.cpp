@@ -46,6 +46,12 @@ Vec3 corner_of(const Vec3& half, int i) {
           (i & 4) != 0 ? half[2] : -half[2]};
 }
 
+double largest(const Tensor& t) {
+  double r = 0;
+  for (const double x : t) r = std::max(r, std::fabs(x));
+  return r;
+}
+
 double dot_form(const Vec3& u, const Tensor& t, const Vec3& v) {
   return kernel::dot(u, product(t, v));
 }
@@ -197,9 +203,7 @@ PointField::Box PointField::box(const Vec3& centre, const Vec3& half) const {
     const double x = dot_form(u, t, r.w), y = dot_form(v, t, r.w);
     across = std::max(across, x * x + y * y);
   }
-  double size = 0;
-  for (const double x : e.t) size = std::max(size, std::fabs(x));
-  gap = gap * (1 - 1e-9) - rest - 1e-10 * size;
+  gap = gap * (1 - 1e-9) - rest - 1e-10 * largest(e.t);
   r.passed = gap > 0;
   if (!r.passed) return r;
   r.theta = 0.5 * std::atan(2 * (std::sqrt(across) + 0.5 * rest) / gap);

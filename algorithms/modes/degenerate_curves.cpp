@@ -154,6 +154,21 @@ std::vector<char> tets_without_degenerate(std::span<const TetCorners> tets,
   return excluded;
 }
 
+/// The edges of these faces that are degenerate all along, ascending.
+std::vector<std::array<std::uint32_t, 2>> degenerate_edges(const std::vector<SpecialFace>& faces,
+                                                           std::span<const Tensor> tensors) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const SpecialFace& f : faces) {
+    const auto [a, b, c] = f.face;
+    edges.insert(edges.end(), {{a, b}, {b, c}, {a, c}});
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::erase_if(edges,
+                [&](const auto& e) { return !is_degenerate_edge(tensors[e[0]], tensors[e[1]]); });
+  return edges;
+}
+
 class Extraction {
  public:
   Extraction(std::span<const Vec3> points, std::span<const TetCorners> tets,
@@ -170,7 +185,7 @@ class Extraction {
   DegenerateCurves run() {
     find_faces();
     solve_faces();
-    find_degenerate_edges();
+    result_.degenerate_edges = degenerate_edges(result_.special_faces, tensors_);
     join_in_tets();
     Tracer(points_, tets_, result_, interiors_, at_special_).trace();
     return std::move(result_);
@@ -221,18 +236,6 @@ class Extraction {
       for (const std::uint32_t f : faces) ++uses[f];
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (roots_[i].special && uses[i] == 1) return drop_excluded(tets_, excluded_, faces_, roots_);
-  }
-
-  void find_degenerate_edges() {
-    auto& edges = result_.degenerate_edges;
-    for (const SpecialFace& f : result_.special_faces) {
-      const auto [a, b, c] = f.face;
-      edges.insert(edges.end(), {{a, b}, {b, c}, {a, c}});
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::erase_if(
-        edges, [&](const auto& e) { return !is_degenerate_edge(tensors_[e[0]], tensors_[e[1]]); });
   }
 
   void add_point(const FaceCorners& f, const FaceRoot& root) {

@@ -115,113 +115,30 @@ class Projection {
   std::size_t drop_;
 };
 
-class Counter {
+/// The polylines of one side on faces, projected: of the cell or face at hand.
+class Paths {
  public:
-  Counter(Extraction& extraction, const RecordedPositions& positions,
-          const certify::ModeLevel& record)
-      : extraction_(extraction),
-        faces_(extraction.faces()),
-        positions_(positions),
-        record_(record) {}
-
-  struct Sum {
-    std::uint32_t placed = 0, not_placed = 0;
-    void add(std::size_t count, bool good) {
-      (good ? placed : not_placed) += static_cast<std::uint32_t>(count);
-    }
-  };
-  Sum of_cell(Index c, Side side) {
-    Sum sum;
-    const Cell& cell = extraction_.cells().cell(c);
-    if (cell.state != State::graph || cell.part[0] != kNone) return sum;
-    const std::size_t n = cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)];
-    if (n > 0) sum.add(n, is_placed(cell, side, n));
-    return sum;
-  }
-  Sum of_cone(const Cone& cone, Side side) {
-    Sum sum;
-    if (cone.zeros.size() != 1) return sum;
-    clear();
-    const std::array<Index, 4> corners = {cone.others[0], cone.others[1], cone.others[2], kNone};
-    bool good = add_paths(corners, extraction_.face_of(cone), side, [](const Weights& b) {
-      return Planar{b[0], b[1]};
-    });
-    kernel::DisjointSets curves(static_cast<Index>(plane_.points.size()));
-    for (const Path& path : paths_)
-      curves.unite(static_cast<Index>(path.points.front()), static_cast<Index>(path.points.back()));
-    std::vector<Index> names;
-    for (const Path& path : paths_)
-      names.push_back(curves.find(static_cast<Index>(path.points.front())));
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    good = good && plane_.points.size() <= kMostVertices && plane_.is_simple(segments());
-    sum.add(names.size(), good);
-    return sum;
-  }
-
- private:
-  struct Start {
-    std::size_t edge;  ///< of the face
-    double place;      ///< from its corner on
-  };
   /// An arc's ends, as numbers of points, and what lies between.
   struct Path {
     Index arc;
     std::vector<std::size_t> points;
   };
 
-  /// The roots around a face, as they are numbered there.
-  std::vector<Start> roots_around(const Face& face) {
-    std::vector<Start> all;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edge& edge = faces_.edge(face.edges[k]);
-      std::vector<double> places;
-      list(face.edges[k], places);
-      const bool backward = edge.first != face.corners[k];
-      if (backward) std::reverse(places.begin(), places.end());
-      const double length = edge.to - edge.from;
-      // Places on a line err by some 2^-53, and so do the edge's ends.
-      plane_.error = std::fmax(plane_.error, 1e-13 + 4e-15 / length);
-      for (const double x : places) {
-        const double s = (x - edge.from) / length;
-        all.push_back({k, backward ? 1 - s : s});
-      }
-    }
-    return all;
-  }
-  /// Of an edge's roots, on its line.
-  void list(Index e, std::vector<double>& places) {
-    const Edge& edge = faces_.edge(e);
-    if (edge.middle != kNone) {
-      for (const Index part : edge.part) list(part, places);
-      return;
-    }
-    const auto found = positions_.places.find(e);
-    if (found == positions_.places.end()) return;
-    for (std::size_t i = 0; i < faces_.roots(e).count; ++i)
-      places.push_back(edge.from + record_.root_places[found->second + i] * (edge.to - edge.from));
-  }
+  Paths(Faces& faces, const RecordedPositions& positions, const certify::ModeLevel& record)
+      : faces_(faces), positions_(positions), record_(record) {}
 
-  Weights weights(const std::array<Index, 4>& corners, Index vertex) {
-    const auto at = std::find(corners.begin(), corners.end(), vertex);
-    if (at != corners.end()) {
-      Weights b{};
-      b[static_cast<std::size_t>(at - corners.begin())] = 1;
-      return b;
-    }
-    if (const auto found = known_.find(vertex); found != known_.end()) return found->second;
-    const Cut& c = faces_.vertices().cut(vertex);
-    return known_[vertex] = between(weights(corners, c.a), weights(corners, c.b), c.n / 64.0);
+  const Plane& plane() const { return plane_; }
+  const std::vector<Path>& list() const { return paths_; }
+  void clear() {
+    plane_.points.clear();
+    plane_.error = 1e-13;
+    point_of_.clear();
+    known_.clear();
+    paths_.clear();
   }
-  static Weights between(const Weights& a, const Weights& b, double t) {
-    Weights r;
-    for (std::size_t i = 0; i < 4; ++i) r[i] = a[i] + t * (b[i] - a[i]);
-    return r;
-  }
-
   /// Adds the paths of a side on a face. False if one along a side of its leaf has no inner point.
   template <class Project>
-  bool add_paths(const std::array<Index, 4>& corners, Index f, Side side, const Project& project) {
+  bool add(const std::array<Index, 4>& corners, Index f, Side side, const Project& project) {
     bool good = true;
     faces_.for_each_leaf(f, [&](Index leaf) {
       const Face& face = faces_.face(leaf);
@@ -258,13 +175,6 @@ class Counter {
     });
     return good;
   }
-  void clear() {
-    plane_.points.clear();
-    plane_.error = 1e-13;
-    point_of_.clear();
-    known_.clear();
-    paths_.clear();
-  }
   std::vector<Segment> segments() const {
     std::vector<Segment> r;
     for (const Path& path : paths_)
@@ -273,15 +183,124 @@ class Counter {
     return r;
   }
 
+ private:
+  struct Start {
+    std::size_t edge;  ///< of the face
+    double place;      ///< from its corner on
+  };
+  /// The roots around a face, as they are numbered there.
+  std::vector<Start> roots_around(const Face& face) {
+    std::vector<Start> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge& edge = faces_.edge(face.edges[k]);
+      std::vector<double> places;
+      list_places(face.edges[k], places);
+      const bool backward = edge.first != face.corners[k];
+      if (backward) std::reverse(places.begin(), places.end());
+      const double length = edge.to - edge.from;
+      // Places on a line err by some 2^-53, and so do the edge's ends.
+      plane_.error = std::fmax(plane_.error, 1e-13 + 4e-15 / length);
+      for (const double x : places) {
+        const double s = (x - edge.from) / length;
+        all.push_back({k, backward ? 1 - s : s});
+      }
+    }
+    return all;
+  }
+  /// Of an edge's roots, on its line.
+  void list_places(Index e, std::vector<double>& places) {
+    const Edge& edge = faces_.edge(e);
+    if (edge.middle != kNone) {
+      for (const Index part : edge.part) list_places(part, places);
+      return;
+    }
+    const auto found = positions_.places.find(e);
+    if (found == positions_.places.end()) return;
+    for (std::size_t i = 0; i < faces_.roots(e).count; ++i)
+      places.push_back(edge.from + record_.root_places[found->second + i] * (edge.to - edge.from));
+  }
+
+  Weights weights(const std::array<Index, 4>& corners, Index vertex) {
+    const auto at = std::find(corners.begin(), corners.end(), vertex);
+    if (at != corners.end()) {
+      Weights b{};
+      b[static_cast<std::size_t>(at - corners.begin())] = 1;
+      return b;
+    }
+    if (const auto found = known_.find(vertex); found != known_.end()) return found->second;
+    const Cut& c = faces_.vertices().cut(vertex);
+    return known_[vertex] = between(weights(corners, c.a), weights(corners, c.b), c.n / 64.0);
+  }
+  static Weights between(const Weights& a, const Weights& b, double t) {
+    Weights r;
+    for (std::size_t i = 0; i < 4; ++i) r[i] = a[i] + t * (b[i] - a[i]);
+    return r;
+  }
+
+  Faces& faces_;
+  const RecordedPositions& positions_;
+  const certify::ModeLevel& record_;
+  Plane plane_;
+  std::unordered_map<Index, std::size_t> point_of_;  ///< by root
+  std::unordered_map<Index, Weights> known_;
+  std::vector<Path> paths_;
+};
+
+class Counter {
+ public:
+  Counter(Extraction& extraction, const RecordedPositions& positions,
+          const certify::ModeLevel& record)
+      : extraction_(extraction), paths_(extraction.faces(), positions, record) {}
+
+  struct Sum {
+    std::uint32_t placed = 0, not_placed = 0;
+    void add(std::size_t count, bool good) {
+      (good ? placed : not_placed) += static_cast<std::uint32_t>(count);
+    }
+  };
+  Sum of_cell(Index c, Side side) {
+    Sum sum;
+    const Cell& cell = extraction_.cells().cell(c);
+    if (cell.state != State::graph || cell.part[0] != kNone) return sum;
+    const std::size_t n = cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)];
+    if (n > 0) sum.add(n, is_placed(cell, side, n));
+    return sum;
+  }
+  Sum of_cone(const Cone& cone, Side side) {
+    Sum sum;
+    if (cone.zeros.size() != 1) return sum;
+    paths_.clear();
+    const std::array<Index, 4> corners = {cone.others[0], cone.others[1], cone.others[2], kNone};
+    bool good = paths_.add(corners, extraction_.face_of(cone), side, [](const Weights& b) {
+      return Planar{b[0], b[1]};
+    });
+    kernel::DisjointSets curves(static_cast<Index>(paths_.plane().points.size()));
+    for (const Paths::Path& path : paths_.list())
+      curves.unite(static_cast<Index>(path.points.front()), static_cast<Index>(path.points.back()));
+    std::vector<Index> names;
+    for (const Paths::Path& path : paths_.list())
+      names.push_back(curves.find(static_cast<Index>(path.points.front())));
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    good = good && paths_.plane().points.size() <= kMostVertices &&
+           paths_.plane().is_simple(paths_.segments());
+    sum.add(names.size(), good);
+    return sum;
+  }
+
+ private:
   bool is_placed(const Cell& cell, Side side, std::size_t count) {
-    clear();
+    paths_.clear();
     const Projection project(cell.witness.w);
     for (const Index f : cell.faces)
-      if (!add_paths(cell.corners, f, side, project)) return false;
-    if (plane_.points.size() > kMostVertices || !plane_.is_simple(segments())) return false;
-    std::map<Index, const Path*> path_of;
-    for (const Path& path : paths_) path_of[path.arc] = &path;
-    const auto pieces = CellTopology(faces_, cell.faces, cell.witness.w).pieces(side, count);
+      if (!paths_.add(cell.corners, f, side, project)) return false;
+    if (paths_.plane().points.size() > kMostVertices ||
+        !paths_.plane().is_simple(paths_.segments()))
+      return false;
+    std::map<Index, const Paths::Path*> path_of;
+    for (const Paths::Path& path : paths_.list()) path_of[path.arc] = &path;
+    const auto pieces =
+        CellTopology(extraction_.faces(), cell.faces, cell.witness.w).pieces(side, count);
     std::vector<std::vector<std::size_t>> polygons;
     for (const Piece& piece : pieces)
       for (const Loop& loop : piece) {
@@ -301,7 +320,7 @@ class Counter {
       std::size_t held = 0;
       for (const auto& other : polygons) {
         if (&other == &polygon) continue;
-        const auto holds = plane_.holds(polygon, other[0]);
+        const auto holds = paths_.plane().holds(polygon, other[0]);
         if (!holds) return false;
         held += *holds ? 1 : 0;
       }
@@ -313,14 +332,7 @@ class Counter {
   }
 
   Extraction& extraction_;
-  Faces& faces_;
-  const RecordedPositions& positions_;
-  const certify::ModeLevel& record_;
-  // Of the cell or face at hand.
-  Plane plane_;
-  std::unordered_map<Index, std::size_t> point_of_;  ///< by root
-  std::unordered_map<Index, Weights> known_;
-  std::vector<Path> paths_;
+  Paths paths_;
 };
 
 }  // namespace

@@ -115,6 +115,21 @@ TEST_CASE(
   CHECK(verify.exit_code == 0);
 }
 
+TEST_CASE("crest extremal: on a halved grid a coarse sphere is isotopic to the field's") {
+  const TemporaryFolder folder;
+  sample("sphere-shell --nodes 32 -o s.vti", folder);
+  const auto report =
+      report_of("s.vti --ridge --min-value 0.4 --refine 1 -o s.vtp --certificate s.crest", folder);
+  REQUIRE(report["components"].size() == 1);
+  CHECK(report["components"][0]["isotopic"] == true);
+  CHECK(report["nodes"] == 63 * 63 * 63);
+  const auto verify = run_crest("crest-verify s.crest", folder.path());
+  INFO(verify.out << verify.err);
+  CHECK(verify.exit_code == 0);
+  CHECK(run_crest("crest extremal s.vti --ridge --refine 4 -o t.vtp", folder.path()).exit_code ==
+        2);
+}
+
 TEST_CASE("crest extremal: a one-sided sheet, and the same bytes for any number of threads") {
   const TemporaryFolder folder;
   sample("moebius-sheet --nodes 40 -o m.vti", folder);
