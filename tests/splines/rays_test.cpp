@@ -208,9 +208,8 @@ TEST_CASE("integer data with c equal to samples, and rays over a plateau at c") 
   RayCounts counts;
   for (const double c : {0.0, 1.0, 2.0}) certified(QuadraticSpline(grid), c, rays, &counts);
   grid.samples = std::vector<std::uint8_t>(grid.count(), 5);
-  for (const Hit& h : certified(QuadraticSpline(grid), 5, rays, &counts)) {
+  for (const Hit& h : certified(QuadraticSpline(grid), 5, rays, &counts))
     if (h.hit) CHECK(h.gradient == Vec3{});
-  }
   CHECK(counts.hits > 30);
   CHECK(counts.tangent == counts.hits);
 }
