@@ -40,18 +40,17 @@ CubicNet<T> cubic_net(std::size_t t, const VertexAt& vertex, const SlopesAt& slo
                       const std::array<T, 4>& centre) {
   const Tetrahedron& s = kTetrahedron[t];
   const T half(0.5);
+  const bool face_up = s.face_sign > 0, edge_up = s.edge_sign > 0;
   // The axes m and f span the face, n leaves it; corners by their places along m and f.
   const std::size_t m = s.edge_axis, f = s.free_axis, n = s.face_axis;
   const auto corner = [&](std::size_t at_m, std::size_t at_f) {
     std::array<std::size_t, 3> at;
-    at[n] = s.face_sign > 0 ? 1 : 0;
+    at[n] = face_up;
     at[m] = at_m;
     at[f] = at_f;
     return at;
   };
   const auto inward = [&](bool upper, const T& x) { return upper ? T(-half * x) : T(half * x); };
-  const bool face_up = s.face_sign > 0, edge_up = s.edge_sign > 0;
-
   struct Edge {
     T d, c;  ///< a(ABD), a(ABC)
   };
@@ -75,7 +74,7 @@ CubicNet<T> cubic_net(std::size_t t, const VertexAt& vertex, const SlopesAt& slo
 
   CubicNet<T> net;
   auto& a = net.c;
-  const std::size_t side = edge_up ? 1 : 0;
+  const std::size_t side = edge_up;
   const Edge& ab = along_f[side];
   a[word(kA, kB, kD)] = ab.d;
   a[word(kA, kB, kC)] = ab.c;
@@ -94,9 +93,8 @@ CubicNet<T> cubic_net(std::size_t t, const VertexAt& vertex, const SlopesAt& slo
     a[word(letter, kC, kC)] = centre[0] - inward(edge_up, centre[m + 1]) -
                               inward(upper, centre[f + 1]) - inward(face_up, centre[n + 1]);
   }
-  const T quarter(0.25);
-  a[word(kD, kD, kD)] = quarter * ((along_f[0].d + along_f[1].d) + (along_m[0].d + along_m[1].d));
-  a[word(kD, kD, kC)] = quarter * ((along_f[0].c + along_f[1].c) + (along_m[0].c + along_m[1].c));
+  a[word(kD, kD, kD)] = T(0.25) * ((along_f[0].d + along_f[1].d) + (along_m[0].d + along_m[1].d));
+  a[word(kD, kD, kC)] = T(0.25) * ((along_f[0].c + along_f[1].c) + (along_m[0].c + along_m[1].c));
   a[word(kD, kC, kC)] = centre[0] - inward(face_up, centre[n + 1]);
   a[word(kC, kC, kC)] = centre[0];
   return net;
