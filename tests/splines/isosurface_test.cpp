@@ -71,6 +71,7 @@ TEST_CASE("mirrored axes turn the triangles with them") {
 }
 
 TEST_CASE("a torus, on three grids, has Euler characteristic 0, some tetrahedra are bisected") {
+TEST_CASE("a torus, on three grids, has Euler characteristic 0 and bisected tetrahedra") {
   std::size_t bisected = 0;
   for (const int n : {14, 16, 25}) {
     const auto surface = certified(QuadraticSpline(volume_of<float>(n, torus)), 0.06);
