@@ -19,13 +19,14 @@ struct Arrival {
 /// The loops' sides as places: four a side, its part at the tail, at the head, and the head.
 class Shore {
  public:
-  explicit Shore(const Proof& proof) : proof_(proof), of_side_(proof.field.corners()) {
+  Shore(const Proof& proof, SignLadder& sign)
+      : proof_(proof), sign_(sign), of_side_(proof.field.corners()) {
     const auto& loops = proof.domain.loops;
     starts_.assign(proof.boundary.region_count, 0);
     whole_.assign(proof.boundary.region_count, 0);
     for (u32 i = 0; i < loops.size(); ++i) {
       for (u32 k = 0; k < loops[i].size(); ++k) of_side_[loops[i][k]] = {i, k};
-      find_starts(loops[i]);
+      find_starts(loops[i], proof.boundary.loops[i].zero != 0);
     }
   }
 
@@ -40,7 +41,7 @@ class Shore {
   }
 
  private:
-  void find_starts(const std::vector<u32>& sides) {
+  void find_starts(const std::vector<u32>& sides, bool zero) {
     const auto region = [&](std::size_t end) {
       return proof_.boundary.regions[sides[end / 2]][end % 2];
     };
@@ -53,10 +54,27 @@ class Shore {
       one = one && here == before;
       if (here != before) starts_[here] = 2 * ends[i] - ends[i] % 2;
     }
-    if (one && !ends.empty()) whole_[region(ends[0])] = 1;
+    if (!one || ends.empty()) return;
+    const u32 only = region(ends[0]);
+    if (!zero) {
+      whole_[only] = 1;
+      return;
+    }
+    // Between a zero and itself: it begins behind that.
+    std::size_t at = 0;
+    for (std::size_t end = 0; end < 2 * sides.size(); ++end) {
+      const u32 side = sides[end / 2];
+      if (is_zero(proof_.field.vector(end % 2 == 0 ? side : next_corner(side))) ||
+          has_edge_zero(proof_.field, side, sign_))
+        at = end;
+    }
+    const auto next = std::upper_bound(ends.begin(), ends.end(), at);
+    const std::size_t first = next == ends.end() ? ends[0] : *next;
+    starts_[only] = 2 * first - first % 2;
   }
 
   const Proof& proof_;
+  SignLadder& sign_;
   std::vector<std::array<u32, 2>> of_side_;  ///< loop, number along it
   std::vector<std::size_t> starts_;
   std::vector<u8> whole_;
@@ -65,7 +83,7 @@ class Shore {
 class ArrivalFinder {
  public:
   ArrivalFinder(const Proof& proof, const std::vector<Orbit>& orbits, SignLadder& sign)
-      : proof_(proof), orbits_(orbits), comparison_(proof, sign), shore_(proof) {}
+      : proof_(proof), orbits_(orbits), comparison_(proof, sign), shore_(proof, sign) {}
 
   ArrivalTable run() {
     const auto count = static_cast<u32>(proof_.stated.separatrices.size());

@@ -155,6 +155,19 @@ void match_regions(Match& match) {
         require(match.region[there] == here && back[here] == there,
                 "region {} of the output: not one of the input's", there);
       }
+  // What lies inside a part that has become one side: tangent with it, or of its region.
+  for (const auto& loop : match.out.domain.loops)
+    for (const u32 side : loop)
+      for (u32 now = match.chain[side][0]; now != match.chain[side][1];
+           now = match.in.domain.next_side(now)) {
+        const auto& parts = out.regions[side];
+        const bool tangent = parts[0] == kNone && parts[1] == kNone;
+        for (const u32 here : {in.regions[now][1], in.regions[match.in.domain.next_side(now)][0]})
+          require(tangent ? here == kNone
+                          : here != kNone && back[here] != kNone &&
+                                (back[here] == parts[0] || back[here] == parts[1]),
+                  "side {} of the output: another region inside it", side);
+      }
 }
 
 void match_switches(Match& match) {
