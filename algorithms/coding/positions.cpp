@@ -65,7 +65,10 @@ double number(AxisForm form, std::int64_t k) {
 }
 
 double checked_number(AxisForm form, std::int64_t k) {
-  if (form.form == Form::floats && k != static_cast<std::int32_t>(k))
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const bool decimal = form.form == Form::decimal || form.form == Form::float_decimal;
+  if ((form.form == Form::floats && k != static_cast<std::int32_t>(k)) ||
+      (decimal && (k < -most || k > most)))
     throw StreamError("has a coordinate beyond its range");
   return number(form, k);
 }

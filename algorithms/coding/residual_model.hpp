@@ -82,6 +82,7 @@ class ResidualModel {
     };
     int bits = p.expected;
     if (decide(0, wanted > bits)) {
+      if (bits >= 64) throw StreamError("has a coordinate beyond its range");
       for (int k = 1; ++bits < 64 && decide(std::min(k, 7), wanted > bits); ++k) {
       }
     } else {

@@ -152,8 +152,8 @@ void verify_coding(std::span<const std::uint8_t> data, std::span<const std::uint
   else if (tolerant)
     prove(verdict, "positions: every vertex within {} of its place", c.tolerance);
   if (simple && is_small(c, decoded))
-    prove(verdict, "size: {} bytes of connectivity, at most 3.4713 bits a vertex and 8 bytes",
-          decoded.connectivity_bytes);
+    prove(verdict, "size: {} bytes of connectivity, at most 3.4713 bits a vertex and 8 bytes{}",
+          decoded.connectivity_bytes, c.components > 1 ? ", and a bit a component" : "");
 }
 
 }  // namespace

@@ -189,6 +189,7 @@ class Residuals {
       return in_.mixed(lines, i, bit_mixers_[axis][i]);
     };
     if (decide(0)) {
+      require(e < 64, "stream: a residual of more than 64 bits");
       int k = 1;
       while (e + k < 64 && decide(std::min(k, 7))) ++k;
       return e + k;
@@ -354,6 +355,7 @@ constexpr i64 kMost53 = i64{1} << 53;
 double meaning(std::uint64_t form, std::uint64_t exponent, i64 k) {
   double power = 1;
   for (std::uint64_t i = 0; i < exponent; ++i) power *= 10;  // exact up to 10^22
+  require(form > 1 || (k >= -kMost53 && k <= kMost53), "stream: a decimal of more than 53 bits");
   if (form == 0) return static_cast<double>(k) / power;
   if (form == 1) return static_cast<float>(static_cast<double>(k) / power);
   if (form == 2) {

@@ -57,7 +57,7 @@ class ByteReader {
     out.resize(count);
     const auto piece = take(count * sizeof(Row));
     if constexpr (std::endian::native == std::endian::little) {
-      std::memcpy(out.data(), piece.data(), piece.size());
+      if (count > 0) std::memcpy(out.data(), piece.data(), piece.size());
     } else {
       ByteReader reader(piece);
       using Bits = std::conditional_t<sizeof(Word) == 8, std::uint64_t, std::uint32_t>;

@@ -21,9 +21,16 @@ PlaneBox picture_box(const LineArtCertificate& c, const std::array<double, 3>& p
     std::size_t k = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (std::fabs(c.eye[i]) > std::fabs(c.eye[k])) k = i;
+    // By a power of two, so that products neither vanish nor overflow for the direction's sake.
+    int exponent = 0;
+    std::frexp(c.eye[k], &exponent);
+    const auto direction = [&](std::size_t i) {
+      const double x = std::ldexp(c.eye[i], -exponent);
+      return i == k ? Span(x) : Span(x, x);  // the least numbers lose digits
+    };
     for (std::size_t n = 0; n < 2; ++n) {
       const std::size_t i = (k + 1 + n) % 3;
-      place[n] = Span(c.eye[k]) * Span(p[i]) - Span(c.eye[i]) * Span(p[k]);
+      place[n] = direction(k) * Span(p[i]) - direction(i) * Span(p[k]);
     }
   } else {
     std::array<Span, 3> along;

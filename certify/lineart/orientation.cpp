@@ -174,13 +174,15 @@ class Expansion {
 /// The coefficients of both at the largest power of eps at which either has one.
 struct Leading {
   Rational a, b;
+  bool plain = true;  ///< they are those before perturbation
 };
 
 Leading leading(Expansion a, Expansion b) {
-  while (!a.ended() || !b.ended()) {
+  // The first terms are the determinants before perturbation, of both.
+  for (bool plain = true; !a.ended() || !b.ended(); plain = false) {
     const bool take_a = !a.ended() && (b.ended() || a.power() <= b.power());
     const bool take_b = !b.ended() && (a.ended() || b.power() <= a.power());
-    Leading found{take_a ? a.take() : Rational(0), take_b ? b.take() : Rational(0)};
+    Leading found{take_a ? a.take() : Rational(0), take_b ? b.take() : Rational(0), plain};
     if (found.a != 0 || found.b != 0) return found;
   }
   return {};
@@ -251,6 +253,7 @@ std::optional<Sign> Orientation::sign_at(PointId p, PointId q, PointId r, EdgeEn
     if (const MaybeSign sign = certain_sign(mixed)) return sign;
   }
   const Leading at = leading(Expansion(*this, with_a), Expansion(*this, with_b));
+  if (!at.plain) ++symbolic_;
   const Sign sign = kernel::sign_of(Rational((1 - point.t) * at.a + point.t * at.b));
   if (sign == Sign::zero) return std::nullopt;
   return sign;

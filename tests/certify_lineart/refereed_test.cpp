@@ -186,6 +186,27 @@ TEST_CASE("refereed: points of one sight line are one point of the page") {
   CHECK_FALSE(verify(encode(c)).accepted);
 }
 
+TEST_CASE("refereed: a sight line that grazes a side all along needs the perturbation") {
+  // Edge 0-1 lies under the edge 3-4, which no face ends at.
+  LineArtCertificate c =
+      scene({{0, 0, 0},
+             {1, 0, 0},
+             {.5, .2, 0},
+             {-1, 0, 1},
+             {2, 0, 1},
+             {0, 10, 1.25},
+             {.125, -10, 1.5},
+             {-10, .5, 1.75},
+             {10, .75, 2}},
+            {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {3, 5, 7}, {3, 7, 6}, {4, 6, 8}, {4, 8, 5}});
+  look(c, {0, 0, 1}, true);
+  c = with_found_claims(c);
+  const Verdict verdict = verify(encode(c));
+  INFO(verdict.reason);
+  REQUIRE(verdict.accepted);
+  for (const std::string& line : verdict.lines) CHECK(line.find("not needed") == std::string::npos);
+}
+
 TEST_CASE("line art: stacked cubes with a common face, seen along an axis, are certified") {
   const auto box = [](double z) {
     std::vector<std::array<double, 3>> p;
