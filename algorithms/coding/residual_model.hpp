@@ -10,6 +10,7 @@
 
 #include "algorithms/coding/mixer.hpp"
 #include "algorithms/coding/numbers.hpp"
+#include "algorithms/coding/stream_error.hpp"
 
 namespace crest::coding {
 
