@@ -344,7 +344,7 @@ const Command lineart_command = {
     "lineart",
     "a pen-and-ink drawing: exact contours, hatches along principal directions",
     add,
-    {"crest lineart bunny.obj -o bunny.svg",
-     "crest lineart part.stl --style contours --camera 3,2,4,0,0,0 -o part.pdf"}};
+    {"crest lineart ellipsoid.off -o drawing.svg --certificate drawing.crest",
+     "crest lineart blend.obj --style contours --camera 3,2,4,0,0,0 -o contours.pdf"}};
 
 }  // namespace crest::cli

@@ -140,7 +140,7 @@ const Command spline_command = {
     "spline",
     "splines of volumes and of scattered samples, their isosurfaces by exact rays",
     add,
-    {"crest spline volume.nrrd --isovalue 0.5 --picture surface.png --certificate rays.crest",
-     "crest spline samples.csv --cubic -o model.vti --certificate model.crest"}};
+    {"crest spline moebius.nrrd --isovalue 0.4 --picture surface.png --certificate rays.crest",
+     "crest spline moebius.nrrd --isovalue 0.4 --mesh surface.vtp --report surface.json"}};
 
 }  // namespace crest::cli
