@@ -81,7 +81,7 @@ std::optional<Simple> simple_mesh(const Code& code, bool closed) {
 }
 
 TEST_CASE(
-    "brute force: conditions (i) and (ii) are not sufficient; simple codes are Tutte's numbers") {
+    "brute force: conditions (i) and (ii) are not sufficient, simple codes are Tutte's numbers") {
   const auto codes = all_codes(7);
   std::vector<std::size_t> obeying, simple;
   std::size_t longest = 0;
