@@ -81,7 +81,7 @@ TEST_CASE("every command of the README runs as it stands") {
       continue;
     }
     if (line.rfind("printf ", 0) == 0) {  // an input
-      CHECK(std::system(("cd '" + folder.path().string() + "' && " + line).c_str()) == 0);
+      CHECK(std::system(("cd '" + std::string(folder.path()) + "' && " + line).c_str()) == 0);
       continue;
     }
     REQUIRE((line.rfind("crest ", 0) == 0 || line.rfind("crest-verify ", 0) == 0));
