@@ -96,6 +96,7 @@ std::function<int()> add_strips(CLI::App& app) {
       ->excludes(effort);
   app.add_flag("--no-swaps", options->no_swaps,
                "start a new strip where a vertex would be sent twice: no triangle is empty");
+  app.add_flag("--cite", common.cite, "print the references this run used (BibTeX)");
   add_view_options(app, common.viewpoint);
   add_clean_options(app, common.clean, false);
   add_run_options(app, common);
