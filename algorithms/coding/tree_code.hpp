@@ -2,7 +2,8 @@
 #pragma once
 
 // Connectivity by trees of strips in postorder (paper 001, section 4.2): methods fan and zigzag
-// with mixed contexts, static with fixed probabilities and a proven bound (docs/cmc-format.md).
+// with mixed contexts, the static code with fixed probabilities and a proven bound
+// (docs/cmc-format.md).
 #include "algorithms/coding/range_coder.hpp"
 #include "algorithms/coding/surface.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A surface cut into triangle strips that form binary trees, one a component (paper 001, section
-// 4.2, algorithm 4.1). It depends on connectivity alone.
+// The strip tree: a surface cut into triangle strips that form binary trees, one a component (paper
+// 001, section 4.2, algorithm 4.1). It depends on connectivity alone.
 #include <span>
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace crest::kernel {
 /// Through which edge a strip leaves a triangle. Of a triangle entered through the half-edge h the
 /// left edge is next_half(h), which leads to the tip, the right edge previous_half(h).
 enum class StripExits {
-  zigzag,  ///< left, right, left, ...
-  fan      ///< always left
+  zigzag,  ///< left, right, left, ...: a zig-zag strip
+  fan      ///< always left: a fan strip
 };
 
 struct StripTree {
