@@ -200,7 +200,7 @@ Outcome work(Run& run, const LineArtOptions& o) {
         drawing, input.mesh, input.frames, hatch,
         [&](const char* name, const std::function<void()>& part) { run.step(name, name, part); });
   }
-  drawing.title = o.common.input;
+  drawing.title = std::filesystem::path(o.common.input).filename().string();
   report_line_art(run.report(), drawing);
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
