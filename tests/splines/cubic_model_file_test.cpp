@@ -3,13 +3,13 @@
 #include "io/splines/cubic_model_file.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "algorithms/splines/cubic_fit.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "tests/io/temporary_folder.hpp"
 #include "tests/splines/scattered_functions.hpp"
 
 using namespace crest;
@@ -18,8 +18,6 @@ using splines::CubicModel;
 using splines::Smoothness;
 
 namespace {
-
-const std::string kPath = std::string(CREST_BINARY_DIR) + "/cubic_model_file_test.vti";
 
 std::string bytes_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -39,11 +37,13 @@ CubicModel model_of(Smoothness smoothness) {
 }  // namespace
 
 TEST_CASE("a saved cubic spline is read back bit by bit") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "model.vti";
   for (const Smoothness mode : {Smoothness::c1, Smoothness::local, Smoothness::sequential}) {
     const CubicModel model = model_of(mode);
-    io::write_cubic_model(kPath, model);
-    CHECK(io::is_cubic_model(kPath));
-    const CubicModel back = io::read_cubic_model(kPath);
+    io::write_cubic_model(path, model);
+    CHECK(io::is_cubic_model(path));
+    const CubicModel back = io::read_cubic_model(path);
     CHECK(back.smoothness == mode);
     CHECK(back.unit == model.unit);
     CHECK(back.domain.low == model.domain.low);
@@ -52,17 +52,17 @@ TEST_CASE("a saved cubic spline is read back bit by bit") {
     CHECK(back.vertices == model.vertices);
     CHECK(back.slopes == model.slopes);
     CHECK(back.centres == model.centres);
-    const std::string first = bytes_of(kPath);
-    io::write_cubic_model(kPath, back);
-    CHECK(bytes_of(kPath) == first);
+    const std::string first = bytes_of(path);
+    io::write_cubic_model(path, back);
+    CHECK(bytes_of(path) == first);
   }
-  std::remove(kPath.c_str());
 }
 
 TEST_CASE("damaged files of cubic splines are refused in one line") {
-  io::write_cubic_model(kPath, model_of(Smoothness::c1));
-  const std::string good = bytes_of(kPath);
-  std::remove(kPath.c_str());
+  const TemporaryFolder folder;
+  const std::string path = folder / "model.vti";
+  io::write_cubic_model(path, model_of(Smoothness::c1));
+  const std::string good = bytes_of(path);
   const auto refused = [](const std::string& bytes, const std::string& words) {
     try {
       io::read_cubic_model_bytes("model.vti", bytes);
