@@ -78,7 +78,12 @@ class Cleaning {
     fail(fmt::format("edge {}-{}", point(sides[first].low), point(sides[first].high)),
          fmt::format("is in faces {}, {} and {}, {} so in all", tag(0), tag(1), tag(2),
                      crowded == 1 ? "1 edge is" : fmt::format("{} edges are", crowded)),
-         "separate the sheets that meet there, or cut them apart with --split");
+         "separate the sheets that meet there, or cut them apart with " + splitting());
+  }
+
+  /// Who asks for connectivity alone does not split.
+  std::string splitting() const {
+    return purpose_ == Purpose::connectivity ? "crest clean --split" : "--split";
   }
 
   void orient() {
@@ -88,7 +93,7 @@ class Cleaning {
       if (!options_.split) {
         fail(fmt::format("faces {} and {}", tag(std::min(f, across_[f][k].face)),
                          tag(std::max(f, across_[f][k].face))),
-             "the surface is one-sided (not orientable)", "cut it open with --split");
+             "the surface is one-sided (not orientable)", "cut it open with " + splitting());
       }
       for (const auto& [face, side] : parts.clashes) {
         const Neighbour n = across_[face][side];
