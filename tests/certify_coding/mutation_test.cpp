@@ -298,6 +298,20 @@ TEST_CASE("coding: data that are no oriented manifold are rejected before the st
     CHECK_FALSE(verify(std::span(bytes).first(size)).accepted);
 }
 
+TEST_CASE("coding: a residual of more than 64 bits is refused") {
+  // One triangle, exact places as patterns of doubles: on axis 2 vertex 0 has a residual of 64
+  // bits, and vertex 1 says that its own has more. It was read from behind a table once.
+  std::vector<std::uint8_t> section = {0x03, 0xfa, 0xcd, 0xcc, 0xaf, 0x58, 0xff, 0xff, 0xff,
+                                       0xff, 0xfe, 0xda, 0x18, 0xcf, 0x44, 0x80, 0x00};
+  section.resize(64, 0);
+  try {
+    decode_positions(section, {{0, 1, 2}}, 3, 1);
+    FAIL("accepted");
+  } catch (const Reject& reject) {
+    CHECK(std::string(reject.what()).find("more than 64 bits") != std::string::npos);
+  }
+}
+
 TEST_CASE("coding: hostile streams end soon") {
   // A header of few bytes with huge counts, and random sections behind a right header.
   Random random(5);
