@@ -220,22 +220,13 @@ void code_multiples(Range& range, const Surface& surface, std::span<Triple> valu
       .run();
 }
 
-/// An axis' values among the first `count` vertices, ascending, each once.
-std::vector<std::int64_t> distinct(std::span<const Triple> values, std::size_t axis,
-                                   std::size_t count) {
-  std::vector<std::int64_t> sorted;
-  for (const Triple& value : values.first(std::min(count, values.size())))
-    sorted.push_back(value[axis]);
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  return sorted;
-}
-
-/// Few values, far from filling their range?
+/// Few values, far from filling their range? A sample does not tell: the values of a scan may recur
+/// only late in the file.
 bool worth_a_table(std::span<const Triple> values, std::size_t axis) {
-  constexpr std::size_t kSample = 4096;
-  if (2 * distinct(values, axis, kSample).size() > std::min(kSample, values.size())) return false;
-  const std::vector<std::int64_t> all = distinct(values, axis, values.size());
+  std::vector<std::int64_t> all;
+  for (const Triple& value : values) all.push_back(value[axis]);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   const auto range =
       static_cast<std::uint64_t>(all.back()) - static_cast<std::uint64_t>(all.front());
   return 2 * all.size() <= values.size() && all.size() <= range / 2 + 1;
