@@ -12,6 +12,7 @@
 #include "certify/verify.hpp"
 #include "cli/extremal_report.hpp"
 #include "cli/run.hpp"
+#include "cli/volume_source.hpp"
 #include "io/extremal/extremal_picture.hpp"
 #include "io/extremal/extremal_writer.hpp"
 #include "io/read/point_reader.hpp"
@@ -202,12 +203,7 @@ void add_volume_options(CLI::App& app, ExtremalOptions& o) {
       ->check(CLI::Range(0, extremal::kMostRefined))
       ->type_name("D")
       ->group(group);
-  app.add_option("--field", o.source.field, "of several arrays (.vti, .vtk)")
-      ->type_name("NAME")
-      ->group(group);
-  app.add_option("--raw", o.source.raw, "INPUT is NX NY NZ samples without a header, little-endian")
-      ->type_name("NX,NY,NZ,TYPE")
-      ->group(group);
+  add_volume_source(app, o.source, group);
 }
 
 void add_point_options(CLI::App& app, ExtremalOptions& o) {

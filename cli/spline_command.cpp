@@ -10,6 +10,7 @@
 #include "cli/spline_cubic_run.hpp"
 #include "cli/spline_options.hpp"
 #include "cli/spline_volume_run.hpp"
+#include "cli/volume_source.hpp"
 
 namespace crest::cli {
 namespace {
@@ -76,12 +77,7 @@ void add_volume_options(CLI::App& app, SplineOptions& o) {
       ->check(CLI::IsMember({"none", "extend"}))
       ->type_name("WORD")
       ->group(group);
-  app.add_option("--field", o.source.field, "of several arrays (.vti, .vtk)")
-      ->type_name("NAME")
-      ->group(group);
-  app.add_option("--raw", o.source.raw, "INPUT is NX NY NZ samples without a header, little-endian")
-      ->type_name("NX,NY,NZ,TYPE")
-      ->group(group);
+  add_volume_source(app, o.source, group);
 }
 
 void add_table_options(CLI::App& app, SplineOptions& o) {
