@@ -2,6 +2,8 @@
 // What every source file of the project has in common.
 #include <catch2/catch.hpp>
 #include <cctype>
+#include <map>
+#include <regex>
 
 #include "tests/architecture/source_tree.hpp"
 
@@ -44,6 +46,32 @@ TEST_CASE("names of source files are snake_case") {
       return std::islower(c) || std::isdigit(c) || c == '_';
     }));
   }
+}
+
+TEST_CASE("no class is defined in two headers") {
+  // A program that includes both has undefined behaviour, and no tool of the build says so.
+  const std::regex opens("^namespace ([\\w:]+) \\{"), closes("^\\}  // namespace"),
+      defines("^(?:class|struct|enum class) (\\w+)[^;]*$");
+  std::map<std::string, std::string> first;
+  for (const std::string& path : project_files()) {
+    if (!has_suffix(path, ".hpp")) continue;
+    std::vector<std::string> spaces;
+    for (const std::string& line : lines_of(path)) {
+      std::smatch found;
+      if (std::regex_search(line, found, opens)) {
+        spaces.push_back(found[1]);
+      } else if (std::regex_search(line, closes)) {
+        if (!spaces.empty()) spaces.pop_back();
+      } else if (std::regex_match(line, found, defines)) {
+        std::string name = found[1];
+        for (const std::string& space : spaces) name = space + "::" + name;
+        const auto [at, is_new] = first.emplace(name, path);
+        INFO(name << " stands in " << at->second << " and in " << path);
+        CHECK(is_new);
+      }
+    }
+  }
+  CHECK(first.size() > 500);
 }
 
 TEST_CASE("names of test cases are read alike by CTest and Catch2") {

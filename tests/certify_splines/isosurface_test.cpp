@@ -76,7 +76,7 @@ TEST_CASE("splines: isosurfaces of random volumes are accepted as the reference 
   Random random(kSeed);
   std::size_t made = 0, bisected = 0;
   for (std::uint64_t i = 0; i < scaled(12); ++i) {
-    ReferenceOptions options;
+    IsosurfaceOptions options;
     options.depth = 14;
     const auto volume = random_volume(i % 2 == 0 ? 0.5 : 0.37, random, i % 4 == 3);
     const auto c = reference_isosurface(volume, options);
@@ -95,7 +95,7 @@ TEST_CASE("splines: without the faces' condition, or with the full gradient, not
     const Rational u = x[0] - Rational(7) / 10, v = x[1] - Rational(3) / 10;
     return Rational(Rational(1) / 100 - u * u - v * v + 5 * x[2]);
   });
-  ReferenceOptions without;
+  IsosurfaceOptions without;
   without.faces = false;
   CHECK(form.is_simple(without));
   CHECK_FALSE(form.is_simple({}));
@@ -105,7 +105,7 @@ TEST_CASE("splines: without the faces' condition, or with the full gradient, not
   std::size_t wrong = 0;
   for (std::uint64_t i = 0; i < scaled(6); ++i) {
     const auto volume = random_volume(0.5, random, false);
-    ReferenceOptions options;
+    IsosurfaceOptions options;
     options.depth = 14;
     const auto good = reference_isosurface(volume, options);
     options.faces = false;
@@ -179,7 +179,7 @@ TEST_CASE("splines: a sphere through a vertex, tangent to a face's plane, needs 
   // s = |x - c|^2 + 3/4 with c at a cube's vertex: the sphere of radius 1 is tangent to planes of
   // the partition at vertices.
   const auto volume = sampled_volume({6, 6, 6}, 1.75, ball(2.5, 2.5, 2.5));
-  ReferenceOptions options;
+  IsosurfaceOptions options;
   options.depth = 12;
   const auto c = reference_isosurface(volume, options);
   REQUIRE(c);
@@ -193,7 +193,7 @@ TEST_CASE("splines: the level equal to a sample, and a plateau on the level") {
   const auto volume = sampled_volume({4, 4, 4}, 3, [](double x, double y, double z) {
     return x + 2 * y - z + (x == 1 && y == 2 ? 1 : 0);
   });
-  ReferenceOptions options;
+  IsosurfaceOptions options;
   options.depth = 12;
   const auto c = reference_isosurface(volume, options);
   REQUIRE(c);
@@ -215,7 +215,7 @@ TEST_CASE("splines: a bracket holds the limit of its vertex, not another zero at
     const auto volume = sampled_volume({3, 3, 3}, 0, [&](double, double, double) {
       return static_cast<double>(random() % 3) - 1;
     });
-    ReferenceOptions options;
+    IsosurfaceOptions options;
     options.depth = 10;
     const auto c = reference_isosurface(volume, options);
     if (!c) continue;

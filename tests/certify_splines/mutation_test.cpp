@@ -32,7 +32,7 @@ bool is_true(const SplineRaysCertificate& c) {
   return true;
 }
 bool is_true(const SplineIsosurfaceCertificate& c) {
-  ReferenceOptions options;
+  IsosurfaceOptions options;
   options.roots = c.bisected;
   options.trees = c.trees;
   options.depth = 20;
@@ -188,7 +188,7 @@ TEST_CASE("splines: edited bytes of isosurfaces' certificates are rejected unles
   Tally tally;
   std::size_t made = 0;
   for (std::uint64_t i = 0; made < 3 && i < 20; ++i) {
-    ReferenceOptions options;
+    IsosurfaceOptions options;
     options.depth = 14;
     const auto volume = sampled_volume({3, 3, 3}, 0.5, [&](double, double, double) {
       return static_cast<double>(random() % 21) - 10;

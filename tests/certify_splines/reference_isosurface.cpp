@@ -61,7 +61,7 @@ bool ReferenceForm::is_empty(const std::vector<std::size_t>& which) const {
   return negative == 0 || negative == all;
 }
 
-bool ReferenceForm::is_simple(const ReferenceOptions& options) const {
+bool ReferenceForm::is_simple(const IsosurfaceOptions& options) const {
   std::vector<Exact3> gradients;
   for (std::size_t i = 0; i < 4; ++i) {
     std::array<Exact3, 3> sides;
@@ -209,7 +209,7 @@ class MeshWriter {
 
 class Maker {
  public:
-  Maker(const SplineVolume& volume, const ReferenceOptions& options)
+  Maker(const SplineVolume& volume, const IsosurfaceOptions& options)
       : spline_(volume), options_(options), level_(volume.level) {
     c_.volume = volume;
     std::size_t node = 0;
@@ -350,7 +350,7 @@ class Maker {
   }
 
   ReferenceSpline spline_;
-  ReferenceOptions options_;
+  IsosurfaceOptions options_;
   Rational level_;
   SplineIsosurfaceCertificate c_;
   std::map<std::pair<std::uint32_t, std::string>, ReferenceLeaf> leaves_;
@@ -360,7 +360,7 @@ class Maker {
 }  // namespace
 
 std::optional<SplineIsosurfaceCertificate> reference_isosurface(const SplineVolume& volume,
-                                                                const ReferenceOptions& options) {
+                                                                const IsosurfaceOptions& options) {
   return Maker(volume, options).make();
 }
 

@@ -21,7 +21,7 @@ struct ReferenceLeaf {
   unsigned tag;
 };
 
-struct ReferenceOptions {
+struct IsosurfaceOptions {
   std::size_t depth = 60;
   /// Conditions of "simple" that are left out, to see what they are for.
   bool faces = true, empty_faces = true;
@@ -32,14 +32,14 @@ struct ReferenceOptions {
 
 /// Nothing if a leaf at that depth is neither empty nor simple.
 std::optional<certify::SplineIsosurfaceCertificate> reference_isosurface(
-    const SplineVolume& volume, const ReferenceOptions& options = {});
+    const SplineVolume& volume, const IsosurfaceOptions& options = {});
 
 /// Of a quadratic on a tetrahedron, given by its values at corners and middles of edges.
 struct ReferenceForm {
   std::array<Exact3, 4> corners;
   std::array<std::array<Rational, 4>, 4> b;  ///< Bernstein coefficients less the level
   bool is_empty(const std::vector<std::size_t>& which) const;
-  bool is_simple(const ReferenceOptions& options) const;
+  bool is_simple(const IsosurfaceOptions& options) const;
 };
 ReferenceForm reference_form(const std::array<Exact3, 4>& corners,
                              const std::function<Rational(const Exact3&)>& f);

@@ -7,13 +7,13 @@
 
 #include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
 using crest::io::read_mesh;
-using crest::tests::store;
 using crest::tests::TemporaryFolder;
+using crest::tests::write_text;
 
 std::string error_of(const std::string& path) {
   try {
@@ -178,7 +178,7 @@ TEST_CASE("each fault gives one line naming file, element and remedy", "[io]") {
   const TemporaryFolder folder;
   for (const Case& c : kCases) {
     const std::string path = folder / c.name;
-    store(path, c.bytes);
+    write_text(path, c.bytes);
     const std::string line = error_of(path);
     INFO(c.name << " -> " << line);
     CHECK(line.starts_with(path + ": "));
@@ -187,7 +187,7 @@ TEST_CASE("each fault gives one line naming file, element and remedy", "[io]") {
     CHECK(line.find('\n') == std::string::npos);
   }
   CHECK(error_of(folder / "absent.off").find("file: does not exist; ") != std::string::npos);
-  CHECK(error_of(folder.path() + "/").find("file: ") != std::string::npos);
+  CHECK(error_of(folder / "").find("file: ") != std::string::npos);
 }
 
 TEST_CASE("a file's name with a line break still gives one line", "[io]") {
@@ -210,7 +210,7 @@ TEST_CASE("zeros behind a text are passed over", "[io]") {
        "POLYGONS 1 4\n3 0 1 2\n" +
            zeros}};
   for (const auto& [name, bytes] : files) {
-    store(folder / name, bytes);
+    write_text(folder / name, bytes);
     INFO(name << ": " << error_of(folder / name));
     CHECK(error_of(folder / name) == "no error");
   }
@@ -218,38 +218,39 @@ TEST_CASE("zeros behind a text are passed over", "[io]") {
 
 TEST_CASE("what only looks bad is read", "[io]") {
   const TemporaryFolder folder;
-  store(folder / "tabs.obj",
-        "# c\r\nv\t0 0 0\r\nv 1 0 0\nv 0 1 0 1\nl 1 2\nv 0 0 +1e-400\nv 1 1 \\\n1\n" +
-            std::string("f 1 2\t3\r\nf 1//7 3//7 -1/2/3 # comment\n"));
+  write_text(folder / "tabs.obj",
+             "# c\r\nv\t0 0 0\r\nv 1 0 0\nv 0 1 0 1\nl 1 2\nv 0 0 +1e-400\nv 1 1 \\\n1\n" +
+                 std::string("f 1 2\t3\r\nf 1//7 3//7 -1/2/3 # comment\n"));
   const auto obj = read_mesh(folder / "tabs.obj");
   CHECK(obj.mesh.face_count() == 2);
   CHECK(obj.mesh.vertex_count() == 4);
   CHECK(obj.warnings ==
         std::vector<std::string>{"left out 1 line", "left out 1 vertex that no face uses"});
 
-  store(folder / "colours.off",
-        "STCNOFF 3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 9 9\n");
+  write_text(folder / "colours.off",
+             "STCNOFF 3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 9 9\n");
   CHECK(read_mesh(folder / "colours.off").mesh.face_count() == 1);
 
-  store(folder / "NAMED.STL", "  solid facet solid vertex\n" + kStl.substr(8) + "endsolid solid\n");
+  write_text(folder / "NAMED.STL",
+             "  solid facet solid vertex\n" + kStl.substr(8) + "endsolid solid\n");
   CHECK(read_mesh(folder / "NAMED.STL").mesh.face_count() == 1);
 
   std::string solid = binary_stl(2, 2, 1);
   solid.replace(0, 6, "solid ");
-  store(folder / "solid.stl", solid);
+  write_text(folder / "solid.stl", solid);
   CHECK(read_mesh(folder / "solid.stl").mesh.face_count() == 2);
 }
 
 TEST_CASE("the minority of each component is flipped, a tie keeps the first face", "[io]") {
   const TemporaryFolder folder;
-  store(folder / "tetrahedron.off",
-        "OFF\n4 4 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  write_text(folder / "tetrahedron.off",
+             "OFF\n4 4 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto one = read_mesh(folder / "tetrahedron.off");
   REQUIRE(one.warnings.size() == 1);
   CHECK(one.warnings[0] == "flipped 1 face oriented against the majority of their component");
   CHECK(one.mesh.faces()[1] == crest::kernel::Triangle{0, 1, 3});
   CHECK(one.mesh.faces()[0] == crest::kernel::Triangle{0, 2, 1});
-  store(folder / "tie.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n");
+  write_text(folder / "tie.off", "OFF\n4 2 0\n" + kTetrahedron + "3 0 1 2\n3 0 1 3\n");
   const auto tie = read_mesh(folder / "tie.off");
   CHECK(tie.mesh.faces()[0] == crest::kernel::Triangle{0, 1, 2});
   CHECK(tie.mesh.faces()[1] == crest::kernel::Triangle{0, 3, 1});

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "tests/io/soups.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -52,7 +52,7 @@ TEST_CASE("damaged files give soups or input errors", "[io]") {
   for (const auto& path : files) {
     const std::string format = path.parent_path().filename().string();
     const bool xml = format == "vtp" || format == "vtu";  // VTK is slow
-    const std::string whole = contents(path.string());
+    const std::string whole = read_text(path.string());
     for (std::uint64_t i = scaled(xml ? 20 : 300); i > 0; --i) {
       const std::string bytes = damaged(whole, random);
       INFO(path << ", case " << i << ", " << random_origin());

@@ -6,8 +6,8 @@
 #include "io/read/quadratic_reader.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/quadratic_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "io/read/planar_field_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/shared_data.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest;
 using namespace crest::io;
@@ -161,7 +161,7 @@ TEST_CASE("planar fields: NetCDF that is no plane field", "[io]") {
   write_net_cdf(path, {3, 3}, two);
   CHECK(holds(complaint(path), "there are several; the variables are u, v, uo, vo"));
   // A header that announces more than the file holds: the library would allocate it.
-  std::string bytes = tests::contents(corpus("nc/icon.nc"));
+  std::string bytes = tests::read_text(corpus("nc/icon.nc"));
   bytes[132] = 0x20;  // the number of an attribute list
   std::ofstream(path) << bytes;
   CHECK(holds(complaint(path), "announces more than it holds"));

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "io/write/volume_writer.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest::tests;
 using crest::io::read_points_bytes;

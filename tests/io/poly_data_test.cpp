@@ -17,7 +17,7 @@
 #include "algorithms/feature_lines/feature_graph.hpp"
 #include "io/features/feature_writer.hpp"
 #include "io/write/atomic_file.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 

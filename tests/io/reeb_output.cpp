@@ -10,8 +10,8 @@
 #include "io/reeb/reeb_picture.hpp"
 #include "io/reeb/reeb_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/quadratic_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -74,7 +74,7 @@ TEST_CASE("the tiles of a VTU read back as the mesh they subdivide", "[io]") {
   CHECK(again.nodes.size() == stage.graph.nodes.size());
   CHECK(again.loops() == stage.graph.loops());
   crest::io::write_reeb(folder / "b.vtu", stage.scene(true));
-  CHECK(contents(folder / "b.vtu").find("Name=\"arc\"") != std::string::npos);
+  CHECK(read_text(folder / "b.vtu").find("Name=\"arc\"") != std::string::npos);
 }
 
 TEST_CASE("the VTP holds nodes, arcs, lines and tiles on request, the same bytes each time",
@@ -84,7 +84,7 @@ TEST_CASE("the VTP holds nodes, arcs, lines and tiles on request, the same bytes
   crest::io::write_reeb(folder / "a.vtp", stage.scene(true));
   const auto mesh = crest::io::read_mesh(folder / "a.vtp").mesh;
   CHECK(mesh.face_count() == stage.tiles.tiles.size());
-  const std::string text = contents(folder / "a.vtp");
+  const std::string text = read_text(folder / "a.vtp");
   const std::size_t nodes = stage.graph.nodes.size();
   CHECK(text.find("NumberOfVerts=\"" + std::to_string(nodes) + "\"") != std::string::npos);
   const std::size_t lines =
@@ -96,9 +96,9 @@ TEST_CASE("the VTP holds nodes, arcs, lines and tiles on request, the same bytes
     CHECK(text.find("Name=\"" + std::string(name) + "\"") != std::string::npos);
   }
   crest::io::write_reeb(folder / "b.vtp", stage.scene(true));
-  CHECK(contents(folder / "b.vtp") == text);
+  CHECK(read_text(folder / "b.vtp") == text);
   crest::io::write_reeb(folder / "c.vtp", stage.scene(false));
-  CHECK(contents(folder / "c.vtp").find("NumberOfPolys=\"0\"") != std::string::npos);
+  CHECK(read_text(folder / "c.vtp").find("NumberOfPolys=\"0\"") != std::string::npos);
   CHECK_THROWS_AS(crest::io::write_reeb(folder / "a.ply", stage.scene()),
                   crest::kernel::InputError);
 }
@@ -132,8 +132,8 @@ TEST_CASE("pictures are the same each time, in both formats", "[io]") {
   for (const Stage& stage : stages) {
     crest::io::write_reeb_picture(folder / "a.svg", stage.scene());
     crest::io::write_reeb_picture(folder / "b.svg", stage.scene());
-    CHECK(contents(folder / "a.svg") == contents(folder / "b.svg"));
-    const std::string svg = contents(folder / "a.svg");
+    CHECK(read_text(folder / "a.svg") == read_text(folder / "b.svg"));
+    const std::string svg = read_text(folder / "a.svg");
     std::size_t circles = 0;
     for (auto at = svg.find("<circle"); at != svg.npos; at = svg.find("<circle", at + 1)) ++circles;
     CHECK(circles >= stage.graph.nodes.size());  // all in the graph, those in sight on the surface
@@ -141,7 +141,7 @@ TEST_CASE("pictures are the same each time, in both formats", "[io]") {
     CHECK(svg.find("nan", rest) == svg.npos);
     CHECK(svg.find("inf", rest) == svg.npos);
     crest::io::write_reeb_picture(folder / "a.png", stage.scene());
-    CHECK(contents(folder / "a.png").starts_with("\x89PNG"));
+    CHECK(read_text(folder / "a.png").starts_with("\x89PNG"));
   }
   CHECK_THROWS_AS(crest::io::write_reeb_picture(folder / "a.pdf", stages[0].scene()),
                   crest::kernel::InputError);

@@ -10,7 +10,7 @@
 #include "io/read/quadratic_reader.hpp"
 #include "io/read/volume_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -46,7 +46,7 @@ TEST_CASE("the fuzzers' corpus gives meshes or input errors", "[io]") {
     // corpus/<format>/<name> or corpus/volume_<format>/<name>
     const std::string folder = entry.path().parent_path().filename().string();
     const std::string format = folder.substr(folder.find('_') + 1);
-    const std::string bytes = crest::tests::contents(entry.path().string());
+    const std::string bytes = crest::tests::read_text(entry.path().string());
     INFO(entry.path());
     try {
       const std::size_t count = read_count(folder, "mesh." + format, bytes);

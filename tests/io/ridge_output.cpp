@@ -22,7 +22,7 @@
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ using namespace crest::ridges;
 using crest::io::PictureOptions;
 using crest::kernel::Triangle;
 using crest::kernel::TriangleMesh;
-using crest::tests::contents;
+using crest::tests::read_text;
 using crest::tests::TemporaryFolder;
 
 /// A unit sphere of latitude rings around z.
@@ -214,9 +214,9 @@ TEST_CASE("a ridge graph reads back from VTP with every array everywhere", "[io]
   data->GetPoint(1, p);
   CHECK(p[0] == graph.ridges[0].crossings[0].point[0]);
 
-  const std::string bytes = contents(path);
+  const std::string bytes = read_text(path);
   crest::io::write_ridges(path, mesh, flat_fit(mesh), graph, "abc123");
-  CHECK(contents(path) == bytes);
+  CHECK(read_text(path) == bytes);
 }
 
 TEST_CASE("a ridge graph is complete in OBJ and PLY", "[io]") {
@@ -225,20 +225,20 @@ TEST_CASE("a ridge graph is complete in OBJ and PLY", "[io]") {
   const TemporaryFolder folder;
   const std::size_t loop = graph.ridges[0].crossings.size(), points = 1 + loop + 9;
   crest::io::write_ridges(folder / "r.obj", mesh, flat_fit(mesh), graph, "abc");
-  const std::string obj = contents(folder / "r.obj");
+  const std::string obj = read_text(folder / "r.obj");
   CHECK(words_starting(obj, "v ") == points);
   CHECK(words_starting(obj, "p ") == 1);
   CHECK(words_starting(obj, "l ") == 2);
   CHECK(words_starting(obj, "g ") == 3);
   crest::io::write_ridges(folder / "r.ply", mesh, flat_fit(mesh), graph, "abc");
-  const std::string ply = contents(folder / "r.ply");
+  const std::string ply = read_text(folder / "r.ply");
   CHECK(words_starting(ply, "element vertex " + std::to_string(points)) == 1);
   CHECK(words_starting(ply, "element edge " + std::to_string(loop + 8)) == 1);
   const std::size_t header = words_starting(ply.substr(0, ply.find("end_header")), "") + 1;
   CHECK(words_starting(ply, "") == header + points + loop + 8);
   CHECK_THROWS_AS(crest::io::write_ridges(folder / "r.xyz", mesh, flat_fit(mesh), graph, ""),
                   crest::kernel::InputError);
-  CHECK(folder.files() == 2);
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("a graph without ridges is written, too", "[io]") {
@@ -248,7 +248,7 @@ TEST_CASE("a graph without ridges is written, too", "[io]") {
     crest::io::write_ridges(folder / name, mesh, flat_fit(mesh), {}, "");
   crest::io::write_picture(folder / "r.png", mesh, {});
   crest::io::write_picture(folder / "r.svg", mesh, {});
-  CHECK(folder.files() == 5);
+  CHECK(folder.entries() == 5);
 }
 
 TEST_CASE("a picture shows what faces the eye and hides the rest", "[io]") {
@@ -279,7 +279,7 @@ TEST_CASE("a picture shows what faces the eye and hides the rest", "[io]") {
   CHECK(inks(folder / "legend.png").height > 600);
 
   crest::io::write_picture(folder / "south.svg", mesh, graph, options);
-  const std::string svg = contents(folder / "south.svg");
+  const std::string svg = read_text(folder / "south.svg");
   CHECK(svg.ends_with("</svg>\n"));
   const std::string drawn = svg.substr(0, svg.find("font-family"));
   CHECK(drawn.find("stroke=\"#da1a20\"") != std::string::npos);
@@ -313,7 +313,7 @@ TEST_CASE("a picture by salience draws salient lines wide, others thin, and sign
   options.view = Vec3{0, 0, 1};
   const auto marks = [&](const char* name, const char* mark) {
     crest::io::write_picture(folder / name, mesh, graph, options);
-    return words_starting(contents(folder / name), mark);
+    return words_starting(read_text(folder / name), mark);
   };
   CHECK(marks("none.svg", "<circle") == 0);
   graph.umbilics[0].region_twice_index = -1;
@@ -330,9 +330,9 @@ TEST_CASE("pictures repeat byte by byte and refuse nonsense", "[io]") {
   options.width = 200;
   for (const char* name : {"a.png", "a.svg"}) {
     crest::io::write_picture(folder / name, mesh, graph, options);
-    const std::string first = contents(folder / name);
+    const std::string first = read_text(folder / name);
     crest::io::write_picture(folder / name, mesh, graph, options);
-    CHECK(contents(folder / name) == first);
+    CHECK(read_text(folder / name) == first);
   }
   using crest::kernel::InputError;
   CHECK_THROWS_AS(crest::io::write_picture(folder / "a.gif", mesh, graph, options), InputError);
@@ -341,7 +341,7 @@ TEST_CASE("pictures repeat byte by byte and refuse nonsense", "[io]") {
   options.width = 200;
   options.view = Vec3{0, 0, 0};
   CHECK_THROWS_AS(crest::io::write_picture(folder / "b.png", mesh, graph, options), InputError);
-  CHECK(folder.files() == 2);
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("meshes of extreme size can be drawn", "[io]") {

@@ -11,16 +11,16 @@
 #include "io/write/atomic_file.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
 using crest::kernel::Triangle;
 using crest::kernel::Vec3;
-using crest::tests::contents;
-using crest::tests::store;
+using crest::tests::read_text;
 using crest::tests::TemporaryFolder;
+using crest::tests::write_text;
 
 /// A triangulated height field whose coordinates use all bits of a double.
 struct Field {
@@ -56,11 +56,11 @@ TEST_CASE("meshes read back exactly in every format that is written", "[io]") {
     CHECK(file.mesh.points() == field.points);
     CHECK(file.mesh.faces() == field.faces);
     CHECK(file.warnings.empty());
-    const std::string first = contents(folder / name);
+    const std::string first = read_text(folder / name);
     crest::io::write_mesh(folder / name, field.points, field.faces);
-    CHECK(contents(folder / name) == first);
+    CHECK(read_text(folder / name) == first);
   }
-  CHECK(folder.files() == 6);
+  CHECK(folder.entries() == 6);
 }
 
 TEST_CASE("data sets of many blocks read back, stored in their places and compressed", "[io]") {
@@ -77,7 +77,7 @@ TEST_CASE("data sets of many blocks read back, stored in their places and compre
   crest::io::write_mesh(folder / "b.vtp", flat, {{0, 1, 2}});
   CHECK_NOTHROW(crest::io::read_mesh(folder / "b.vtp"));
   for (const char* name : {"a.vtp", "b.vtp"})
-    CHECK(contents(folder / name).find("AppendedData") == std::string::npos);
+    CHECK(read_text(folder / name).find("AppendedData") == std::string::npos);
 }
 
 TEST_CASE("extreme coordinates survive", "[io]") {
@@ -107,16 +107,16 @@ TEST_CASE("output appears whole or not at all", "[io]") {
   CHECK(fails(folder / "absent/a.txt"));
   std::filesystem::create_directory(folder / "sub");
   CHECK(fails(folder / "sub"));
-  CHECK(folder.files() == 1);
+  CHECK(folder.entries() == 1);
 
-  store(folder / "a.txt", "old");
+  write_text(folder / "a.txt", "old");
   crest::io::write_atomically(folder / "a.txt", "new");
-  CHECK(contents(folder / "a.txt") == "new");
+  CHECK(read_text(folder / "a.txt") == "new");
   std::filesystem::create_symlink("a.txt", folder / "link.txt");
   crest::io::write_atomically(folder / "link.txt", "newer");
   CHECK(std::filesystem::is_symlink(folder / "link.txt"));
-  CHECK(contents(folder / "a.txt") == "newer");
-  CHECK(folder.files() == 3);
+  CHECK(read_text(folder / "a.txt") == "newer");
+  CHECK(folder.entries() == 3);
   crest::io::write_atomically("/dev/null", "gone");
   CHECK(std::filesystem::is_character_file("/dev/null"));
   // A device without room: the write itself fails.
@@ -130,13 +130,13 @@ TEST_CASE("output appears whole or not at all", "[io]") {
   const bool failed = fails(folder / "a.txt");
   REQUIRE(::seteuid(user) == 0);
   CHECK(failed);
-  CHECK(contents(folder / "a.txt") == "newer");
+  CHECK(read_text(folder / "a.txt") == "newer");
 }
 
 TEST_CASE("an unknown extension is refused before anything is written", "[io]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(crest::io::write_mesh(folder / "a.xyz", {}, {}), crest::kernel::InputError);
-  CHECK(folder.files() == 0);
+  CHECK(folder.entries() == 0);
 }
 
 TEST_CASE("new files obey the umask", "[io]") {

@@ -23,14 +23,14 @@
 #include "io/ridges/smooth_ridge_picture.hpp"
 #include "io/ridges/smooth_ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
 using namespace crest::smooth_ridges;
 using crest::io::PictureOptions;
 using crest::kernel::InputError;
-using crest::tests::contents;
+using crest::tests::read_text;
 using crest::tests::TemporaryFolder;
 
 constexpr RidgeType kNo = RidgeType::none, kE = RidgeType::elliptic, kH = RidgeType::hyperbolic,
@@ -216,9 +216,9 @@ TEST_CASE("smooth ridges read back from VTP with every array everywhere", "[io]"
       vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("data_digest"));
   REQUIRE(digest != nullptr);
   CHECK(digest->GetValue(0) == "abc123");
-  const std::string bytes = contents(path);
+  const std::string bytes = read_text(path);
   crest::io::write_smooth_ridges(path, r, "abc123");
-  CHECK(contents(path) == bytes);
+  CHECK(read_text(path) == bytes);
 }
 
 TEST_CASE("partial results are marked as such in every format", "[io]") {
@@ -234,9 +234,9 @@ TEST_CASE("partial results are marked as such in every format", "[io]") {
   CHECK(value(data->GetCellData(), "end_kind_1", 5) == 0);
   for (const char* name : {"r.obj", "r.ply"}) {
     crest::io::write_smooth_ridges(folder / name, r, "");
-    CHECK(contents(folder / name).find("NOT CERTIFIED") != std::string::npos);
+    CHECK(read_text(folder / name).find("NOT CERTIFIED") != std::string::npos);
     crest::io::write_smooth_ridges(folder / name, scene(), "");
-    CHECK(contents(folder / name).find("NOT CERTIFIED") == std::string::npos);
+    CHECK(read_text(folder / name).find("NOT CERTIFIED") == std::string::npos);
   }
   crest::io::write_smooth_mesh(folder / "m.vtp", r, "");
   const auto mesh = read_vtp(folder / "m.vtp");
@@ -252,21 +252,21 @@ TEST_CASE("smooth ridges are complete in OBJ and PLY", "[io]") {
   const SmoothRidges r = scene();
   const TemporaryFolder folder;
   crest::io::write_smooth_ridges(folder / "r.obj", r, "abc");
-  const std::string obj = contents(folder / "r.obj");
+  const std::string obj = read_text(folder / "r.obj");
   CHECK(lines_starting(obj, "v ") == 16);
   CHECK(lines_starting(obj, "p ") == 4);
   CHECK(lines_starting(obj, "l ") == 3);
   CHECK(lines_starting(obj, "g ") == 5);
   CHECK(lines_starting(obj, "l 14 15 16 14") == 1);
   crest::io::write_smooth_ridges(folder / "r.ply", r, "abc");
-  const std::string ply = contents(folder / "r.ply");
+  const std::string ply = read_text(folder / "r.ply");
   CHECK(lines_starting(ply, "element vertex 16") == 1);
   CHECK(lines_starting(ply, "element edge 11") == 1);
   const std::size_t header = lines_starting(ply.substr(0, ply.find("end_header")), "") + 1;
   CHECK(lines_starting(ply, "") == header + 16 + 11);
   CHECK_THROWS_AS(crest::io::write_smooth_ridges(folder / "r.xyz", r, ""), InputError);
   CHECK_THROWS_AS(crest::io::write_smooth_mesh(folder / "r.xyz", r, ""), InputError);
-  CHECK(folder.files() == 2);
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("the triangulation of a smooth surface is a mesh again", "[io]") {
@@ -290,9 +290,9 @@ TEST_CASE("a result without a surface is written, too", "[io]") {
   crest::io::write_smooth_mesh(folder / "m.vtp", nothing, "");
   crest::io::write_smooth_picture(folder / "p.png", nothing);
   crest::io::write_smooth_picture(folder / "p.svg", nothing);
-  CHECK(folder.files() == 6);
+  CHECK(folder.entries() == 6);
   CHECK(value(read_vtp(folder / "r.vtp")->GetFieldData(), "certified", 0) == 0);
-  CHECK(contents(folder / "p.svg").find("result not certified") != std::string::npos);
+  CHECK(read_text(folder / "p.svg").find("result not certified") != std::string::npos);
 }
 
 TEST_CASE("a picture of a smooth surface shows what faces the eye, each kind with its mark",
@@ -302,7 +302,7 @@ TEST_CASE("a picture of a smooth surface shows what faces the eye, each kind wit
   options.width = 400;
   options.view = Vec3{0, 0, -1};
   crest::io::write_smooth_picture(folder / "p.svg", scene(), options);
-  const std::string svg = contents(folder / "p.svg");
+  const std::string svg = read_text(folder / "p.svg");
   CHECK(svg.ends_with("</svg>\n"));
   const std::string drawn = svg.substr(0, svg.find("font-family"));
   // Blue elliptic, hyperbolic and turning, red elliptic; not red hyperbolic.
@@ -318,7 +318,7 @@ TEST_CASE("a picture of a smooth surface shows what faces the eye, each kind wit
     CHECK(svg.find(label) != std::string::npos);
   CHECK(svg.find("not certified") == std::string::npos);
   crest::io::write_smooth_picture(folder / "q.svg", partial_scene(), options);
-  const std::string partial = contents(folder / "q.svg");
+  const std::string partial = read_text(folder / "q.svg");
   CHECK(partial.find("result not certified") != std::string::npos);
   CHECK(partial.find("face not certified") != std::string::npos);
   options.view = Vec3{0, 0, 0};

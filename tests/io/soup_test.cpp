@@ -6,15 +6,15 @@
 #include "io/read/mesh_reader.hpp"
 #include "io/read/point_values.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
 using namespace crest::io;
 using crest::kernel::InputError;
 using crest::kernel::Vec3;
-using crest::tests::store;
 using crest::tests::TemporaryFolder;
+using crest::tests::write_text;
 
 template <class Call>
 std::string error_of(Call&& call) {
@@ -158,7 +158,8 @@ TEST_CASE("fields and normals of a file are those of the mesh's vertices", "[io]
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtp";
   const std::string normals = array("Float32", "N", "0 0 1 0 0 2 0 0 3 0 0 4 0 0 5", 3);
-  store(path, tetrahedron_vtp(array("Float64", "a", "1 2 nan 4 5") + normals, " Normals=\"N\""));
+  write_text(path,
+             tetrahedron_vtp(array("Float64", "a", "1 2 nan 4 5") + normals, " Normals=\"N\""));
   const MeshFile file = read_mesh(path, field_and_normals("a"));
   CHECK(file.mesh.vertex_count() == 4);
   CHECK(file.numbers.vertices == std::vector<std::int64_t>{0, 1, 3, 4});
@@ -168,11 +169,11 @@ TEST_CASE("fields and normals of a file are those of the mesh's vertices", "[io]
         path + ": field 'b': does not exist; the scalar fields are 'a'");
   MeshRequest request;
   request.normals = true;
-  store(path, tetrahedron_vtp(array("Float32", "N", "0 0 1 0 0 0 0 0 0 0 0 4 0 0 5", 3),
-                              " Normals=\"N\""));
+  write_text(path, tetrahedron_vtp(array("Float32", "N", "0 0 1 0 0 0 0 0 0 0 0 4 0 0 5", 3),
+                                   " Normals=\"N\""));
   CHECK(error_of([&] { read_mesh(path, request); }) ==
         path + ": vertex 1: its normal is zero; repair it or use --normals estimated");
-  store(path, tetrahedron_vtp(normals));
+  write_text(path, tetrahedron_vtp(normals));
   CHECK(error_of([&] {
           read_mesh(path, request);
         }).starts_with(path + ": normals: the file has none"));
@@ -183,7 +184,7 @@ TEST_CASE("what reads fields and normals of a VTP file checks it first", "[io]")
   const std::string path = folder / "a.vtp";
   std::string text = tetrahedron_vtp(array("Float64", "a", "1 2 3 4 5"));
   text.replace(text.find("NumberOfPoints=\"5"), 17, "NumberOfPoints=\"99999999995");
-  store(path, text);
+  write_text(path, text);
   const std::string expected =
       path + ": header: NumberOfPoints is 99999999995, more than the file holds; ";
   CHECK(error_of([&] { read_mesh(path, field_and_normals("a")); }).starts_with(expected));

@@ -7,8 +7,8 @@
 
 #include "io/read/tet_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/support/shared_data.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest;
 using namespace crest::tests;

@@ -4,8 +4,8 @@
 
 #include "io/read/volume_reader.hpp"
 #include "io/write/volume_writer.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/io/volume_bytes.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest::tests;
 using crest::io::read_volume_bytes;
@@ -78,9 +78,9 @@ TEST_CASE("MetaImage: local and apart, compressed, turned", "[io]") {
                           "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nElementSpacing = 2 3 4\n", i16));
   CHECK(turned.to_world({2, 3, 4}) == Vec3{-3, 2, 4});
   const TemporaryFolder folder;
-  store(folder / "v.raw", i16);
-  store(folder / "v.mhd",
-        "NDims = 3\nDimSize = 4 5 6\nElementType = MET_SHORT\nElementDataFile = v.raw\n");
+  write_text(folder / "v.raw", i16);
+  write_text(folder / "v.mhd",
+             "NDims = 3\nDimSize = 4 5 6\nElementType = MET_SHORT\nElementDataFile = v.raw\n");
   check_values(crest::io::read_volume(folder / "v.mhd").grid);
 }
 

@@ -21,7 +21,7 @@
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -159,7 +159,7 @@ TEST_CASE("no file holds a number that is not finite", "[io]") {
     text.add("nan {} {}", 1.5, fmt::join(std::vector{1, 2}, " "));
     CHECK(text.text() == "nan 1.5 1 2");
   }
-  CHECK(folder.files() == 0);
+  CHECK(folder.entries() == 0);
 }
 
 TEST_CASE("the first thing VTK complains of is kept, in one line", "[io]") {

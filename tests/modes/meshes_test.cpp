@@ -13,9 +13,9 @@
 #include "io/formats/readers.hpp"
 #include "io/modes/mode_writer.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
-#include "tests/io/temporary_folder.hpp"
 #include "tests/modes/samples.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest;
 using namespace crest::tests;
@@ -70,7 +70,7 @@ double mode_at(const Rows& rows, const Vec3& p) {
 }
 
 /// Euler characteristic, components and boundary loops of triangles as a file has them.
-Counts counts_of(const std::vector<std::array<Index, 3>>& triangles, std::size_t points) {
+ModeCounts counts_of(const std::vector<std::array<Index, 3>>& triangles, std::size_t points) {
   std::map<std::array<Index, 2>, int> edges;
   kernel::DisjointSets parts(static_cast<Index>(points)), rims(static_cast<Index>(points));
   std::vector<char> used(points, 0), on_rim(points, 0);
@@ -87,7 +87,7 @@ Counts counts_of(const std::vector<std::array<Index, 3>>& triangles, std::size_t
     rims.unite(edge[0], edge[1]);
     on_rim[edge[0]] = on_rim[edge[1]] = 1;
   }
-  Counts c{static_cast<long>(triangles.size()) - static_cast<long>(edges.size()), 0, 0};
+  ModeCounts c{static_cast<long>(triangles.size()) - static_cast<long>(edges.size()), 0, 0};
   for (Index v = 0; v < points; ++v) {
     c.euler_characteristic += used[v];
     c.components += used[v] != 0 && parts.find(v) == v ? 1 : 0;
@@ -97,7 +97,7 @@ Counts counts_of(const std::vector<std::array<Index, 3>>& triangles, std::size_t
 }
 
 /// Of one signed mode in a .vtp; of all triangles of an .obj.
-Counts counts_in_file(const std::string& path, std::optional<double> mode) {
+ModeCounts counts_in_file(const std::string& path, std::optional<double> mode) {
   const io::Soup soup =
       io::read_soup(path, {.wanted = mode.has_value(), .name = mode ? "mode" : ""});
   std::vector<std::array<Index, 3>> triangles;
@@ -110,23 +110,23 @@ Counts counts_in_file(const std::string& path, std::optional<double> mode) {
   return counts_of(triangles, soup.points.size());
 }
 
-void check_files(const TemporaryFolder& folder, const modes::ModeResult& r, const Counts& plus,
-                 const Counts& minus) {
+void check_files(const TemporaryFolder& folder, const modes::ModeResult& r, const ModeCounts& plus,
+                 const ModeCounts& minus) {
   const io::ModeScene scene{r.surfaces};
   io::write_modes(folder / "s.vtp", scene);
   io::write_modes(folder / "s.obj", scene);
   CHECK(counts_in_file(folder / "s.vtp", r.surfaces[0].mode) == plus);
   if (r.surfaces.size() == 2) CHECK(counts_in_file(folder / "s.vtp", r.surfaces[1].mode) == minus);
-  const Counts all = {plus.euler_characteristic + minus.euler_characteristic,
-                      plus.components + minus.components, plus.loops + minus.loops};
+  const ModeCounts all = {plus.euler_characteristic + minus.euler_characteristic,
+                          plus.components + minus.components, plus.loops + minus.loops};
   CHECK(counts_in_file(folder / "s.obj", std::nullopt) == all);
 }
 
 void check_row(const TemporaryFolder& folder, const Row& row, const modes::ModeField& field) {
   constexpr Level levels[] = {{0, 1}, {3, 10}, {3, 5}, {9, 10}};
   for (std::size_t k = 0; k < 4; ++k) {
-    const Counts plus = k == 0 ? row.neutral : row.pairs[k - 1][0];
-    const Counts minus = k == 0 ? Counts{0, 0, 0} : row.pairs[k - 1][1];
+    const ModeCounts plus = k == 0 ? row.neutral : row.pairs[k - 1][0];
+    const ModeCounts minus = k == 0 ? ModeCounts{0, 0, 0} : row.pairs[k - 1][1];
     INFO("field " << row.name << ", level " << k);
     const auto r = modes::extract(field, levels[k]);
     CHECK(r.undecided.empty());

@@ -19,13 +19,13 @@ namespace {
 
 constexpr Level kLevels[] = {{0, 1}, {3, 10}, {3, 5}, {9, 10}};
 
-void check_level(const modes::ModeField& field, const Level& level, const Counts& plus,
-                 const Counts& minus) {
+void check_level(const modes::ModeField& field, const Level& level, const ModeCounts& plus,
+                 const ModeCounts& minus) {
   INFO("mode " << level.p << "/" << level.q);
   const auto r = modes::extract(field, level);
   CHECK(r.undecided.empty());
   REQUIRE(r.surfaces.size() == (level.neutral() ? 1U : 2U));
-  const Counts* expected[] = {&plus, &minus};
+  const ModeCounts* expected[] = {&plus, &minus};
   for (std::size_t k = 0; k < r.surfaces.size(); ++k) {
     const auto& s = r.surfaces[k];
     INFO("sign " << s.sign);

@@ -58,7 +58,7 @@ TEST_CASE("refereed 2: a lone vertex at the mode exactly, and its mirror image")
   CHECK(counts_of(a.surfaces[1]) == counts_of(b.surfaces[0]));
   CHECK(a.surfaces[0].watertight);
   // A small sphere round the vertex.
-  CHECK(counts_of(a.surfaces[0]) == Counts{2, 1, 0});
+  CHECK(counts_of(a.surfaces[0]) == ModeCounts{2, 1, 0});
 }
 
 TEST_CASE("refereed 2: the mirror image of a field has its levels exchanged") {
@@ -75,7 +75,7 @@ TEST_CASE("refereed 3: det touches 0 from below at an edge's midpoint: a cap is 
       over_triangle({{1, -1, 0, 0, -1}, {1, -1, 0, 0, 1}, {1, -3, 0, 0, 0}, {1, -3, 1, 0, 0}});
   const auto r = modes::extract(field, {0, 1});
   CHECK(r.undecided.empty());
-  CHECK(counts_of(r.surfaces[0]) == Counts{1, 1, 1});
+  CHECK(counts_of(r.surfaces[0]) == ModeCounts{1, 1, 1});
 }
 
 TEST_CASE("refereed 4: tangent edges have two roots or none") {

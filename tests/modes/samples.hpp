@@ -76,12 +76,13 @@ modes::ModeField random_box(kernel::Index n, const Entry& entry) {
 }
 
 /// Euler characteristic, components, boundary loops of a surface.
-struct Counts {
+struct ModeCounts {
   long euler_characteristic, components, loops;
-  friend bool operator==(const Counts&, const Counts&) = default;
+  friend bool operator==(const ModeCounts&, const ModeCounts&) = default;
 };
-inline Counts counts_of(const modes::ModeSurface& s) {
-  Counts c{static_cast<long>(s.euler_characteristic), static_cast<long>(s.components.size()), 0};
+inline ModeCounts counts_of(const modes::ModeSurface& s) {
+  ModeCounts c{static_cast<long>(s.euler_characteristic), static_cast<long>(s.components.size()),
+               0};
   for (const auto& part : s.components) c.loops += static_cast<long>(part.boundary_loops);
   return c;
 }
@@ -90,8 +91,8 @@ inline Counts counts_of(const modes::ModeSurface& s) {
 struct Row {
   const char* name;
   Rows rows;
-  Counts neutral;
-  Counts pairs[3][2];
+  ModeCounts neutral;
+  ModeCounts pairs[3][2];
 };
 
 inline const std::vector<Row>& small_boxes() {

@@ -21,7 +21,7 @@ void require_ellipsoid_graph(const RidgeCase& c) {
     CHECK(u.coherent);
   }
   CHECK(g.twice_index_sum == 4);
-  const Counts n = count_ridges(g);
+  const RidgeCounts n = count_ridges(g);
   for (int colour : {0, 1}) {
     CHECK(n.loops[colour] == 1);
     CHECK(n.segments[colour] == 2);
@@ -107,7 +107,7 @@ TEST_CASE("noise: with the automatic scale the ellipsoid keeps its umbilics and 
     salient.min_level = 2;
     ridges::filter(g, salient);
     // -k2, the larger curvature, is largest along the ellipse through all four.
-    const Counts n = count_ridges(g);
+    const RidgeCounts n = count_ridges(g);
     CHECK(n.loops[0] + n.segments[0] == 0);
     CHECK(n.loops[1] == 1);
     CHECK(n.segments[1] == 0);

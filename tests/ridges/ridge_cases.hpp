@@ -50,11 +50,11 @@ inline std::vector<kernel::MongeForm> random_forms(std::size_t count, Family fam
   return forms;
 }
 
-struct Counts {
+struct RidgeCounts {
   int loops[2] = {0, 0}, segments[2] = {0, 0};
 };
-inline Counts count_ridges(const ridges::RidgeGraph& graph) {
-  Counts c;
+inline RidgeCounts count_ridges(const ridges::RidgeGraph& graph) {
+  RidgeCounts c;
   for (const ridges::Ridge& r : graph.ridges)
     ++(r.loop ? c.loops : c.segments)[static_cast<int>(r.colour)];
   return c;

@@ -9,7 +9,7 @@
 
 #include "algorithms/splines/cubic_fit.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/splines/scattered_functions.hpp"
 
 using namespace crest;
