@@ -51,7 +51,7 @@ TEST_CASE("names of source files are snake_case") {
 TEST_CASE("no class is defined in two headers") {
   // A program that includes both has undefined behaviour, and no tool of the build says so.
   const std::regex opens("^namespace ([\\w:]+) \\{"), closes("^\\}  // namespace"),
-      defines("^(?:class|struct|enum class) (\\w+)[^;]*$");
+      defines("^(?:class|struct|enum class) (\\w+)(?: final)?(?: :[^;]*)? \\{$");
   std::map<std::string, std::string> first;
   for (const std::string& path : project_files()) {
     if (!has_suffix(path, ".hpp")) continue;
