@@ -22,6 +22,7 @@ namespace {
 
 std::vector<modes::SignedLevel> levels_of(const Arguments& a) {
   std::vector<modes::SignedLevel> levels;
+  if (!a.has("mode")) return levels;
   for (const std::string& text : a.texts("mode")) {
     try {
       modes::SignedLevel level = modes::parse_level(text);

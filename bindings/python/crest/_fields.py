@@ -76,7 +76,7 @@ def modes(V: ArrayLike, T: ArrayLike, tensors: ArrayLike, *,
     arguments = {
         "V": points, "T": check.cells(T, "T", 4),
         "tensors": check.same_rows(tensors, "tensors", 6, len(points), "vertex"),
-        "mode": texts or [], "degenerate": bool(degenerate), "signed": bool(signed),
+        "mode": texts or None, "degenerate": bool(degenerate), "signed": bool(signed),
         "max_depth": check.whole(max_depth, "max_depth", 0, 200),
         "budget": check.whole(budget, "budget", 1, 2**31 - 1),
         "deviation": check.number(deviation, "deviation", 0),
