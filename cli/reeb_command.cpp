@@ -76,21 +76,6 @@ io::FunctionSource function_source(const ReebOptions& o) {
   return source;
 }
 
-/// Evenly between the extremes, for the picture of a run without --level.
-std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
-  const auto [low, high] = std::minmax_element(
-      places.begin(), places.end(),
-      [](const reeb::NodePlace& a, const reeb::NodePlace& b) { return a.value < b.value; });
-  constexpr int count = 15;
-  std::vector<double> levels;
-  for (int i = 0; i < count; ++i) {
-    const double t = (i + 0.5) / count;
-    const double level = (1 - t) * low->value + t * high->value;
-    if (std::isfinite(level) && low->value < high->value) levels.push_back(level);
-  }
-  return levels;
-}
-
 std::vector<io::LevelLines> level_lines(const kernel::QuadraticMesh& mesh,
                                         const reeb::TileComplex& tiles,
                                         const std::vector<double>& levels) {
@@ -229,7 +214,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
   run.write("--picture", [&](const std::string& path) {
     const auto lines = shown.levels.empty()
-                           ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
+                           ? level_lines(x.file.mesh, x.tiles, io::picture_levels(shown.places))
                            : shown.levels;
     io::write_reeb_picture(path, scene(lines), run.viewpoint(),
                            legend_note("simplified", shown.written.simplified_by));

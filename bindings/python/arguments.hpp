@@ -3,6 +3,8 @@
 
 // What a call hands over and gets back, free of Python: a system's source sees nothing else, so
 // that only module.cpp is compiled against Python's headers and all work goes on without its lock.
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -53,6 +55,14 @@ class Arguments {
     return has(name) ? std::optional(number(name)) : std::nullopt;
   }
 
+  /// N numbers.
+  template <std::size_t N>
+  std::optional<std::array<double, N>> maybe_numbers(const std::string& name) const {
+    if (!has(name)) return std::nullopt;
+    std::array<double, N> x{};
+    std::copy_n(numbers(name).begin(), N, x.begin());
+    return x;
+  }
   /// (n, N) doubles as n points.
   template <std::size_t N>
   std::vector<std::array<double, N>> rows(const std::string& name) const {

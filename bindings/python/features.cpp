@@ -66,8 +66,13 @@ feature_lines::Options region_options(const Arguments& a) {
   return o;
 }
 
-void fill(const kernel::TriangleMesh& mesh, const feature_lines::FeatureGraph& graph,
-          const std::vector<double>& field, const std::string& digest, Output& out) {
+void fill(const Arguments& a, const kernel::TriangleMesh& mesh,
+          const feature_lines::FeatureGraph& graph, const std::vector<double>& field,
+          const std::string& digest, Output& out) {
+  if (a.has("picture")) {
+    const bool patches = a.has("angle") && count_of(a, "over") == 0;
+    io::write_feature_picture(a.text("picture"), mesh, graph, patches, viewpoint_of(a));
+  }
   out.geometries["geometry"] = io::geometry_of(io::feature_poly_data(mesh, graph, field, digest));
   out.values["data_digest"] = digest;
 }
@@ -84,7 +89,7 @@ void find_sharp_edges(const Arguments& a, const kernel::TriangleMesh& mesh,
                     a.text("angle"), lines.ties));
   const std::string digest =
       out.certify(certify::encode(feature_lines::make_certificate(mesh, angle, lines)));
-  fill(mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), digest, out);
+  fill(a, mesh, lines.graph, feature_lines::vertex_angles(mesh, 0), digest, out);
   out.values["value"] = angle.degrees();
 }
 
@@ -118,7 +123,7 @@ Output run_features(const Arguments& a, const Progress& progress) {
       "thinning", [&] { return feature_lines::extract_feature_lines(mesh, field, options); });
   const std::string digest =
       out.certify(certify::encode(feature_lines::make_certificate(mesh, lines.thinning)));
-  fill(mesh, lines.graph, field, digest, out);
+  fill(a, mesh, lines.graph, field, digest, out);
   out.values["value"] = lines.value;
   return out;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest lineart.
-#include <algorithm>
 #include <stdexcept>
 
 #include "algorithms/curvature/curvature.hpp"
@@ -15,14 +14,6 @@
 namespace crest::python {
 namespace {
 
-template <std::size_t N>
-std::optional<std::array<double, N>> maybe_numbers(const Arguments& a, const char* name) {
-  if (!a.has(name)) return std::nullopt;
-  std::array<double, N> x{};
-  std::copy_n(a.numbers(name).begin(), N, x.begin());
-  return x;
-}
-
 line_art::HatchOptions hatch_options(const Arguments& a) {
   line_art::HatchOptions o;
   o.style = a.text("style") == "streamlines" ? line_art::HatchStyle::streamlines
@@ -35,8 +26,8 @@ line_art::HatchOptions hatch_options(const Arguments& a) {
   o.tone.spacing = a.number("spacing");
   o.smooth = a.number("smooth");
   o.crease = a.maybe_number("crease");
-  if (const auto light = maybe_numbers<3>(a, "light")) o.light.light = *light;
-  if (const auto tones = maybe_numbers<2>(a, "tones")) {
+  if (const auto light = a.maybe_numbers<3>("light")) o.light.light = *light;
+  if (const auto tones = a.maybe_numbers<2>("tones")) {
     o.tone.darkest = (*tones)[0];
     o.tone.brightest = (*tones)[1];
   }
@@ -64,8 +55,8 @@ void add_hatches(const Arguments& a, const std::vector<kernel::Vec3>& points,
 Output run_lineart(const Arguments& a, const Progress& progress) {
   const auto points = a.rows<3>("V");
   const auto faces = a.cells<3>("F", points.size());
-  const io::ViewChoice view{maybe_numbers<2>(a, "view"), maybe_numbers<3>(a, "up"),
-                            maybe_numbers<6>(a, "camera"), a.maybe_number("perspective"),
+  const io::ViewChoice view{a.maybe_numbers<2>("view"), a.maybe_numbers<3>("up"),
+                            a.maybe_numbers<6>("camera"), a.maybe_number("perspective"),
                             a.number("width")};
   line_art::Drawing drawing;
   drawing.scene = line_art::weld(points, faces);

@@ -197,5 +197,6 @@ PYBIND11_MODULE(_crest, m) {
   m.def("run", &run_system, py::arg("system"), py::arg("arguments"), py::arg("threads"),
         py::arg("progress"));
   m.def("save", &save, py::arg("path"), py::arg("geometry"));
-  m.def("wait_for_stopped", &wait_for_stopped, py::call_guard<py::gil_scoped_release>());
+  m.def("wait_for_stopped", &wait_for_stopped, py::arg("seconds"),
+        py::call_guard<py::gil_scoped_release>());
 }

@@ -6,6 +6,7 @@
 #include "algorithms/reeb/labelled_graph.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "bindings/python/systems.hpp"
+#include "io/reeb/reeb_picture.hpp"
 #include "io/reeb/reeb_writer.hpp"
 #include "kernel/geometry/quadratic_mesh.hpp"
 
@@ -55,14 +56,24 @@ Output run_reeb(const Arguments& a, const Progress& progress) {
     for (const reeb::NodePlace& place : places) values.push_back(place.value);
     progress.step("simplifying", [&] { reeb::simplify(tiles, values, wanted, written); });
   }
-  std::vector<io::LevelLines> levels;
-  for (const double level : a.numbers("level"))
-    levels.push_back({level, progress.step("drawing level lines",
-                                           [&] { return reeb::contours(mesh, tiles, level); })});
+  const auto lines = [&](const std::vector<double>& at) {
+    std::vector<io::LevelLines> levels;
+    for (const double level : at) levels.push_back({level, reeb::contours(mesh, tiles, level)});
+    return levels;
+  };
+  const auto levels =
+      progress.step("drawing level lines", [&] { return lines(a.numbers("level")); });
   const std::vector<io::TreeLines> no_trees;
-  out.geometries["geometry"] =
-      io::geometry_of(io::reeb_poly_data({mesh, tiles, places, written.graph, written.arc_of_node,
-                                          written.arc_of_tile, no_trees, levels, digest}));
+  const auto scene = [&](const std::vector<io::LevelLines>& shown) {
+    return io::ReebScene{
+        mesh,     tiles, places, written.graph, written.arc_of_node, written.arc_of_tile,
+        no_trees, shown, digest};
+  };
+  out.geometries["geometry"] = io::geometry_of(io::reeb_poly_data(scene(levels)));
+  if (a.has("picture")) {
+    const auto shown = levels.empty() ? lines(io::picture_levels(places)) : levels;
+    io::write_reeb_picture(a.text("picture"), scene(shown), viewpoint_of(a));
+  }
   add_graph(written.graph, out);
   out.values["data_digest"] = digest;
   return out;

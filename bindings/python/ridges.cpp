@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/ridges/certificate.hpp"
 #include "bindings/python/systems.hpp"
+#include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 
 namespace crest::python {
@@ -29,6 +32,40 @@ void warn_about_fit(const ridges::FitResult& fit, int degree, Output& out) {
     out.warnings.push_back(fmt::format(
         "{} vertices were fitted with a lower degree (too few or badly placed neighbours)",
         lowered));
+}
+
+std::string note_of(const ridges::RidgeGraph& graph, const ridges::FilterOptions& filter,
+                    const ridges::FilterReport& dropped) {
+  const bool cut = ridges::open_ends(graph) > 0;
+  std::vector<std::string> by;
+  if (dropped.by_sharpness > 0) by.push_back("min_sharpness");
+  if (dropped.by_strength > 0) by.push_back("min_strength");
+  if (dropped.by_length > 0) by.push_back("min_length");
+  if (dropped.by_crest > 0 || (cut && filter.crest_only)) by.push_back("crest_only");
+  if (dropped.by_level > 0 || (cut && filter.min_level > 0)) by.push_back("significance");
+  return by.empty() ? std::string() : fmt::format("subset by {}", fmt::join(by, ", "));
+}
+
+/// As crest ridges draws it: what is significant, with salient lines in full width.
+void draw(const Arguments& a, const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
+          const std::optional<ridges::SalienceReport>& salience, ridges::RidgeGraph graph,
+          ridges::FilterOptions filter) {
+  io::PictureOptions picture;
+  picture.view = viewpoint_of(a).view;
+  picture.up = viewpoint_of(a).up;
+  picture.order = a.integer("order");
+  ridges::FilterReport dropped;
+  if (salience) {
+    constexpr double kAll = 0.95;  // of the length: then nothing needs to stand back
+    picture.by_salience = true;
+    for (const ridges::CurvatureError& e : fit.errors)
+      picture.spur += e.radius / static_cast<double>(fit.errors.size());
+    picture.full_level = salience->length_significant >= kAll * salience->length ? 1 : 2;
+    filter.min_level = std::max(filter.min_level, 1);
+  }
+  dropped = ridges::filter(graph, filter);
+  picture.note = note_of(graph, filter, dropped);
+  io::write_picture(a.text("picture"), mesh, graph, picture);
 }
 
 }  // namespace
@@ -59,8 +96,13 @@ Output run_ridges(const Arguments& a, const Progress& progress) {
     return ridges::extract_certified(mesh, fit.forms, joining);
   });
   ridges::RidgeGraph& graph = certified.graph;
-  if (fitting.errors)
-    progress.step("measuring salience", [&] { ridges::mark_salience(mesh, fit, graph, salience); });
+  std::optional<ridges::SalienceReport> marked;
+  if (fitting.errors) {
+    marked = progress.step("measuring salience",
+                           [&] { return ridges::mark_salience(mesh, fit, graph, salience); });
+  }
+  if (a.has("picture"))
+    progress.step("drawing", [&] { draw(a, mesh, fit, marked, graph, filter_of(a)); });
   std::vector<kernel::Index> umbilic_faces;
   for (const ridges::Umbilic& umbilic : graph.umbilics) umbilic_faces.push_back(umbilic.face);
   ridges::filter(graph, filter_of(a));

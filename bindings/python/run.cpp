@@ -102,9 +102,10 @@ Output run(System system, Arguments arguments, int threads, const Listener& list
   return std::move(job->output);
 }
 
-void wait_for_stopped() {
+void wait_for_stopped(double seconds) {
   std::unique_lock lock(workers().mutex);
-  workers().fewer.wait(lock, [] { return workers().count == 0; });
+  workers().fewer.wait_for(lock, std::chrono::duration<double>(seconds),
+                           [] { return workers().count == 0; });
 }
 
 }  // namespace crest::python

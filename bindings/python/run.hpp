@@ -48,8 +48,8 @@ using Listener = std::function<void(const std::vector<std::string>& shown)>;
 /// point is not sound.
 Output run(System system, Arguments arguments, int threads, const Listener& listen);
 
-/// Until no work that was stopped goes on: nothing may run while the process takes down its
-/// libraries.
-void wait_for_stopped();
+/// Until no work that was stopped goes on, but no longer than so: as little as can be should run
+/// while the process takes down its libraries.
+void wait_for_stopped(double seconds);
 
 }  // namespace crest::python

@@ -10,6 +10,7 @@
 #include "algorithms/smooth_ridges/surface.hpp"
 #include "bindings/python/systems.hpp"
 #include "certify/ridges_smooth/encode.hpp"
+#include "io/ridges/smooth_ridge_picture.hpp"
 #include "io/ridges/smooth_ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -65,6 +66,12 @@ Output run_smooth_ridges(const Arguments& a, const Progress& progress) {
   if (result.certified) digest = out.certify(certify::encode(result.certificate));
   out.geometries["geometry"] = io::geometry_of(io::smooth_ridge_poly_data(result, digest));
   out.geometries["mesh"] = io::geometry_of(io::smooth_mesh_poly_data(result, digest));
+  if (a.has("picture")) {
+    io::PictureOptions picture;
+    picture.view = viewpoint_of(a).view;
+    picture.up = viewpoint_of(a).up;
+    io::write_smooth_picture(a.text("picture"), result, picture);
+  }
   std::vector<std::string> reasons = result.obstacles;
   for (const auto& cell : result.undecided) reasons.push_back(cell.reason);
   out.values["certified"] = result.certified;

@@ -29,6 +29,10 @@ System system_of(const std::string& name) {
   return systems.at(name);
 }
 
+io::Viewpoint viewpoint_of(const Arguments& a) {
+  return {a.maybe_numbers<3>("view"), a.maybe_numbers<3>("up")};
+}
+
 kernel::TriangleMesh mesh_of(const Arguments& a) {
   auto points = a.rows<3>("V");
   auto faces = a.cells<3>("F", points.size());

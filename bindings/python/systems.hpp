@@ -4,6 +4,7 @@
 // What the package can run: a source a system, as the commands of cli/ do it with files. Arguments
 // have the names of the commands' options, and all are given: defaults are the package's.
 #include "bindings/python/run.hpp"
+#include "io/picture/viewpoint.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
 namespace crest::python {
@@ -36,6 +37,9 @@ Output run_read_points(const Arguments& a, const Progress& progress);
 
 /// By name, "ridges". Throws: std::out_of_range.
 System system_of(const std::string& name);
+
+/// `view` and `up`, of pictures.
+io::Viewpoint viewpoint_of(const Arguments& a);
 
 /// V and F as a mesh.
 kernel::TriangleMesh mesh_of(const Arguments& a);

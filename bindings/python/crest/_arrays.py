@@ -128,10 +128,10 @@ def whole(x: Any, name: str, low: int, high: int) -> int:
     return value
 
 
-def word(x: Any, name: str, words: Sequence[str]) -> str:
+def word(x: Any, name: str, words: Sequence[Any]) -> Any:
     """One of the words."""
     if x not in words:
-        raise InputError(f"{name}: {x!r} is none of {', '.join(words)}")
+        raise InputError(f"{name}: {x!r} is none of {', '.join(map(str, words))}")
     return x
 
 

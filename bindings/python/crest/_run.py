@@ -29,4 +29,4 @@ def run(system: str, arguments: dict[str, Any], threads: int, progress: Progress
 def _wait_for_stopped() -> None:
     # A process that ends by Ctrl-C takes nothing down, and the user waits for nothing.
     if getattr(sys, "last_type", None) is not KeyboardInterrupt:
-        _crest.wait_for_stopped()
+        _crest.wait_for_stopped(1.0)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Iterator, Sequence
 
 import numpy as np
@@ -12,6 +13,14 @@ from . import _arrays as check
 from ._crest import InputError
 from ._results import Geometry, Result
 from ._run import Progress, run
+
+
+def _picture(picture: Any, view: Any, up: Any) -> dict[str, Any]:
+    if picture is None and (view is not None or up is not None):
+        raise InputError("view: goes with picture, as up does")
+    return {"picture": None if picture is None else os.fsdecode(picture),
+            "view": None if view is None else check.numbers(view, "view", 3),
+            "up": None if up is None else check.numbers(up, "up", 3)}
 
 
 def _mesh(V: Any, F: Any) -> dict[str, Any]:
@@ -105,6 +114,8 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
            umbilic_patch: float = 3.0, min_sharpness: float = 0.0, min_strength: float = 0.0,
            min_length: float = 0.0, crest_only: bool = False, significance: float = 4.0,
            min_weight: float = 1.5, salient: bool = False, significant: bool = False,
+           picture: Any = None,
+           view: Sequence[float] | None = None, up: Sequence[float] | None = None,
            threads: int = 0, progress: Progress = None) -> RidgeGraph:
     """Ridges and umbilics of a triangle mesh, certified (`crest ridges`).
 
@@ -116,6 +127,8 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
     the input). crest_only: keep crest lines. significance: standard errors by which a ridge stands
     out (0: do not ask). min_weight: of salient ridges. salient, significant: keep these only. What is
     dropped is dropped from the arrays: the certificate speaks of the whole graph.
+    picture: a .png or .svg to draw, as the command line does; view: 3 numbers, from the eye into the
+    scene; up: 3 numbers, what points up.
     threads: 0 is all. progress: called with a line of text when a step begins.
     Raises InputError for bad input, KeyboardInterrupt on Ctrl-C, and what progress raises.
 
@@ -139,7 +152,7 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
     radius = 0.0 if scale is None or scale == "auto" else check.number(scale, "scale")
     if scale is not None and scale != "auto" and radius <= 0:
         raise InputError(f"scale: {scale} is neither 'auto' nor a positive number")
-    check.word(order, "order", (3, 4))  # type: ignore[arg-type]
+    check.word(order, "order", (3, 4))
     arguments = _mesh(V, F) | {
         "rings": 0 if rings is None else check.whole(rings, "rings", 1, 100),
         "scale": radius, "auto_scale": scale == "auto",
@@ -151,6 +164,7 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
         "crest_only": bool(crest_only), "significance": float(significance),
         "min_weight": check.number(min_weight, "min_weight", 0), "salient": bool(salient),
         "significant": bool(significant)}
+    arguments |= _picture(picture, view, up) | {"order": order}
     return RidgeGraph(run("ridges", arguments, threads, progress), order)
 
 
@@ -205,8 +219,9 @@ def smooth_ridges(*, surface: str | None = None, box: Sequence[float] | None = N
                   param: Sequence[str] | None = None,
                   domain: Sequence[float | str] | None = None, periodic: str = "",
                   start_faces: int | None = None, max_depth: int = 60, budget: int = 2000000,
-                  seconds: float | None = None, threads: int = 0,
-                  progress: Progress = None) -> SmoothRidgeGraph:
+                  seconds: float | None = None, picture: Any = None,
+                  view: Sequence[float] | None = None, up: Sequence[float] | None = None,
+                  threads: int = 0, progress: Progress = None) -> SmoothRidgeGraph:
     """Ridges and umbilics of a smooth surface given by expressions, their topology certified
     (`crest ridges --surface`, `--param`).
 
@@ -215,7 +230,7 @@ def smooth_ridges(*, surface: str | None = None, box: Sequence[float] | None = N
     (numbers or constants like "2*pi"), periodic in "u", "v" or "uv".
     start_faces: of the first triangulation, about. max_depth: rounds of refinement at most. budget:
     faces at most. seconds: stop after so long. What could not be proven is in the result.
-    threads, progress, errors: as for ridges().
+    picture, view, up, threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> graph = crest.smooth_ridges(surface="x^2 + y^2/2.25 + z^2/4 - 1", box=(-3, 3))
@@ -246,6 +261,7 @@ def smooth_ridges(*, surface: str | None = None, box: Sequence[float] | None = N
         texts = [x if isinstance(x, str) else repr(check.number(x, "domain")) for x in domain]
         arguments |= {"param": [str(x) for x in param], "domain": texts,  # type: ignore[union-attr]
                       "periodic": check.word(periodic, "periodic", ("", "u", "v", "uv"))}
+    arguments |= _picture(picture, view, up)
     return SmoothRidgeGraph(run("smooth_ridges", arguments, threads, progress))
 
 
@@ -273,14 +289,16 @@ METHODS = ("np", "ne", "cf", "qf", "qt", "jet", "normal-cycle")
 
 
 def curvature(V: ArrayLike, F: ArrayLike, *, method: str = "ne", normals: ArrayLike | None = None,
-              degree: int = 4, rings: int = 1, threads: int = 0,
-              progress: Progress = None) -> Curvature:
+              degree: int = 4, rings: int = 1, colour: str = "H", picture: Any = None,
+              view: Sequence[float] | None = None, up: Sequence[float] | None = None,
+              threads: int = 0, progress: Progress = None) -> Curvature:
     """Curvature tensors at the vertices of a mesh by one of seven methods (`crest curvature`).
 
     method: "np" (normal-based, with the normals given), "ne" (with estimated ones), "cf", "qf",
     "qt", "jet", "normal-cycle". normals: (n, 3) numbers of any length but 0. degree: of jet's
-    polynomial, 2 to 6. rings: of normal-cycle's region, 0 to 20.
-    V, F, threads, progress, errors: as for ridges().
+    polynomial, 2 to 6. rings: of normal-cycle's region, 0 to 20. colour: what a picture shows, "K", "H",
+    "k1" or "k2".
+    V, F, picture, view, up, threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("ellipsoid.off")
@@ -299,6 +317,8 @@ def curvature(V: ArrayLike, F: ArrayLike, *, method: str = "ne", normals: ArrayL
         "rings": check.whole(rings, "rings", 0, 20),
         "normals": None if normals is None else check.same_rows(normals, "normals", 3,
                                                                 len(arguments["V"]), "vertex")}
+    arguments |= _picture(picture, view, up) | {
+        "colour": check.word(colour, "colour", ("K", "H", "k1", "k2"))}
     return Curvature(run("curvature", arguments, threads, progress))
 
 
@@ -338,8 +358,9 @@ def feature_lines(V: ArrayLike, F: ArrayLike, field: ArrayLike | None = None, *,
                   value: float | None = None, method: str = "fit", rings: int | None = None,
                   absolute: bool = False, dilate: float = 0, erode: float = 0, open: float = 0,
                   close: float = 0, neighbourhood: str = "ring", prune: int = 0, min_patch: int = 0,
-                  close_branches: int = 0, threads: int = 0,
-                  progress: Progress = None) -> FeatureGraph:
+                  close_branches: int = 0, picture: Any = None,
+                  view: Sequence[float] | None = None, up: Sequence[float] | None = None,
+                  threads: int = 0, progress: Progress = None) -> FeatureGraph:
     """Sharp edges above an angle, or lines thinned from a region, certified (`crest features`).
 
     angle: degrees; the edges whose faces' normals make a larger one, compared exactly with the
@@ -351,7 +372,7 @@ def feature_lines(V: ArrayLike, F: ArrayLike, field: ArrayLike | None = None, *,
     dilate, erode, open, close: clean the region, in rings or as lengths by `neighbourhood` ("ring",
     "euclidean", "path", "geodesic"). prune: drop branches of up to so many vertices. min_patch:
     fill smaller patches. close_branches: join open ends so many edges apart.
-    V, F, threads, progress, errors: as for ridges().
+    V, F, picture, view, up, threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("cube.off")
@@ -397,6 +418,7 @@ def feature_lines(V: ArrayLike, F: ArrayLike, field: ArrayLike | None = None, *,
         "prune": check.whole(prune, "prune", 0, 10**9),
         "min_patch": check.whole(min_patch, "min_patch", 0, 10**9),
         "close_branches": check.whole(close_branches, "close_branches", 0, 10**9)}
+    arguments |= _picture(picture, view, up)
     return FeatureGraph(run("features", arguments, threads, progress))
 
 
@@ -441,8 +463,9 @@ class ReebGraph(Result):
 def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayLike | None = None,
                contract: bool = False, persistence: float | None = None,
                cancel_loops: bool = False, level: Sequence[float] = (),
-               segmentation: bool = False, certificate: bool = True, threads: int = 0,
-               progress: Progress = None) -> ReebGraph:
+               segmentation: bool = False, certificate: bool = True, picture: Any = None,
+               view: Sequence[float] | None = None, up: Sequence[float] | None = None,
+               threads: int = 0, progress: Progress = None) -> ReebGraph:
     """The Reeb graph of a function linear or quadratic on each face, certified (`crest reeb`).
 
     values: (n,) numbers at the vertices. midside: (m, 3) numbers, for quadratic functions: at the
@@ -451,7 +474,7 @@ def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayL
     contract: contract arcs between equal values. persistence: cancel leaves up to this difference
     of values, with cancel_loops small loops, too; the certificate speaks of the whole graph.
     level: values at which the geometry gets level lines. segmentation: the geometry gets the monotone
-    tiles with the arc each belongs to. V, F, threads, progress, errors: as for ridges().
+    tiles with the arc each belongs to. V, F, picture, view, up, threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("torus.off")
@@ -470,6 +493,7 @@ def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayL
         "contract": bool(contract), "persistence": check.maybe_number(persistence, "persistence", 0),
         "cancel_loops": bool(cancel_loops), "level": levels, "segmentation": bool(segmentation),
         "certificate": bool(certificate)}
+    arguments |= _picture(picture, view, up)
     return ReebGraph(run("reeb", arguments, threads, progress))
 
 
