@@ -28,13 +28,17 @@ def test_examples_of_docstrings(name, here):
     assert doctest.DocTestRunner().run(test).failed == 0
 
 
+SHARED = {"V", "F", "threads", "progress", "picture", "view", "up", "volume", "spacing", "origin",
+          "directions", "border", "certificate", "isovalue", "weld", "split", "outward", "path"}
+
+
 def test_everything_is_documented():
     assert len(FUNCTIONS) > 20
     for name in FUNCTIONS:
         words = inspect.getdoc(getattr(crest, name))
         for option in inspect.signature(getattr(crest, name)).parameters:
             # Or where the text sends the reader.
-            elsewhere = re.search(r"as for (ridges|spline_isosurface|skeleton|read_mesh)\(\)", words)
+            elsewhere = option in SHARED and re.search(r"as for \w+\(\)", words)
             assert re.search(rf"\b{option}\b", words) or elsewhere, f"{name}: {option}"
     for name in CLASSES:
         assert inspect.getdoc(getattr(crest, name)), name
@@ -64,11 +68,12 @@ def test_options_are_the_command_lines(name):
         if option in ALWAYS | own:
             continue
         assert option in known, f"{name}: {option}"
-        stated = re.search(rf"--?{option.replace('_', '-')}\b(?:(?!\n  -).)*?default:? ([\d.]+)\b",
+        stated = re.search(rf"--?{option.replace('_', '-')}\b(?:(?!\n  -).)*?default:? ([\d.]+(?:\^\d+)?)",
                            words, re.DOTALL)
         if stated and isinstance(parameter.default, (int, float)) and not isinstance(
                 parameter.default, bool):
-            assert float(stated[1].rstrip(".")) == parameter.default, f"{name}: {option}"
+            base, _, power = stated[1].rstrip(".").partition("^")
+            assert float(base) ** float(power or 1) == parameter.default, f"{name}: {option}"
 
 
 def test_all_commands_are_here():
