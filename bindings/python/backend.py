@@ -3,8 +3,8 @@
 
     pip wheel . --no-deps --no-index
 
-CREST_BUILD names a build folder to use; else there is one for a while. In either the package is
-built for the interpreter that runs this.
+CREST_BUILD names a build folder to use, configured for the interpreter that runs this; else there
+is one for a while.
 """
 
 import base64
@@ -33,13 +33,23 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as folder:
         build = os.environ.get("CREST_BUILD") or os.path.join(folder, "build")
         stage = os.path.join(folder, "stage")
-        _run("-S", str(ROOT), "-B", build, "-G", "Ninja", "-DCREST_WITH_PYTHON=ON",
-             f"-DPython_EXECUTABLE={sys.executable}",
-             *([] if os.environ.get("CREST_BUILD") else ["-DCREST_BUILD_TESTS=OFF"]))
+        if os.environ.get("CREST_BUILD"):
+            _require_this_interpreter(build)
+        else:
+            _run("-S", str(ROOT), "-B", build, "-G", "Ninja", "-DCREST_WITH_PYTHON=ON",
+                 "-DCREST_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")
         _run("--build", build, "--target", "_crest")
         _run("--install", build, "--component", "python", "--strip", "--prefix", stage)
         packages = list(Path(stage).glob("**/crest/__init__.py"))
         return _pack(packages[0].parent, Path(wheel_directory))
+
+
+def _require_this_interpreter(build):
+    cache = (Path(build) / "CMakeCache.txt").read_text()
+    named = re.search(r"^Python_EXECUTABLE:\w+=(.*)$", cache, re.MULTILINE)
+    if not named or not os.path.samefile(named[1], sys.executable):
+        raise SystemExit(f"{build} is not configured with -DCREST_WITH_PYTHON=ON "
+                         f"-DPython_EXECUTABLE={sys.executable}")
 
 
 def _run(*arguments):

@@ -121,7 +121,8 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
 
     V: (n, 3) numbers. F: (m, 3) integers from 0. An oriented manifold, closed or not.
     rings, scale: the support of a fit, by rings of neighbours, a radius in units of the input, or
-    "auto"; as many rings as hold 30 points where neither is given.
+    "auto" (chosen by what is salient: the default with picture); else as many rings as hold 30
+    points.
     smooth: smoothing steps of the extremalities. order: 3 or 4, the rule that types ridges.
     umbilic_patch: size of patches in one-rings. min_sharpness, min_strength, min_length: drop what is
     below (min_length in units of the input). crest_only: keep crest lines. significance: standard errors by which a ridge stands
@@ -153,9 +154,10 @@ def ridges(V: ArrayLike, F: ArrayLike, *, rings: int | None = None,
     if scale is not None and scale != "auto" and radius <= 0:
         raise InputError(f"scale: {scale} is neither 'auto' nor a positive number")
     check.word(order, "order", (3, 4))
+    chosen = marks and scale is None and rings is None and picture is not None
     arguments = _mesh(V, F) | {
         "rings": 0 if rings is None else check.whole(rings, "rings", 1, 100),
-        "scale": radius, "auto_scale": scale == "auto",
+        "scale": radius, "auto_scale": scale == "auto" or chosen,
         "smooth": check.whole(smooth, "smooth", 0, 1000),
         "umbilic_patch": check.number(umbilic_patch, "umbilic_patch", 0, 1000),
         "min_sharpness": check.number(min_sharpness, "min_sharpness", 0),

@@ -160,6 +160,28 @@ def test_rays_and_samples(here, tmp_path):
     assert spline.certificate == (tmp_path / "cubic.crest").read_bytes()
 
 
+PICTURES = {
+    "ridges ellipsoid.off": lambda **k: crest.ridges(*crest.read_mesh("ellipsoid.off"), **k),
+    "ridges patch.ply --significance 0":
+        lambda **k: crest.ridges(*crest.read_mesh("patch.ply"), significance=0, **k),
+    "curvature blend.ply --colour k1":
+        lambda **k: crest.curvature(*crest.read_mesh("blend.ply"), colour="k1", **k),
+    "features cube.off --angle 60":
+        lambda **k: crest.feature_lines(*crest.read_mesh("cube.off"), angle=60, **k),
+    "reeb field.vtp --field k1": lambda **k: crest.reeb_graph(*crest.read_field("field.vtp", "k1"), **k),
+}
+
+
+@pytest.mark.parametrize("command", PICTURES)
+def test_pictures_are_the_programs(command, here, tmp_path):
+    program("crest", *command.split(), "--picture", tmp_path / "program.png", "--view=1,2,-1",
+            "--quiet")
+    PICTURES[command](picture=tmp_path / "python.png", view=(1, 2, -1))
+    assert (tmp_path / "python.png").read_bytes() == (tmp_path / "program.png").read_bytes()
+    with pytest.raises(crest.InputError):
+        PICTURES[command](picture=tmp_path / "python.jpg")
+
+
 def test_orders_and_types_of_arrays(here):
     V, F = crest.read_mesh("ellipsoid.off")
     expected = crest.ridges(V, F).certificate
