@@ -23,7 +23,7 @@ def main(mesh="blend.ply", picture="persistence.svg"):
     for share in (0, 0.02, 0.05, 0.1, 0.2, 0.4):
         graph = crest.reeb_graph(V, F, height, persistence=share * span, certificate=False)
         print(f"{share:11.0%} {len(graph.node_values):6} {len(graph.arcs):5} {graph.loops:6}")
-    graph = crest.reeb_graph(V, F, height, persistence=0.2 * span, picture=picture)
+    graph = crest.reeb_graph(V, F, height, persistence=0.02 * span, picture=picture)
     print("accepted" if crest.verify(graph.certificate) else "REJECTED")
 
 
