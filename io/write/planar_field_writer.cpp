@@ -16,11 +16,9 @@
 
 namespace crest::io {
 
-void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>& points,
-                        const std::vector<kernel::Triangle>& triangles, const std::string& name,
-                        const std::vector<kernel::Vec2>& vectors) {
-  if (lower_extension(path) != ".vtu")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtu");
+void fill_planar_field(vtkUnstructuredGrid& grid, const std::vector<kernel::Vec2>& points,
+                       const std::vector<kernel::Triangle>& triangles, const std::string& name,
+                       const std::vector<kernel::Vec2>& vectors) {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
   for (const auto& p : points) places->InsertNextPoint(p[0], p[1], 0);
@@ -30,11 +28,19 @@ void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>
   rows->SetName(name.c_str());
   rows->SetNumberOfComponents(3);
   for (const auto& v : vectors) rows->InsertNextTuple3(v[0], v[1], 0);
+  grid.SetPoints(places);
+  grid.SetCells(VTK_TRIANGLE, cells);
+  grid.GetPointData()->AddArray(rows);
+  grid.GetPointData()->SetActiveVectors(name.c_str());
+}
+
+void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>& points,
+                        const std::vector<kernel::Triangle>& triangles, const std::string& name,
+                        const std::vector<kernel::Vec2>& vectors) {
+  if (lower_extension(path) != ".vtu")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtu");
   vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(places);
-  grid->SetCells(VTK_TRIANGLE, cells);
-  grid->GetPointData()->AddArray(rows);
-  grid->GetPointData()->SetActiveVectors(name.c_str());
+  fill_planar_field(*grid, points, triangles, name, vectors);
   write_atomically(path, vtu_bytes(*grid));
 }
 
