@@ -161,18 +161,24 @@ void add_focal(const curvature::FocalSurface& s, PolyData& data, vtkUnsignedChar
 
 }  // namespace
 
+vtkSmartPointer<vtkPolyData> curvature_poly_data(
+    const kernel::TriangleMesh& mesh, const curvature::Result& result,
+    const std::vector<curvature::CornerCurvatures>& corners) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(mesh.points()));
+  data->SetPolys(vtk_triangles(mesh.faces()));
+  add_point_data(*data->GetPointData(), result);
+  add_cell_data(*data->GetCellData(), corners);
+  return data;
+}
+
 void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
                      const curvature::Result& result,
                      const std::vector<curvature::CornerCurvatures>& corners) {
   const std::string extension = lower_extension(path);
   std::string bytes;
   if (extension == ".vtp") {
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(vtk_points(mesh.points()));
-    data->SetPolys(vtk_triangles(mesh.faces()));
-    add_point_data(*data->GetPointData(), result);
-    add_cell_data(*data->GetCellData(), corners);
-    bytes = vtp_bytes(*data);
+    bytes = vtp_bytes(*curvature_poly_data(mesh, result, corners));
   } else if (extension == ".vtu") {
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(vtk_points(mesh.points()));

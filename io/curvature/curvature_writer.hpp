@@ -8,6 +8,10 @@
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/curvature/focal.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// Writes .vtp, .vtu or .ply, by the extension in any case.
@@ -22,6 +26,11 @@ namespace crest::io {
 void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
                      const curvature::Result& result,
                      const std::vector<curvature::CornerCurvatures>& corners);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> curvature_poly_data(
+    const kernel::TriangleMesh& mesh, const curvature::Result& result,
+    const std::vector<curvature::CornerCurvatures>& corners);
 
 /// Writes focal surfaces as one .vtp: triangles and their boundary curves as polylines.
 ///   points: value (K or H), colour (RGB: green for positive, red for negative, grey for zero).

@@ -7,6 +7,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -19,40 +20,6 @@ using kernel::Index;
 
 std::span<const Index> corners_of(const Result& r, std::size_t polygon) {
   return {r.corners.data() + r.first[polygon], r.corners.data() + r.first[polygon + 1]};
-}
-
-std::string vtp(const Result& r, const std::string& data_digest) {
-  PolyData data;
-  data.add_points(r.points);
-  std::vector<PolyData::Id> ids;
-  for (std::size_t p = 0; p < r.polygons(); ++p) {
-    const auto corners = corners_of(r, p);
-    ids.assign(corners.begin(), corners.end());
-    Columns& row = r.dimension == 2 ? data.add_line(ids) : data.add_polygon(ids);
-    row.add("critical_type", int{r.critical_type[p]});
-    row.add("component", static_cast<int>(r.component[p]));
-    row.add("strength", r.strength[p]);
-    row.add("s", r.s[p]);
-    row.add("plateness", r.plateness[p]);
-    row.add("feature", 0);
-  }
-  for (const extremal::Feature& f : r.features) {
-    Columns& row =
-        f.a == f.b ? data.add_vertex(f.a) : data.add_line(std::array<PolyData::Id, 2>{f.a, f.b});
-    row.add("critical_type", -1);
-    row.add("component", -1);
-    row.add("strength", 0.0);
-    row.add("s", 0.0);
-    row.add("plateness", 0.0);
-    row.add("feature", static_cast<int>(f.reason));
-  }
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("normal");
-  normals->SetNumberOfComponents(3);
-  for (const auto& n : r.normals) normals->InsertNextTuple(n.data());
-  data.add_point_array(normals);
-  if (!data_digest.empty()) data.fields().add("data_digest", data_digest);
-  return data.bytes();
 }
 
 std::string obj(const Result& r) {
@@ -85,9 +52,44 @@ std::string ply(const Result& r) {
 
 }  // namespace
 
+vtkSmartPointer<vtkPolyData> extremal_poly_data(const Result& r, const std::string& data_digest) {
+  PolyData data;
+  data.add_points(r.points);
+  std::vector<PolyData::Id> ids;
+  for (std::size_t p = 0; p < r.polygons(); ++p) {
+    const auto corners = corners_of(r, p);
+    ids.assign(corners.begin(), corners.end());
+    Columns& row = r.dimension == 2 ? data.add_line(ids) : data.add_polygon(ids);
+    row.add("critical_type", int{r.critical_type[p]});
+    row.add("component", static_cast<int>(r.component[p]));
+    row.add("strength", r.strength[p]);
+    row.add("s", r.s[p]);
+    row.add("plateness", r.plateness[p]);
+    row.add("feature", 0);
+  }
+  for (const extremal::Feature& f : r.features) {
+    Columns& row =
+        f.a == f.b ? data.add_vertex(f.a) : data.add_line(std::array<PolyData::Id, 2>{f.a, f.b});
+    row.add("critical_type", -1);
+    row.add("component", -1);
+    row.add("strength", 0.0);
+    row.add("s", 0.0);
+    row.add("plateness", 0.0);
+    row.add("feature", static_cast<int>(f.reason));
+  }
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("normal");
+  normals->SetNumberOfComponents(3);
+  for (const auto& n : r.normals) normals->InsertNextTuple(n.data());
+  data.add_point_array(normals);
+  if (!data_digest.empty()) data.fields().add("data_digest", data_digest);
+  return data.data();
+}
+
 void write_extremal(const std::string& path, const Result& result, const std::string& data_digest) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") return write_atomically(path, vtp(result, data_digest));
+  if (extension == ".vtp")
+    return write_atomically(path, vtp_bytes(*extremal_poly_data(result, data_digest)));
   if (extension == ".obj") return write_atomically(path, obj(result));
   if (extension == ".ply") return write_atomically(path, ply(result));
   throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");

@@ -6,6 +6,10 @@
 
 #include "algorithms/extremal/extremal_result.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// .vtp: polygons (in 2D segments) with the cell arrays critical_type, component, strength, s,
@@ -16,5 +20,9 @@ namespace crest::io {
 /// kernel::InputError for another extension or a place that cannot be written.
 void write_extremal(const std::string& path, const extremal::Result& result,
                     const std::string& data_digest = {});
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> extremal_poly_data(const extremal::Result& result,
+                                                const std::string& data_digest);
 
 }  // namespace crest::io

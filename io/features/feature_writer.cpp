@@ -5,6 +5,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -74,16 +75,6 @@ void add_faces(PolyData& data, const kernel::TriangleMesh& mesh, const FeatureGr
   }
 }
 
-std::string vtp_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
-                   const std::vector<double>& field, const std::string& digest) {
-  PolyData data;
-  add_points(data, mesh, graph, field);
-  add_lines(data, graph);
-  add_faces(data, mesh, graph);
-  data.fields().add("data_digest", digest);
-  return data.bytes();
-}
-
 std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
                    const std::string& digest) {
   Text text;
@@ -150,12 +141,24 @@ void write_patches(const std::string& path, const kernel::TriangleMesh& mesh,
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .ply");
 }
 
+vtkSmartPointer<vtkPolyData> feature_poly_data(const kernel::TriangleMesh& mesh,
+                                               const FeatureGraph& graph,
+                                               const std::vector<double>& field,
+                                               const std::string& data_digest_hex) {
+  PolyData data;
+  add_points(data, mesh, graph, field);
+  add_lines(data, graph);
+  add_faces(data, mesh, graph);
+  data.fields().add("data_digest", data_digest_hex);
+  return data.data();
+}
+
 void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const FeatureGraph& graph, const std::vector<double>& field,
                     const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, vtp_of(mesh, graph, field, data_digest_hex));
+    write_atomically(path, vtp_bytes(*feature_poly_data(mesh, graph, field, data_digest_hex)));
   else if (extension == ".obj")
     write_atomically(path, obj_of(mesh, graph, data_digest_hex));
   else

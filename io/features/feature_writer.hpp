@@ -8,6 +8,10 @@
 #include "io/picture/viewpoint.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// Writes .vtp or .obj, by the extension in any case.
@@ -29,6 +33,12 @@ namespace crest::io {
 void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const feature_lines::FeatureGraph& graph, const std::vector<double>& field,
                     const std::string& data_digest_hex);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> feature_poly_data(const kernel::TriangleMesh& mesh,
+                                               const feature_lines::FeatureGraph& graph,
+                                               const std::vector<double>& field,
+                                               const std::string& data_digest_hex);
 
 /// Writes the mesh with the patch each face belongs to, as numbers from 0: .vtp (cell array
 /// `patch`) or .ply (a face property `patch`, int, after the face's vertices), by the extension in

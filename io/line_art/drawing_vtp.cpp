@@ -2,6 +2,7 @@
 // A drawing's pieces in space, visible or not.
 #include "algorithms/line_art/face_locator.hpp"
 #include "io/line_art/drawing_writer.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 
 namespace crest::io {
@@ -17,7 +18,7 @@ int kind_of(const line_art::ContourEdge& e) {
 
 }  // namespace
 
-std::string vtp_of(const line_art::Drawing& drawing) {
+vtkSmartPointer<vtkPolyData> drawing_poly_data(const line_art::Drawing& drawing) {
   PolyData data;
   const auto& points = drawing.scene.points;
   for (const line_art::ContourEdge& e : drawing.contours.edges)
@@ -44,7 +45,11 @@ std::string vtp_of(const line_art::Drawing& drawing) {
     row.add("invisibility", 0);
     row.add("stroke", static_cast<int>(h));
   }
-  return data.bytes();
+  return data.data();
+}
+
+std::string vtp_of(const line_art::Drawing& drawing) {
+  return vtp_bytes(*drawing_poly_data(drawing));
 }
 
 }  // namespace crest::io

@@ -6,6 +6,10 @@
 
 #include "algorithms/line_art/line_art_result.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// By the extension. No fonts; the same bytes for the same drawing.
@@ -17,5 +21,8 @@ std::string svg_of(const line_art::Drawing& drawing);
 std::string pdf_of(const line_art::Drawing& drawing);
 std::string eps_of(const line_art::Drawing& drawing);
 std::string vtp_of(const line_art::Drawing& drawing);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> drawing_poly_data(const line_art::Drawing& drawing);
 
 }  // namespace crest::io

@@ -9,6 +9,7 @@
 #include "io/formats/files.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -91,7 +92,9 @@ struct Joined {
   }
 };
 
-std::string vtp(const ModeScene& scene) {
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> mode_poly_data(const ModeScene& scene) {
   const Joined all(scene);
   PolyData data;
   data.add_points(all.points);
@@ -148,14 +151,12 @@ std::string vtp(const ModeScene& scene) {
     for (const auto& a : {normal, d1, d2, k1, k2}) data.add_point_array(a);
   }
   if (!scene.data_digest.empty()) data.fields().add("data_digest", scene.data_digest);
-  return data.bytes();
+  return data.data();
 }
-
-}  // namespace
 
 void write_modes(const std::string& path, const ModeScene& scene) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") return write_atomically(path, vtp(scene));
+  if (extension == ".vtp") return write_atomically(path, vtp_bytes(*mode_poly_data(scene)));
   if (extension != ".ply" && extension != ".obj")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .ply or .obj");
   const Joined all(scene);

@@ -9,6 +9,10 @@
 #include "algorithms/modes/mode_surface.hpp"
 #include "io/picture/viewpoint.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 struct ModeScene {
@@ -27,6 +31,9 @@ struct ModeScene {
 /// same bytes for the same surfaces; no half-written file. Throws: kernel::InputError for another
 /// extension or a place that cannot be written.
 void write_modes(const std::string& path, const ModeScene& scene);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> mode_poly_data(const ModeScene& scene);
 
 /// Surfaces and curves in the paper's colours, in the domain's outline. Requires: a triangle or a
 /// curve at least. Throws: kernel::InputError for another extension than .png and .svg, a place

@@ -41,14 +41,14 @@ class Scene {
  public:
   explicit Scene(const ReebScene& scene) : scene_(scene) {}
 
-  std::string bytes() {
+  vtkSmartPointer<vtkPolyData> data() {
     add_nodes();
     add_arcs();
     add_levels();
     add_trees();
     if (!scene_.arc_of_tile.empty()) add_tiles();
     data_.fields().add("data_digest", scene_.data_digest);
-    return data_.bytes();
+    return data_.data();
   }
 
  private:
@@ -212,10 +212,14 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
   return lines;
 }
 
+vtkSmartPointer<vtkPolyData> reeb_poly_data(const ReebScene& scene) {
+  return Scene(scene).data();
+}
+
 void write_reeb(const std::string& path, const ReebScene& scene) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, Scene(scene).bytes());
+    write_atomically(path, vtp_bytes(*reeb_poly_data(scene)));
   else if (extension == ".vtu")
     write_atomically(path, tiles_vtu(scene));
   else

@@ -11,6 +11,10 @@
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "algorithms/reeb/tile_complex.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 inline constexpr int kJoinTreeKind = 3, kSplitTreeKind = 4, kContourTreeKind = 5;
@@ -60,6 +64,9 @@ struct ReebScene {
 /// Guarantees: the same bytes for the same scene; no half-written file.
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
 void write_reeb(const std::string& path, const ReebScene& scene);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> reeb_poly_data(const ReebScene& scene);
 
 /// The arc's polyline from lower to upper node, a list for each arc: the nodes on it in at most
 /// `parts` groups of successive ones, each replaced by its mean.

@@ -8,6 +8,7 @@
 #include "io/formats/files.hpp"
 #include "io/ridges/ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -120,8 +121,8 @@ void add_row(Columns& cells, const Cell& cell) {
   cells.add("index", u ? index_of(*u) : 0.0);
 }
 
-std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::string& digest,
-                   const ridges::FitResult& fit) {
+vtkSmartPointer<vtkPolyData> data_of(const Table& table, const RidgeGraph& graph,
+                                     const std::string& digest, const ridges::FitResult& fit) {
   PolyData data;
   Columns& points = data.point_rows();
   for (const Row& row : table.rows) {
@@ -141,7 +142,7 @@ std::string vtp_of(const Table& table, const RidgeGraph& graph, const std::strin
   data.fields().add("data_digest", digest);
   data.fields().add("fit_scale", fit.scale);
   data.fields().add("fit_points", fit.points);
-  return data.bytes();
+  return data.data();
 }
 
 std::string obj_of(const Table& table, const RidgeGraph& graph, const std::string& digest) {
@@ -191,6 +192,12 @@ std::string ply_of(const Table& table, const std::string& digest) {
 
 }  // namespace
 
+vtkSmartPointer<vtkPolyData> ridge_poly_data(const kernel::TriangleMesh& mesh,
+                                             const ridges::FitResult& fit, const RidgeGraph& graph,
+                                             const std::string& data_digest_hex) {
+  return data_of(table_of(mesh, fit, graph), graph, data_digest_hex, fit);
+}
+
 void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
                   const ridges::FitResult& fit, const RidgeGraph& graph,
                   const std::string& data_digest_hex) {
@@ -198,7 +205,7 @@ void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
   const Table table = table_of(mesh, fit, graph);
   std::string bytes;
   if (extension == ".vtp")
-    bytes = vtp_of(table, graph, data_digest_hex, fit);
+    bytes = vtp_bytes(*data_of(table, graph, data_digest_hex, fit));
   else if (extension == ".obj")
     bytes = obj_of(table, graph, data_digest_hex);
   else if (extension == ".ply")

@@ -7,6 +7,10 @@
 #include "algorithms/ridges/ridge_graph.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// Writes .vtp, .obj or .ply, by the extension in any case.
@@ -31,5 +35,11 @@ namespace crest::io {
 void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
                   const ridges::FitResult& fit, const ridges::RidgeGraph& graph,
                   const std::string& data_digest_hex);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> ridge_poly_data(const kernel::TriangleMesh& mesh,
+                                             const ridges::FitResult& fit,
+                                             const ridges::RidgeGraph& graph,
+                                             const std::string& data_digest_hex);
 
 }  // namespace crest::io

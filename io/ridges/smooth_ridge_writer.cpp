@@ -8,6 +8,7 @@
 #include "io/formats/files.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
@@ -120,7 +121,8 @@ void add_fields(Columns& fields, const SmoothRidges& result, const std::string& 
   fields.add("data_digest", digest);
 }
 
-std::string vtp_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+vtkSmartPointer<vtkPolyData> data_of(const Table& table, const SmoothRidges& result,
+                                     const std::string& digest) {
   PolyData data;
   for (const Point& p : table.points) {
     data.add_point(p.place);
@@ -144,7 +146,7 @@ std::string vtp_of(const Table& table, const SmoothRidges& result, const std::st
     }
   }
   add_fields(data.fields(), result, digest);
-  return data.bytes();
+  return data.data();
 }
 
 /// The line of text that goes before everything else.
@@ -214,7 +216,15 @@ std::string ply_of(const Table& table, const SmoothRidges& result, const std::st
   return text.text();
 }
 
-std::string mesh_vtp(const SmoothRidges& result, const std::string& digest) {
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> smooth_ridge_poly_data(const SmoothRidges& result,
+                                                    const std::string& data_digest_hex) {
+  return data_of(table_of(result), result, data_digest_hex);
+}
+
+vtkSmartPointer<vtkPolyData> smooth_mesh_poly_data(const SmoothRidges& result,
+                                                   const std::string& data_digest_hex) {
   PolyData data;
   data.add_points(result.points);
   const std::vector<bool> undecided = undecided_faces(result);
@@ -224,11 +234,9 @@ std::string mesh_vtp(const SmoothRidges& result, const std::string& digest) {
     row.add("in_patch", result.in_patch[f] ? 1 : 0);
     row.add("undecided", undecided[f] ? 1 : 0);
   }
-  add_fields(data.fields(), result, digest);
-  return data.bytes();
+  add_fields(data.fields(), result, data_digest_hex);
+  return data.data();
 }
-
-}  // namespace
 
 void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
                          const std::string& data_digest_hex) {
@@ -236,7 +244,7 @@ void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
   const Table table = table_of(result);
   std::string bytes;
   if (extension == ".vtp")
-    bytes = vtp_of(table, result, data_digest_hex);
+    bytes = vtp_bytes(*data_of(table, result, data_digest_hex));
   else if (extension == ".obj")
     bytes = obj_of(table, result, data_digest_hex);
   else if (extension == ".ply")
@@ -249,7 +257,7 @@ void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
 void write_smooth_mesh(const std::string& path, const SmoothRidges& result,
                        const std::string& data_digest_hex) {
   if (lower_extension(path) == ".vtp")
-    write_atomically(path, mesh_vtp(result, data_digest_hex));
+    write_atomically(path, vtp_bytes(*smooth_mesh_poly_data(result, data_digest_hex)));
   else
     write_mesh(path, result.points, result.faces);
 }

@@ -6,6 +6,10 @@
 
 #include "algorithms/smooth_ridges/smooth_ridges_result.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// What the arrays `kind` say; 1 and 3: 1-ridge and 3-ridge umbilics.
@@ -37,5 +41,11 @@ void write_smooth_ridges(const std::string& path, const smooth_ridges::SmoothRid
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
 void write_smooth_mesh(const std::string& path, const smooth_ridges::SmoothRidges& result,
                        const std::string& data_digest_hex);
+
+/// What the two .vtp files hold.
+vtkSmartPointer<vtkPolyData> smooth_ridge_poly_data(const smooth_ridges::SmoothRidges& result,
+                                                    const std::string& data_digest_hex);
+vtkSmartPointer<vtkPolyData> smooth_mesh_poly_data(const smooth_ridges::SmoothRidges& result,
+                                                   const std::string& data_digest_hex);
 
 }  // namespace crest::io

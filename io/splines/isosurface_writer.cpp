@@ -5,6 +5,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -13,19 +14,6 @@ namespace crest::io {
 namespace {
 
 using splines::Isosurface;
-
-std::string vtp(const Isosurface& surface, const std::string& data_digest) {
-  PolyData data;
-  data.add_points(surface.points);
-  for (const auto& t : surface.triangles) data.add_triangle(t[0], t[1], t[2]);
-  vtkNew<vtkDoubleArray> gradients;
-  gradients->SetName("gradient");
-  gradients->SetNumberOfComponents(3);
-  for (const auto& g : surface.gradients) gradients->InsertNextTuple(g.data());
-  data.add_point_array(gradients);
-  if (!data_digest.empty()) data.fields().add("data_digest", data_digest);
-  return data.bytes();
-}
 
 std::string obj(const Isosurface& surface) {
   Text text;
@@ -47,10 +35,25 @@ std::string ply(const Isosurface& surface) {
 
 }  // namespace
 
+vtkSmartPointer<vtkPolyData> isosurface_poly_data(const Isosurface& surface,
+                                                  const std::string& data_digest) {
+  PolyData data;
+  data.add_points(surface.points);
+  for (const auto& t : surface.triangles) data.add_triangle(t[0], t[1], t[2]);
+  vtkNew<vtkDoubleArray> gradients;
+  gradients->SetName("gradient");
+  gradients->SetNumberOfComponents(3);
+  for (const auto& g : surface.gradients) gradients->InsertNextTuple(g.data());
+  data.add_point_array(gradients);
+  if (!data_digest.empty()) data.fields().add("data_digest", data_digest);
+  return data.data();
+}
+
 void write_isosurface(const std::string& path, const Isosurface& surface,
                       const std::string& data_digest) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") return write_atomically(path, vtp(surface, data_digest));
+  if (extension == ".vtp")
+    return write_atomically(path, vtp_bytes(*isosurface_poly_data(surface, data_digest)));
   if (extension == ".obj") return write_atomically(path, obj(surface));
   if (extension == ".ply") return write_atomically(path, ply(surface));
   throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");

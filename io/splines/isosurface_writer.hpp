@@ -6,6 +6,10 @@
 
 #include "algorithms/splines/isosurface.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// .vtp (with the gradients `gradient`), .obj or .ply. `data_digest`: of the certificate, or empty.
@@ -13,5 +17,9 @@ namespace crest::io {
 /// kernel::InputError for another extension or a place that cannot be written.
 void write_isosurface(const std::string& path, const splines::Isosurface& surface,
                       const std::string& data_digest);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> isosurface_poly_data(const splines::Isosurface& surface,
+                                                  const std::string& data_digest);
 
 }  // namespace crest::io

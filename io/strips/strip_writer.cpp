@@ -5,6 +5,7 @@
 #include "io/picture/patches.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -27,10 +28,8 @@ std::vector<Index> strip_of_faces(const kernel::TriangleMesh& mesh, const strips
 
 }  // namespace
 
-void write_strips(const std::string& path, const std::vector<kernel::Vec3>& points,
-                  const strips::Strips& strips) {
-  if (lower_extension(path) != ".vtp")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+vtkSmartPointer<vtkPolyData> strip_poly_data(const std::vector<kernel::Vec3>& points,
+                                             const strips::Strips& strips) {
   PolyData data;
   data.add_points(points);
   for (std::size_t s = 0; s < strips.count(); ++s) {
@@ -40,7 +39,14 @@ void write_strips(const std::string& path, const std::vector<kernel::Vec3>& poin
     row.add("strip", static_cast<int>(s));
     row.add("faces", static_cast<int>(strips::triangles_of(strips, s).size()));
   }
-  write_atomically(path, data.bytes());
+  return data.data();
+}
+
+void write_strips(const std::string& path, const std::vector<kernel::Vec3>& points,
+                  const strips::Strips& strips) {
+  if (lower_extension(path) != ".vtp")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+  write_atomically(path, vtp_bytes(*strip_poly_data(points, strips)));
 }
 
 void write_index_buffer(const std::string& path, const strips::Strips& strips) {

@@ -9,6 +9,10 @@
 #include "io/picture/viewpoint.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 /// Writes .vtp: the mesh's points in their order, a triangle strip a strip; a swap is a repeated
@@ -18,6 +22,10 @@ namespace crest::io {
 /// Throws: kernel::InputError for another extension or a place that cannot be written.
 void write_strips(const std::string& path, const std::vector<kernel::Vec3>& points,
                   const strips::Strips& strips);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> strip_poly_data(const std::vector<kernel::Vec3>& points,
+                                             const strips::Strips& strips);
 
 /// Writes the strips' vertices as unsigned 32-bit numbers, the lowest byte first, with 0xffffffff
 /// between two strips (primitive restart). Guarantees, Throws: as write_strips.

@@ -3,6 +3,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
+#include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -35,9 +36,7 @@ void add_line(PolyData& data, const std::vector<Vec2>& line, bool closed, Column
 
 }  // namespace
 
-void write_skeleton(const std::string& path, const SkeletonScene& scene) {
-  if (lower_extension(path) != ".vtp")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene) {
   const Skeleton& s = *scene.skeleton;
   PolyData data;
   for (const CriticalPoint& c : s.critical_points)
@@ -56,7 +55,13 @@ void write_skeleton(const std::string& path, const SkeletonScene& scene) {
     add_row(*row, kOrbit, o.attracting ? 1 : 0, 0, -1, -1, 53);
   }
   if (!scene.data_digest.empty()) data.fields().add("data_digest", scene.data_digest);
-  write_atomically(path, data.bytes());
+  return data.data();
+}
+
+void write_skeleton(const std::string& path, const SkeletonScene& scene) {
+  if (lower_extension(path) != ".vtp")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+  write_atomically(path, vtp_bytes(*skeleton_poly_data(scene)));
 }
 
 }  // namespace crest::io

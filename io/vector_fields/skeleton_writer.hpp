@@ -7,6 +7,10 @@
 
 #include "algorithms/vector_fields/skeleton_result.hpp"
 
+template <class T>
+class vtkSmartPointer;
+class vtkPolyData;
+
 namespace crest::io {
 
 struct SkeletonScene {
@@ -20,6 +24,9 @@ struct SkeletonScene {
 /// Guarantees: no half-written file. Throws: kernel::InputError for another extension or a place
 /// that cannot be written.
 void write_skeleton(const std::string& path, const SkeletonScene& scene);
+
+/// What the .vtp file holds.
+vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene);
 
 /// The field by line integral convolution with the skeleton on top: saddles blue, sources red,
 /// sinks green, switch points yellow, outflow red, inflow green, separatrices black.

@@ -3,7 +3,6 @@
 
 #include <vtkCellData.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 
 #include <stdexcept>
 
@@ -52,8 +51,8 @@ Columns& PolyData::add_cell(Kind kind, std::span<const Id> points) {
   return cell_rows_[kind];
 }
 
-std::string PolyData::bytes() {
-  vtkNew<vtkPolyData> data;
+vtkSmartPointer<vtkPolyData> PolyData::data() {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_);
   if (cells_[kVertex]->GetNumberOfCells() > 0) data->SetVerts(cells_[kVertex]);
   if (cells_[kLine]->GetNumberOfCells() > 0) data->SetLines(cells_[kLine]);
@@ -65,7 +64,11 @@ std::string PolyData::bytes() {
   for (const Columns& rows : cell_rows_) cell_rows.append(rows);
   cell_rows.move_to(*data->GetCellData());
   fields_.move_to(*data->GetFieldData());
-  return vtp_bytes(*data);
+  return data;
+}
+
+std::string PolyData::bytes() {
+  return vtp_bytes(*data());
 }
 
 }  // namespace crest::io

@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 
 #include <array>
 #include <span>
@@ -44,7 +45,10 @@ class PolyData {
   /// Numbers and texts of the whole.
   Columns& fields() { return fields_; }
 
-  /// The file; the rows are gone then. Throws: std::runtime_error as vtp_bytes() does.
+  /// All of it; the rows are gone then.
+  vtkSmartPointer<vtkPolyData> data();
+
+  /// The file, of data(). Throws: std::runtime_error as vtp_bytes() does.
   std::string bytes();
 
  private:
