@@ -8,6 +8,8 @@
 #include "kernel/arithmetic/vec3.hpp"
 #include "kernel/geometry/index.hpp"
 
+template <class T>
+class vtkSmartPointer;
 class vtkUnstructuredGrid;
 
 namespace crest::io {
@@ -18,9 +20,9 @@ void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>
                         const std::vector<kernel::Triangle>& triangles, const std::string& name,
                         const std::vector<kernel::Vec2>& vectors);
 
-/// What it writes, into an empty data set.
-void fill_planar_field(vtkUnstructuredGrid& grid, const std::vector<kernel::Vec2>& points,
-                       const std::vector<kernel::Triangle>& triangles, const std::string& name,
-                       const std::vector<kernel::Vec2>& vectors);
+/// What the .vtu file holds.
+vtkSmartPointer<vtkUnstructuredGrid> planar_field_grid(
+    const std::vector<kernel::Vec2>& points, const std::vector<kernel::Triangle>& triangles,
+    const std::string& name, const std::vector<kernel::Vec2>& vectors);
 
 }  // namespace crest::io
