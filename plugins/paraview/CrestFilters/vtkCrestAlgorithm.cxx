@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
@@ -68,7 +69,8 @@ int vtkCrestAlgorithm::RequestData(vtkInformation*, vtkInformationVector** input
     const bool empty = this->GetNumberOfInputPorts() > 0 &&
                        (!input || const_cast<vtkDataObject*>(input)->GetNumberOfElements(
                                       vtkDataObject::POINT) == 0);
-    tbb::task_arena arena(this->Threads > 0 ? this->Threads : tbb::info::default_concurrency());
+    const int most = tbb::info::default_concurrency();
+    tbb::task_arena arena(this->Threads > 0 ? std::min(this->Threads, most) : most);
     if (!empty) arena.execute([&] { this->Work(inputs, outputs); });
     this->WriteFieldData(outputs);
   } catch (const Stopped&) {

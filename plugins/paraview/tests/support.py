@@ -87,4 +87,7 @@ class Messages:
 
 
 def main():
-    unittest.main(verbosity=2)
+    """Leaves by the end of the script: several processes must end together."""
+    program = unittest.main(verbosity=2, exit=False)
+    if not program.result.wasSuccessful():
+        raise SystemExit(1)
