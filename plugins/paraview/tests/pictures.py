@@ -39,7 +39,7 @@ def show(view, filter, port, colour, width=1.0, opacity=1.0, points=None):
 
 def save(view, file):
     simple.ResetCamera(view)
-    view.CameraParallelScale *= 1
+    view.GetActiveCamera().Dolly(1.3)
     simple.SaveScreenshot(file, view, ImageResolution=SIZE)
 
 
