@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "algorithms/extremal/extremal.hpp"
+#include "algorithms/extremal/sampled_grid.hpp"
 #include "certify/certificate.hpp"
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
@@ -46,33 +47,6 @@ void check(const ExtremalOptions& o) {
         "--surface takes --radius, --depth and --critical; the other options are for volumes");
   if (!o.surface && (o.radius || o.depth))
     throw UsageError("--radius and --depth are for points (--surface)");
-}
-
-/// The samples as the extraction takes them: exactly, in the narrower real type that holds them.
-extremal::Volume volume_of(const kernel::SampledGrid& grid) {
-  extremal::Volume volume;
-  for (std::size_t k = 0; k < 3; ++k) volume.size[k] = static_cast<kernel::Index>(grid.size[k]);
-  volume.spacing = grid.spacing;
-  std::visit(
-      [&](const auto& x) {
-        using Native = typename std::decay_t<decltype(x)>::value_type;
-        if constexpr (sizeof(Native) <= 2 || std::is_same_v<Native, float>)
-          volume.samples = std::vector<float>(x.begin(), x.end());
-        else
-          volume.samples = std::vector<double>(x.begin(), x.end());
-      },
-      grid.samples);
-  return volume;
-}
-
-/// From the grid's own frame.
-void move_to_world(const kernel::SampledGrid& grid, extremal::Result& result) {
-  for (auto& p : result.points) p = grid.to_world(p);
-  for (auto& n : result.normals) n = grid.direction_to_world(n);
-  for (auto& e : result.undecided) {
-    e.a = grid.to_world(e.a);
-    e.b = grid.to_world(e.b);
-  }
 }
 
 io::VolumeFile read_volume(Run& run, const ExtremalOptions& o) {
@@ -139,10 +113,11 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   if (run.wanted("--certificate")) certificate.emplace();
   extremal::Result result = run.step("extract", "extremal surface", [&] {
     return run.with_input([&] {
-      return extremal::extract(volume_of(grid), options, certificate ? &*certificate : nullptr);
+      return extremal::extract(extremal::volume_of(grid), options,
+                               certificate ? &*certificate : nullptr);
     });
   });
-  move_to_world(grid, result);
+  extremal::move_to_world(grid, result);
   std::string digest;
   if (grid.dimension() == 3) file.grid.samples = {};
   if (certificate) digest = certify_result(run, certificate, result.undecided.size());

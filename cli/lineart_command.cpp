@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <numbers>
 
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/line_art/certificate.hpp"
@@ -19,7 +18,7 @@
 #include "io/line_art/buffer_files.hpp"
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
-#include "io/picture/camera.hpp"
+#include "io/line_art/view_choice.hpp"
 #include "io/read/face_soup_reader.hpp"
 #include "io/write/atomic_file.hpp"
 
@@ -27,19 +26,15 @@ namespace crest::cli {
 namespace {
 
 using kernel::Vec3;
-using kernel::operator+, kernel::operator-, kernel::operator*;
 
 enum class Style { contours, streamlines, fishbone };
 
 struct LineArtOptions {
   CommonOptions common;
   Style style = Style::fishbone;
-  std::optional<std::array<double, 2>> angles;  ///< --view: azimuth, elevation
-  std::optional<Vec3> up;
-  std::optional<std::array<double, 6>> camera;  ///< eye, target
-  std::optional<double> perspective;            ///< degrees
+  io::ViewChoice view;
   std::string crease = "60";
-  double width = 160, line_width = 0.35;
+  double line_width = 0.35;
   line_art::HatchOptions hatch;
   std::string sidecar, save_sidecar, luminance, save_buffers;
 };
@@ -57,64 +52,6 @@ void add_numbers(CLI::App& app, const char* name, std::optional<std::array<doubl
     numbers = x;
   };
   app.add_option_function<std::string>(name, take, help)->type_name(type);
-}
-
-/// The direction towards the eye and what is up, of --view or as the shape asks for.
-struct Direction {
-  Vec3 towards, up;
-};
-Direction direction_of(const LineArtOptions& o, const line_art::Scene& scene) {
-  if (!o.angles) {
-    const io::Camera camera =
-        io::make_camera(io::SurfaceView(scene.points, scene.faces), {std::nullopt, o.up}, 1000);
-    return {-1.0 * camera.forward, o.up.value_or(camera.up)};
-  }
-  const double a = (*o.angles)[0] * std::numbers::pi / 180;
-  const double e = (*o.angles)[1] * std::numbers::pi / 180;
-  const bool along_y = std::abs(std::cos(e)) < 1e-3;
-  return {{std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)},
-          o.up.value_or(along_y ? Vec3{0, 0, 1} : Vec3{0, 1, 0})};
-}
-
-/// A sphere around the scene.
-std::pair<Vec3, double> ball_around(const line_art::Scene& scene) {
-  Vec3 low = scene.points[0], high = low;
-  for (const Vec3& p : scene.points)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  const Vec3 centre = 0.5 * low + 0.5 * high;
-  double radius = 0;
-  for (const Vec3& p : scene.points) radius = std::max(radius, kernel::distance(p, centre));
-  return {centre, radius};
-}
-
-line_art::ViewRequest view_request(const LineArtOptions& o, const line_art::Scene& scene) {
-  line_art::ViewRequest request;
-  request.width = o.width;
-  if (o.camera) {
-    const auto& c = *o.camera;
-    const Vec3 eye = {c[0], c[1], c[2]}, target = {c[3], c[4], c[5]};
-    request.towards = eye - target;
-    const Vec3 t = io::normalised(request.towards, {0, 0, 1});
-    request.up = o.up.value_or(std::abs(t[1]) > 0.999 ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
-    if (o.perspective) {
-      request.eye = eye;
-      request.target = target;
-    }
-    return request;
-  }
-  const Direction direction = direction_of(o, scene);
-  request.towards = direction.towards;
-  request.up = direction.up;
-  if (o.perspective) {
-    const auto [centre, radius] = ball_around(scene);
-    const double distance = 1.01 * radius / std::sin(*o.perspective * std::numbers::pi / 360);
-    request.eye = centre + distance * io::normalised(direction.towards, {0, 0, 1});
-    request.target = centre;
-  }
-  return request;
 }
 
 std::optional<double> crease_of(const LineArtOptions& o) {
@@ -175,7 +112,7 @@ Outcome work(Run& run, const LineArtOptions& o) {
   const Input input = read_input(run, o);
   run.with_input([&] {
     drawing.scene = line_art::weld(input.points, input.faces);
-    drawing.view = line_art::make_view(view_request(o, drawing.scene), drawing.scene);
+    drawing.view = line_art::make_view(io::view_request(o.view, drawing.scene), drawing.scene);
   });
   drawing.contours = run.step("contours", "contours", [&] {
     return line_art::find_contours(drawing.scene, drawing.view, {crease});
@@ -221,19 +158,19 @@ Outcome work(Run& run, const LineArtOptions& o) {
 }
 
 void add_view(CLI::App& app, LineArtOptions& o) {
-  add_numbers(app, "--view", o.angles, "AZ,EL", "from where: azimuth, elevation in degrees");
+  add_numbers(app, "--view", o.view.angles, "AZ,EL", "from where: azimuth, elevation in degrees");
   const auto take_up = [&o](const std::string& text) {
     Vec3 v{};
     const std::vector<std::string> words = CLI::detail::split(text, ',');
     for (std::size_t k = 0; k < 3; ++k)
       if (words.size() != 3 || !CLI::detail::lexical_cast(words[k], v[k]))
         throw CLI::ValidationError("--up", text + " is not three numbers X,Y,Z");
-    o.up = v;
+    o.view.up = v;
   };
   app.add_option_function<std::string>("--up", take_up, "what points up in the drawing")
       ->type_name("X,Y,Z");
-  add_numbers(app, "--camera", o.camera, "EX,EY,EZ,TX,TY,TZ", "eye and target");
-  app.add_option("--perspective", o.perspective, "seen from a point, the view DEG wide")
+  add_numbers(app, "--camera", o.view.camera, "EX,EY,EZ,TX,TY,TZ", "eye and target");
+  app.add_option("--perspective", o.view.perspective, "seen from a point, the view DEG wide")
       ->check(CLI::Range(1.0, 170.0))
       ->type_name("DEG");
 }
@@ -310,7 +247,7 @@ std::function<int()> add(CLI::App& app) {
       ->type_name("WORD");
   app.add_option("--crease", o.crease, "draw edges sharper than DEG, or none (default: 60)")
       ->type_name("DEG");
-  app.add_option("--width", o.width, "of the page, mm (default: 160)")
+  app.add_option("--width", o.view.width, "of the page, mm (default: 160)")
       ->check(CLI::Range(10.0, 5000.0))
       ->type_name("MM");
   app.add_option("--line-width", o.line_width, "of contours, mm (default: 0.35)")

@@ -8,13 +8,12 @@
 #include <memory>
 #include <optional>
 
-#include "algorithms/reeb/arc_labels.hpp"
 #include "algorithms/reeb/certificate.hpp"
 #include "algorithms/reeb/contour_tree.hpp"
 #include "algorithms/reeb/contours.hpp"
+#include "algorithms/reeb/labelled_graph.hpp"
 #include "algorithms/reeb/merge_trees.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
-#include "algorithms/reeb/segmentation.hpp"
 #include "certify/certificate.hpp"
 #include "cli/reeb_report.hpp"
 #include "cli/run.hpp"
@@ -77,21 +76,6 @@ io::FunctionSource function_source(const ReebOptions& o) {
   return source;
 }
 
-/// Evenly between the extremes, for the picture of a run without --level.
-std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
-  const auto [low, high] = std::minmax_element(
-      places.begin(), places.end(),
-      [](const reeb::NodePlace& a, const reeb::NodePlace& b) { return a.value < b.value; });
-  constexpr int count = 15;
-  std::vector<double> levels;
-  for (int i = 0; i < count; ++i) {
-    const double t = (i + 0.5) / count;
-    const double level = (1 - t) * low->value + t * high->value;
-    if (std::isfinite(level) && low->value < high->value) levels.push_back(level);
-  }
-  return levels;
-}
-
 std::vector<io::LevelLines> level_lines(const kernel::QuadraticMesh& mesh,
                                         const reeb::TileComplex& tiles,
                                         const std::vector<double>& levels) {
@@ -142,54 +126,27 @@ std::vector<io::TreeLines> trees_of(const ReebOptions& o, const reeb::TileComple
   return trees;
 }
 
-/// The graph that is written, with the arcs of the tile complex's nodes and of the tiles (that of
-/// the contour just above a tile's middle node) where something is drawn.
-struct WrittenGraph {
-  reeb::ReebGraph graph;
-  std::vector<Index> arc_of_node, arc_of_tile;
+/// The graph that is written, labelled where something is drawn.
+struct WrittenGraph : reeb::LabelledGraph {
   bool changed = false;                    ///< asked to be
   std::vector<std::string> simplified_by;  ///< the options that took something away
 };
 
-void label(const ReebOptions& o, const reeb::TileComplex& tiles, WrittenGraph& w) {
-  const reeb::OrderedComplex complex = reeb::ordered(tiles);
-  if (!o.segmentation) {
-    w.arc_of_node = reeb::arc_of_vertices(complex, w.graph);
-    return;
-  }
-  reeb::Segmentation segmentation = reeb::segmentation(complex, w.graph);
-  w.arc_of_node = std::move(segmentation.arc_of_vertex);
-  for (const reeb::TriangleArcs& arcs : segmentation.triangles)
-    w.arc_of_tile.push_back(arcs.middle);
+reeb::Simplification simplification_of(const ReebOptions& o) {
+  reeb::Simplification wanted{o.contract, {}, o.cancel_loops};
+  if (o.persistence_given->count() > 0) wanted.persistence = o.persistence;
+  return wanted;
 }
 
-bool to_simplify(const ReebOptions& o) {
-  return o.contract || o.persistence_given->count() > 0;
-}
-
-void simplify(const ReebOptions& o, const reeb::TileComplex& tiles,
+void simplify(const reeb::Simplification& wanted, const reeb::TileComplex& tiles,
               const std::vector<reeb::NodePlace>& places, WrittenGraph& w) {
-  const auto replace = [&](const auto& next) {
-    const bool labelled = !w.arc_of_node.empty();
-    w = {next.graph,
-         labelled ? reeb::relabel_vertices(w.arc_of_node, w.graph, next) : std::vector<Index>(),
-         reeb::relabel_arcs(w.arc_of_tile, next.arc_of_arc), true, w.simplified_by};
-  };
-  std::size_t arcs = w.graph.arcs.size();
-  const auto note = [&](const char* option) {
-    if (w.graph.arcs.size() < arcs) w.simplified_by.push_back(option);
-    arcs = w.graph.arcs.size();
-  };
-  if (o.contract) replace(reeb::contract(w.graph, tiles.rank, tiles.tied));
-  note("--contract");
-  if (o.persistence_given->count() > 0) {
-    std::vector<double> values;
-    for (const reeb::NodePlace& place : places) values.push_back(place.value);
-    const auto loops = w.graph.loops();
-    replace(reeb::simplify(w.graph, values, o.persistence, o.cancel_loops));
-    note("--persistence");
-    if (w.graph.loops() < loops) w.simplified_by.push_back("--cancel-loops");
-  }
+  std::vector<double> values;
+  for (const reeb::NodePlace& place : places) values.push_back(place.value);
+  const reeb::Simplified done = reeb::simplify(tiles, values, wanted, w);
+  w.changed = true;
+  if (done.contract) w.simplified_by.push_back("--contract");
+  if (done.persistence) w.simplified_by.push_back("--persistence");
+  if (done.cancel_loops) w.simplified_by.push_back("--cancel-loops");
 }
 
 std::vector<LevelCount> count_lines(const std::vector<io::LevelLines>& lines) {
@@ -257,7 +214,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
   run.write("--picture", [&](const std::string& path) {
     const auto lines = shown.levels.empty()
-                           ? level_lines(x.file.mesh, x.tiles, picture_levels(shown.places))
+                           ? level_lines(x.file.mesh, x.tiles, io::picture_levels(shown.places))
                            : shown.levels;
     io::write_reeb_picture(path, scene(lines), run.viewpoint(),
                            legend_note("simplified", shown.written.simplified_by));
@@ -269,15 +226,19 @@ Shown compute_shown(Run& run, const ReebOptions& o, const Extraction& x, bool dr
   shown.trees = run.step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
   shown.levels = run.step("levels", "drawing level lines",
                           [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
-  if (!drawn && !to_simplify(o)) return shown;
+  const reeb::Simplification simpler = simplification_of(o);
+  if (!drawn && !simpler.wanted()) return shown;
   shown.written.graph = x.graph;
-  if (drawn || o.persistence_given->count() > 0) {
+  if (drawn || simpler.persistence) {
     shown.places = run.step("places", "placing nodes",
                             [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
-  if (drawn) run.step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
-  if (to_simplify(o))
-    run.step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
+  if (drawn)
+    run.step("labels", "labelling", [&] { reeb::label(x.tiles, o.segmentation, shown.written); });
+  if (simpler.wanted()) {
+    run.step("simplify", "simplifying",
+             [&] { simplify(simpler, x.tiles, shown.places, shown.written); });
+  }
   return shown;
 }
 

@@ -59,17 +59,8 @@ std::vector<Ray> read_rays(Run& run, const std::string& path) {
       rays[i].origin[k] = table.columns[k][i];
       rays[i].direction[k] = table.columns[3 + k][i];
     }
-    double length = 0, distance = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      length = std::fmax(length, std::fabs(rays[i].direction[k]));
-      distance = std::fmax(distance, std::fabs(rays[i].origin[k]));
-    }
-    if (!(distance < 1e250 && length > 1e-250 * std::fmax(1, distance)))
-      throw kernel::InputError(
-          fmt::format("{}: ray {}: {}", path, i,
-                      length == 0 ? "its direction is 0; give dx,dy,dz other than 0,0,0"
-                                  : "is out of the range of doubles; give ox,oy,oz and dx,dy,dz of "
-                                    "ordinary size"));
+    if (const char* const problem = splines::problem_of(rays[i]))
+      throw kernel::InputError(fmt::format("{}: ray {}: {}", path, i, problem));
   }
   return rays;
 }

@@ -22,9 +22,6 @@ struct StripsOptions {
   bool no_swaps = false, tree = false;
 };
 
-/// What a graphics card with room for this many vertices is expected to keep.
-constexpr std::size_t kCacheEntries = 16;
-
 strips::Strips make_strips(Run& run, const StripsOptions& o, const kernel::TriangleMesh& mesh) {
   const kernel::CornerTable table(mesh.vertex_count(), mesh.faces());
   strips::Strips found = run.step("strips", "joining faces", [&] {
@@ -32,7 +29,7 @@ strips::Strips make_strips(Run& run, const StripsOptions& o, const kernel::Trian
                              o.strips);
   });
   strips::Strips ordered = run.step("order", "ordering strips", [&] {
-    return strips::in_cache_order(found, mesh.vertex_count(), kCacheEntries);
+    return strips::in_cache_order(found, mesh.vertex_count(), strips::kCacheEntries);
   });
   const bool sound =
       run.step("check", "checking", [&] { return strips::covers(ordered, mesh.faces()); });

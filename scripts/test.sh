@@ -21,7 +21,12 @@ done
 
 [ $install = no ] || step "Install missing packages" ./scripts/install_deps.sh
 # Tests on by name: the demo configures the same folder without them.
-step "Configure ($preset, in $folder/)" cmake --preset $preset -DCREST_BUILD_TESTS=ON
+# The Python package against Debian's interpreter, whatever comes first on PATH. Under the sanitizers
+# an interpreter without them cannot load it.
+python=ON
+[ $preset = release ] || python=OFF
+step "Configure ($preset, in $folder/)" cmake --preset $preset -DCREST_BUILD_TESTS=ON \
+  -DCREST_WITH_PYTHON=$python -DPython_EXECUTABLE=/usr/bin/python3
 step "Build" cmake --build $folder
 echo "Run the tests (2 at a time)"
 tests_start=$(date +%s.%N)

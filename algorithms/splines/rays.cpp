@@ -19,6 +19,19 @@ using kernel::operator*;
 using kernel::operator+;
 using kernel::operator-;
 
+const char* problem_of(const Ray& ray) {
+  double length = 0, distance = 0;
+  bool finite = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    length = std::fmax(length, std::fabs(ray.direction[k]));
+    distance = std::fmax(distance, std::fabs(ray.origin[k]));
+    finite = finite && std::isfinite(ray.direction[k]) && std::isfinite(ray.origin[k]);
+  }
+  if (finite && length == 0) return "its direction is 0; give dx,dy,dz other than 0,0,0";
+  if (finite && distance < 1e250 && length > 1e-250 * std::fmax(1, distance)) return nullptr;
+  return "is out of the range of doubles; give ox,oy,oz and dx,dy,dz of ordinary size";
+}
+
 namespace {
 
 /// A ray in the lattice over doubles, or more bits, with what bounds their errors: a point at t is

@@ -15,6 +15,9 @@ struct Ray {
   Vec3 origin, direction;
 };
 
+/// What is wrong with a ray for the caster, and the remedy; else nothing.
+const char* problem_of(const Ray& ray);
+
 struct Hit {
   bool hit = false;
   bool tangent = false;  ///< the ray touches the level set: a double zero

@@ -6,6 +6,9 @@
 
 namespace crest::strips {
 
+/// What a graphics card with room for this many vertices is expected to keep.
+inline constexpr std::size_t kCacheEntries = 16;
+
 /// Average cache miss ratio: vertices not among the last `entries` that missed, a face.
 /// Requires: 0 < entries.
 double average_cache_miss_ratio(const Strips& strips, std::size_t vertices, std::size_t faces,

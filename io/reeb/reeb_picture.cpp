@@ -246,6 +246,20 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
 
 }  // namespace
 
+std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
+  const auto [low, high] = std::minmax_element(
+      places.begin(), places.end(),
+      [](const reeb::NodePlace& a, const reeb::NodePlace& b) { return a.value < b.value; });
+  constexpr int count = 15;
+  std::vector<double> levels;
+  for (int i = 0; i < count; ++i) {
+    const double t = (i + 0.5) / count;
+    const double level = (1 - t) * low->value + t * high->value;
+    if (std::isfinite(level) && low->value < high->value) levels.push_back(level);
+  }
+  return levels;
+}
+
 void write_reeb_picture(const std::string& path, const ReebScene& scene, const Viewpoint& viewpoint,
                         const std::string& note) {
   check_picture_path(path);

@@ -9,6 +9,9 @@
 
 namespace crest::io {
 
+/// Levels for a picture where none are asked for: evenly between the extremes.
+std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places);
+
 /// Writes .png or .svg, by the extension in any case. Left: the surface, tinted by the arc of the
 /// graph that a point lies on, with the scene's level lines and its visible critical points. Right:
 /// the graph, its arcs in the same colours, y the value (graph_layout.hpp has x). Where the values

@@ -8,7 +8,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -47,8 +46,8 @@ std::vector<Column> columns_of(vtkFieldData& data) {
   return columns;
 }
 
-Cells cells_of(vtkCellArray* array) {
-  Cells cells;
+CellLists cells_of(vtkCellArray* array) {
+  CellLists cells;
   if (array == nullptr) return cells;
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
@@ -87,7 +86,7 @@ void add_columns(const std::vector<Column>& columns, vtkFieldData& data) {
   }
 }
 
-vtkSmartPointer<vtkCellArray> array_of(const Cells& cells) {
+vtkSmartPointer<vtkCellArray> array_of(const CellLists& cells) {
   auto array = vtkSmartPointer<vtkCellArray>::New();
   for (std::size_t c = 0; c + 1 < cells.offsets.size(); ++c) {
     const std::int64_t* const first = cells.connectivity.data() + cells.offsets[c];
@@ -99,19 +98,19 @@ vtkSmartPointer<vtkCellArray> array_of(const Cells& cells) {
 
 }  // namespace
 
-Geometry geometry_of(vtkPolyData& data) {
+Geometry geometry_of(const vtkSmartPointer<vtkPolyData>& data) {
   Geometry g;
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
-    const double* const p = data.GetPoint(i);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    const double* const p = data->GetPoint(i);
     g.points.insert(g.points.end(), p, p + 3);
   }
-  g.vertices = cells_of(data.GetVerts());
-  g.lines = cells_of(data.GetLines());
-  g.polygons = cells_of(data.GetPolys());
-  g.strips = cells_of(data.GetStrips());
-  g.point_data = columns_of(*data.GetPointData());
-  g.cell_data = columns_of(*data.GetCellData());
-  g.field_data = columns_of(*data.GetFieldData());
+  g.vertices = cells_of(data->GetVerts());
+  g.lines = cells_of(data->GetLines());
+  g.polygons = cells_of(data->GetPolys());
+  g.strips = cells_of(data->GetStrips());
+  g.point_data = columns_of(*data->GetPointData());
+  g.cell_data = columns_of(*data->GetCellData());
+  g.field_data = columns_of(*data->GetFieldData());
   return g;
 }
 
@@ -124,7 +123,7 @@ void write_geometry(const std::string& path, const Geometry& geometry) {
     points->InsertNextPoint(geometry.points.data() + i);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  const auto has = [](const Cells& cells) { return cells.offsets.size() > 1; };
+  const auto has = [](const CellLists& cells) { return cells.offsets.size() > 1; };
   if (has(geometry.vertices)) data->SetVerts(array_of(geometry.vertices));
   if (has(geometry.lines)) data->SetLines(array_of(geometry.lines));
   if (has(geometry.polygons)) data->SetPolys(array_of(geometry.polygons));

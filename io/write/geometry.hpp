@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a .vtp file holds as plain arrays, for those who do not know VTK.
+// What a .vtp file holds as plain arrays, for those who know no data sets of VTK.
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -22,18 +24,18 @@ struct Column {
 };
 
 /// Cell i has the points connectivity[offsets[i]] .. connectivity[offsets[i + 1] - 1].
-struct Cells {
+struct CellLists {
   std::vector<std::int64_t> offsets{0}, connectivity;
 };
 
 struct Geometry {
-  std::vector<double> points;                 ///< three a point
-  Cells vertices, lines, polygons, strips;    ///< the order of the cells' columns, too
-  std::vector<Column> point_data, cell_data;  ///< an element a point, a cell
-  std::vector<Column> field_data;             ///< of the whole
+  std::vector<double> points;                   ///< three a point
+  CellLists vertices, lines, polygons, strips;  ///< the order of the cells' columns, too
+  std::vector<Column> point_data, cell_data;    ///< an element a point, a cell
+  std::vector<Column> field_data;               ///< of the whole
 };
 
-Geometry geometry_of(vtkPolyData& data);
+Geometry geometry_of(const vtkSmartPointer<vtkPolyData>& data);
 
 /// The .vtp file of geometry_of(data) is that of data.
 /// Throws: kernel::InputError for another extension than .vtp, a place that cannot be written;
