@@ -44,27 +44,31 @@ Volume read_vti(std::string_view bytes, const VolumeRequest& request) {
   if (quiet.failed() || reader->GetErrorCode() != 0 || !data || data->GetNumberOfPoints() < 1)
     fail("file", "cannot be read as VTI (wrong format, truncated or damaged)",
          "export the volume again");
+  return volume_of(*data, request.field);
+}
+
+Volume volume_of(vtkImageData& data, const std::string& field_name) {
   Volume volume;
   int dimensions[3], extent[6];
-  data->GetDimensions(dimensions);
-  data->GetExtent(extent);
+  data.GetDimensions(dimensions);
+  data.GetExtent(extent);
   for (int k = 0; k < 3; ++k) {
     volume.size.push_back(static_cast<std::size_t>(dimensions[k]));
     kernel::Vec3& step = volume.steps.emplace_back();
     for (int r = 0; r < 3; ++r)
       step[static_cast<std::size_t>(r)] =
-          data->GetSpacing()[k] * data->GetDirectionMatrix()->GetElement(r, k);
+          data.GetSpacing()[k] * data.GetDirectionMatrix()->GetElement(r, k);
   }
-  data->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], volume.origin.data());
-  vtkPointData& arrays = *data->GetPointData();
+  data.TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], volume.origin.data());
+  vtkPointData& arrays = *data.GetPointData();
   std::vector<Field> fields;
   for (int i = 0; i < arrays.GetNumberOfArrays(); ++i)
     if (vtkDataArray* array = arrays.GetArray(i); array && array->GetName())
       fields.push_back({.name = array->GetName(), .components = array->GetNumberOfComponents()});
   const char* active = arrays.GetScalars() ? arrays.GetScalars()->GetName() : nullptr;
-  const Field& field = chosen_field(fields, request.field, active ? active : "");
+  const Field& field = chosen_field(fields, field_name, active ? active : "");
   vtkDataArray& array = *arrays.GetArray(field.name.c_str());
-  if (array.GetNumberOfTuples() != data->GetNumberOfPoints())
+  if (array.GetNumberOfTuples() != data.GetNumberOfPoints())
     fail("samples", "have not one number a node", "export the volume again");
   volume.samples = samples_of(array, product(volume.size));
   return volume;

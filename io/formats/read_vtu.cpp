@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // VTK XML unstructured grids.
-#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -27,15 +25,7 @@ Soup read_vtu(std::string_view bytes, const FieldRequest& request) {
   Soup soup;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   auto& grid = static_cast<vtkUnstructuredGrid&>(read_xml(*reader, bytes, "VTU", request, soup));
-  vtkCellArray* cells = grid.GetCells();
-  vtkUnsignedCharArray* types = grid.GetCellTypesArray();
-  if (!cells || !types) return soup;
-  if (types->GetNumberOfTuples() != cells->GetNumberOfCells())
-    fail("cells", "have not one type each", "export the mesh again");
-  const auto type_of = [&](std::size_t c, std::size_t) {
-    return static_cast<CellType>(types->GetValue(static_cast<vtkIdType>(c)));
-  };
-  take_cells(*cells, "cell", type_of, soup.cells);
+  take_cells(grid, soup.cells);
   return soup;
 }
 

@@ -8,11 +8,16 @@
 #include <vtkDataArraySelection.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLReader.h>
 
+#include <functional>
 #include <type_traits>
 
 #include "io/formats/files.hpp"
+#include "io/formats/vtk_cells.hpp"
 #include "io/formats/vtk_quiet.hpp"
 
 namespace crest::io {
@@ -48,19 +53,48 @@ std::vector<std::int64_t> integers_of(vtkDataArray& array) {
   return integers ? std::move(*integers) : std::vector<std::int64_t>();
 }
 
+void take_field(const char* name, vtkDataArray* array, const vtkDataArray* normals,
+                std::vector<Field>& fields) {
+  Field& field = fields.emplace_back(Field{.name = name, .components = 0});
+  if (!array) return;
+  field.components = array->GetNumberOfComponents();
+  field.numbers = numbers_of(*array);
+  field.normals = array == normals;
+}
+
 /// Those that were loaded.
 void take_fields(vtkDataArraySelection& names, vtkDataSetAttributes& data,
                  std::vector<Field>& fields) {
   for (int i = 0; i < names.GetNumberOfArrays(); ++i) {
     const char* name = names.GetArrayName(i);
-    if (names.ArrayIsEnabled(name) == 0) continue;
-    vtkDataArray* array = data.GetArray(name);
-    Field& field = fields.emplace_back(Field{.name = name, .components = 0});
-    if (!array) continue;
-    field.components = array->GetNumberOfComponents();
-    field.numbers = numbers_of(*array);
-    field.normals = array == data.GetNormals();
+    if (names.ArrayIsEnabled(name) != 0)
+      take_field(name, data.GetArray(name), data.GetNormals(), fields);
   }
+}
+
+/// All: messages name those that could have been meant.
+void take_fields(vtkDataSetAttributes& data, std::vector<Field>& fields) {
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+    if (const char* name = data.GetArrayName(i))
+      take_field(name, data.GetArray(i), data.GetNormals(), fields);
+}
+
+void take_points(vtkPointSet& data, std::vector<kernel::Vec3>& points) {
+  points.resize(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (std::size_t v = 0; v < points.size(); ++v)
+    data.GetPoint(static_cast<vtkIdType>(v), points[v].data());
+}
+
+using TypeOf = std::function<CellType(std::size_t c, std::size_t nodes)>;
+
+void take_cells(vtkCellArray& from, const char* element, const TypeOf& type_of, Cells& cells) {
+  vtkDataArray* offsets = from.GetOffsetsArray();
+  vtkDataArray* connectivity = from.GetConnectivityArray();
+  if (!offsets || !connectivity)
+    fail(fmt::format("{}s", element), "cannot be read", "export the mesh again");
+  const std::vector<std::int64_t> begins = integers_of(*offsets),
+                                  nodes = integers_of(*connectivity);
+  add_cells(begins, nodes, element, type_of, cells);
 }
 
 bool is_scalar(vtkDataSet& data, const std::string& name) {
@@ -103,24 +137,43 @@ vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* 
     of_cells.EnableAllArrays();
     data = &update();
   }
-  soup.points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    data->GetPoint(static_cast<vtkIdType>(v), soup.points[v].data());
+  take_points(*data, soup.points);
   take_fields(of_points, *data->GetPointData(), soup.point_fields);
   take_fields(of_cells, *data->GetCellData(), soup.cell_fields);
   return *data;
 }
 
-void take_cells(vtkCellArray& from, const char* element,
-                const std::function<CellType(std::size_t c, std::size_t nodes)>& type_of,
-                Cells& cells) {
-  vtkDataArray* offsets = from.GetOffsetsArray();
-  vtkDataArray* connectivity = from.GetConnectivityArray();
-  if (!offsets || !connectivity)
-    fail(fmt::format("{}s", element), "cannot be read", "export the mesh again");
-  const std::vector<std::int64_t> begins = integers_of(*offsets),
-                                  nodes = integers_of(*connectivity);
-  add_cells(begins, nodes, element, type_of, cells);
+void take_cells(vtkPolyData& data, Cells& cells) {
+  const auto take = [&](vtkCellArray* from, const char* element, PolyKind kind) {
+    const auto type_of = [kind](std::size_t, std::size_t nodes) { return poly_type(kind, nodes); };
+    if (from && from->GetNumberOfCells() > 0) take_cells(*from, element, type_of, cells);
+  };
+  take(data.GetVerts(), "vertex cell", PolyKind::vertices);
+  take(data.GetLines(), "line", PolyKind::lines);
+  take(data.GetPolys(), "face", PolyKind::polygons);
+  take(data.GetStrips(), "strip", PolyKind::strips);
+}
+
+void take_cells(vtkUnstructuredGrid& grid, Cells& cells) {
+  vtkCellArray* from = grid.GetCells();
+  vtkUnsignedCharArray* types = grid.GetCellTypesArray();
+  if (!from || !types) return;
+  if (types->GetNumberOfTuples() != from->GetNumberOfCells())
+    fail("cells", "have not one type each", "export the mesh again");
+  const auto type_of = [&](std::size_t c, std::size_t) {
+    return static_cast<CellType>(types->GetValue(static_cast<vtkIdType>(c)));
+  };
+  take_cells(*from, "cell", type_of, cells);
+}
+
+Soup soup_of(vtkPointSet& data) {
+  Soup soup;
+  take_points(data, soup.points);
+  take_fields(*data.GetPointData(), soup.point_fields);
+  take_fields(*data.GetCellData(), soup.cell_fields);
+  if (auto* faces = vtkPolyData::SafeDownCast(&data)) take_cells(*faces, soup.cells);
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data)) take_cells(*grid, soup.cells);
+  return soup;
 }
 
 }  // namespace crest::io

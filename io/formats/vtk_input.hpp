@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the readers of VTK's XML formats share.
+// Data sets of VTK as soups, and what the readers of its XML formats share.
 #include <string>
 
 #include "io/formats/readers.hpp"
-#include "io/formats/vtk_cells.hpp"
 
-class vtkCellArray;
 class vtkPointSet;
+class vtkPolyData;
+class vtkUnstructuredGrid;
 class vtkXMLReader;
 
 namespace crest::io {
@@ -25,9 +25,11 @@ void check_extents(std::string_view bytes);
 vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* format,
                       const FieldRequest& request, Soup& soup);
 
-/// Takes over cells; as add_cells: VTK does not check offsets.
-void take_cells(vtkCellArray& from, const char* element,
-                const std::function<CellType(std::size_t c, std::size_t nodes)>& type_of,
-                Cells& cells);
+/// Takes over cells. Throws where offsets are wrong, which VTK does not check.
+void take_cells(vtkPolyData& data, Cells& cells);
+void take_cells(vtkUnstructuredGrid& grid, Cells& cells);
+
+/// The points, cells and fields of polygonal data or of an unstructured grid.
+Soup soup_of(vtkPointSet& data);
 
 }  // namespace crest::io

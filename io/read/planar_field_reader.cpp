@@ -176,7 +176,9 @@ void take_points(const Soup& soup, const Field& field, bool of_cells, PlanarFiel
                                         soup.points.size() - file.points.size()));
 }
 
-PlanarFieldFile from_soup(const Soup& soup, const VectorRequest& request) {
+}  // namespace
+
+PlanarFieldFile planar_field_of_soup(const Soup& soup, const VectorRequest& request) {
   PlanarFieldFile file;
   Triangles triangles(soup);
   file.warnings = soup.warnings;
@@ -199,8 +201,6 @@ PlanarFieldFile from_soup(const Soup& soup, const VectorRequest& request) {
   return file;
 }
 
-}  // namespace
-
 PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& request) {
   PlanarFieldFile file;
   read_named(path, [&] {
@@ -217,7 +217,7 @@ PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& 
     FieldRequest fields;
     fields.wanted = true;
     fields.name = request.field;
-    file = from_soup(soup_reader(end)(load(path), fields), request);
+    file = planar_field_of_soup(soup_reader(end)(load(path), fields), request);
   });
   return file;
 }

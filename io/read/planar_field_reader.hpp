@@ -9,7 +9,11 @@
 #include "kernel/arithmetic/vec3.hpp"
 #include "kernel/geometry/index.hpp"
 
+class vtkDataSet;
+
 namespace crest::io {
+
+struct Soup;  // io/formats/soup.hpp
 
 /// How cells of grids are split: along the diagonal that rises or falls, or the shorter one.
 enum class Diagonal { up, down, shorter };
@@ -38,5 +42,9 @@ struct PlanarFieldFile {
 /// "FILE: ELEMENT: PROBLEM; REMEDY", one line: no triangles, not in a plane z = constant, no such
 /// field (with those there are), a vector or a point that is not finite, a triangle without area.
 PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& request);
+
+/// The same for a soup, and for a grid of VTK; messages do without the file's name.
+PlanarFieldFile planar_field_of_soup(const Soup& soup, const VectorRequest& request);
+PlanarFieldFile planar_field_of_grid(vtkDataSet& grid, const VectorRequest& request);
 
 }  // namespace crest::io

@@ -184,7 +184,9 @@ FieldRequest fields(const FunctionSource& source) {
   return {!source.expression, source.field, false, source.step};
 }
 
-QuadraticFile quadratic_file(const Soup& soup, const FunctionSource& source) {
+}  // namespace
+
+QuadraticFile quadratic_mesh_of_soup(const Soup& soup, const FunctionSource& source) {
   CleanUp done;
   Surface surface = clean(soup, source.clean, Purpose::function, done);
   std::optional<PointValues> field;
@@ -204,19 +206,19 @@ QuadraticFile quadratic_file(const Soup& soup, const FunctionSource& source) {
   return file;
 }
 
-}  // namespace
-
 QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource& source) {
   std::optional<QuadraticFile> file;
-  read_named(path, [&] { file.emplace(quadratic_file(read_soup(path, fields(source)), source)); });
+  read_named(
+      path, [&] { file.emplace(quadratic_mesh_of_soup(read_soup(path, fields(source)), source)); });
   return std::move(*file);
 }
 
 QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string_view bytes,
                                         const FunctionSource& source) {
   std::optional<QuadraticFile> file;
-  read_named(name,
-             [&] { file.emplace(quadratic_file(read_soup(name, bytes, fields(source)), source)); });
+  read_named(name, [&] {
+    file.emplace(quadratic_mesh_of_soup(read_soup(name, bytes, fields(source)), source));
+  });
   return std::move(*file);
 }
 

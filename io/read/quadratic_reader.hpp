@@ -45,4 +45,7 @@ QuadraticFile read_quadratic_mesh(const std::string& path, const FunctionSource&
 QuadraticFile read_quadratic_mesh_bytes(const std::string& name, std::string_view bytes,
                                         const FunctionSource& source);
 
+/// The same for a soup; messages do without the file's name.
+QuadraticFile quadratic_mesh_of_soup(const Soup& soup, const FunctionSource& source);
+
 }  // namespace crest::io

@@ -188,7 +188,9 @@ std::array<double, 6> tensor_at(const Field& f, std::size_t v,
   return tensor_of({x.data(), n}, place, asymmetry);
 }
 
-TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
+}  // namespace
+
+TensorFile tensors_of_soup(const Soup& soup, const TensorRequest& request) {
   TensorFile file;
   Tetrahedra tetrahedra(soup);
   tetrahedra.add_all();
@@ -229,6 +231,8 @@ TensorFile from_soup(const Soup& soup, const TensorRequest& request) {
   return file;
 }
 
+namespace {
+
 /// Medit's fields stand in a file beside the mesh.
 Soup read_medit_pair(const std::string& path) {
   Soup soup = read_medit(load(path));
@@ -250,10 +254,10 @@ TensorFile read_file(const std::string& path, const TensorRequest& request) {
   fields.wanted = true;
   fields.name = request.field;
   fields.step = request.step;
-  if (extension == ".frd") return from_soup(read_frd(load(path), fields), request);
-  if (extension == ".mesh") return from_soup(read_medit_pair(path), request);
+  if (extension == ".frd") return tensors_of_soup(read_frd(load(path), fields), request);
+  if (extension == ".mesh") return tensors_of_soup(read_medit_pair(path), request);
   for (const char* known : {".vtu", ".vtk", ".msh"})
-    if (extension == known) return from_soup(read_soup(path, fields), request);
+    if (extension == known) return tensors_of_soup(read_soup(path, fields), request);
   for (const char* packed : {".gz", ".xz", ".bz2", ".zip"})
     if (extension == packed) fail("file", "is packed", "unpack it");
   fail("file", "has the extension '" + extension + "', which holds no tensors on solids",

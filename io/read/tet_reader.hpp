@@ -12,6 +12,8 @@
 
 namespace crest::io {
 
+struct Soup;  // io/formats/soup.hpp
+
 struct TensorRequest {
   std::string field = {};  ///< of points; empty: the only one of 6 or 9 components
   /// Of 6 components; empty: the format's, "xx yy zz xy yz xz" in VTK's files and Gmsh's.
@@ -33,5 +35,8 @@ struct TensorFile {
 /// kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line: no solids, no such field (with
 /// those there are), a tensor that is not finite, a cell or face that TetMesh refuses.
 TensorFile read_tensors(const std::string& path, const TensorRequest& request);
+
+/// The same for a soup; messages do without the file's name.
+TensorFile tensors_of_soup(const Soup& soup, const TensorRequest& request);
 
 }  // namespace crest::io

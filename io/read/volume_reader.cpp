@@ -150,7 +150,9 @@ void check_samples(const kernel::SampledGrid& grid) {
       grid.samples);
 }
 
-VolumeFile finished(Volume volume) {
+}  // namespace
+
+VolumeFile grid_of_volume(Volume volume) {
   VolumeFile file;
   file.warnings = std::move(volume.warnings);
   take_axes(volume, file.grid);
@@ -160,10 +162,12 @@ VolumeFile finished(Volume volume) {
   return file;
 }
 
+namespace {
+
 VolumeFile from_bytes(const std::string& name, std::string_view bytes, const VolumeSource& source,
                       const VolumeRequest& request) {
   if (bytes.empty()) fail("file", "is empty", "export it again");
-  if (!source.raw.empty()) return finished(read_raw(bytes, source.raw));
+  if (!source.raw.empty()) return grid_of_volume(read_raw(bytes, source.raw));
   const std::string plain = without_gz(name);
   const Reader reader = reader_of(lower_extension(plain));
   if (!reader) refuse(lower_extension(plain));
@@ -174,7 +178,7 @@ VolumeFile from_bytes(const std::string& name, std::string_view bytes, const Vol
     bytes = unpacked;
   }
   if (bytes.starts_with(gzip)) fail("file", "is compressed by gzip", "name it .gz");
-  return finished(reader(bytes, request));
+  return grid_of_volume(reader(bytes, request));
 }
 
 }  // namespace

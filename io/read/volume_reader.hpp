@@ -10,6 +10,8 @@
 
 namespace crest::io {
 
+struct Volume;  // io/formats/volume.hpp
+
 struct VolumeSource {
   std::string field = {};  ///< of several arrays (.vti, .vtk); empty: the active or the only one
   std::string raw = {};  ///< "NX,NY,NZ,TYPE" of samples without a header, whatever the file's name
@@ -34,5 +36,8 @@ VolumeFile read_volume(const std::string& path, const VolumeSource& source = {})
 /// of another file is refused.
 VolumeFile read_volume_bytes(const std::string& name, std::string_view bytes,
                              const VolumeSource& source = {});
+
+/// The same for samples; messages do without the file's name.
+VolumeFile grid_of_volume(Volume volume);
 
 }  // namespace crest::io

@@ -51,8 +51,11 @@ vtkDataArray& vectors_of(vtkPointData& data, const std::string& wanted) {
   return *found;
 }
 
-PlaneGrid take(vtkDataSet& data, const int (&n)[3], const VectorRequest& request,
-               PlanarFieldFile& file) {
+PlaneGrid take(vtkDataSet& data, const VectorRequest& request, PlanarFieldFile& file) {
+  int n[3] = {0, 0, 0};
+  if (auto* image = vtkImageData::SafeDownCast(&data)) image->GetDimensions(n);
+  if (auto* lines = vtkRectilinearGrid::SafeDownCast(&data)) lines->GetDimensions(n);
+  if (auto* bent = vtkStructuredGrid::SafeDownCast(&data)) bent->GetDimensions(n);
   if (n[0] < 2 || n[1] < 2) fail("grid", "is not two-dimensional in x and y", "turn it");
   if (n[2] > 1 && !request.slice)
     fail("grid", fmt::format("has {} layers", n[2]), "choose one with --slice K, from 0");
@@ -94,14 +97,16 @@ PlaneGrid read(const std::string& path, const VectorRequest& request, PlanarFiel
   vtkDataSet* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (quiet.failed() || !data || data->GetNumberOfPoints() == 0)
     fail("file", "VTK cannot read it: " + quiet.complaint(), "export it again");
-  int n[3] = {0, 0, 0};
-  if (auto* image = vtkImageData::SafeDownCast(data)) image->GetDimensions(n);
-  if (auto* lines = vtkRectilinearGrid::SafeDownCast(data)) lines->GetDimensions(n);
-  if (auto* bent = vtkStructuredGrid::SafeDownCast(data)) bent->GetDimensions(n);
-  return take(*data, n, request, file);
+  return take(*data, request, file);
 }
 
 }  // namespace
+
+PlanarFieldFile planar_field_of_grid(vtkDataSet& grid, const VectorRequest& request) {
+  PlanarFieldFile file;
+  add_triangles(take(grid, request, file), request.diagonal, file);
+  return file;
+}
 
 bool is_legacy_grid(const std::string& path) {
   const FileBytes bytes = load(path);

@@ -137,7 +137,9 @@ class Scene {
   PolyData data_;
 };
 
-std::string tiles_vtu(const ReebScene& scene) {
+}  // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> reeb_tiles(const ReebScene& scene) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   std::vector<int> type(scene.places.size(), -1);
@@ -162,17 +164,15 @@ std::string tiles_vtu(const ReebScene& scene) {
     cell_rows.add("face", face_number(scene, begin.empty() ? t : f));
     if (!scene.arc_of_tile.empty()) cell_rows.add("arc", number(scene.arc_of_tile[t]));
   }
-  vtkNew<vtkUnstructuredGrid> grid;
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(points);
   grid->SetCells(VTK_TRIANGLE, cells);
   fields.add("data_digest", scene.data_digest);
   point_rows.move_to(*grid->GetPointData());
   cell_rows.move_to(*grid->GetCellData());
   fields.move_to(*grid->GetFieldData());
-  return vtu_bytes(*grid);
+  return grid;
 }
-
-}  // namespace
 
 std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::size_t parts) {
   const auto& arcs = scene.graph.arcs;
@@ -221,7 +221,7 @@ void write_reeb(const std::string& path, const ReebScene& scene) {
   if (extension == ".vtp")
     write_atomically(path, vtp_bytes(*reeb_poly_data(scene)));
   else if (extension == ".vtu")
-    write_atomically(path, tiles_vtu(scene));
+    write_atomically(path, vtu_bytes(*reeb_tiles(scene)));
   else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .vtu");
 }

@@ -14,6 +14,7 @@
 template <class T>
 class vtkSmartPointer;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 namespace crest::io {
 
@@ -67,6 +68,8 @@ void write_reeb(const std::string& path, const ReebScene& scene);
 
 /// What the .vtp file holds.
 vtkSmartPointer<vtkPolyData> reeb_poly_data(const ReebScene& scene);
+/// What the .vtu file holds.
+vtkSmartPointer<vtkUnstructuredGrid> reeb_tiles(const ReebScene& scene);
 
 /// The arc's polyline from lower to upper node, a list for each arc: the nodes on it in at most
 /// `parts` groups of successive ones, each replaced by its mean.

@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "io/formats/files.hpp"
@@ -16,11 +17,9 @@
 
 namespace crest::io {
 
-void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>& points,
-                        const std::vector<kernel::Triangle>& triangles, const std::string& name,
-                        const std::vector<kernel::Vec2>& vectors) {
-  if (lower_extension(path) != ".vtu")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtu");
+vtkSmartPointer<vtkUnstructuredGrid> planar_field_grid(
+    const std::vector<kernel::Vec2>& points, const std::vector<kernel::Triangle>& triangles,
+    const std::string& name, const std::vector<kernel::Vec2>& vectors) {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
   for (const auto& p : points) places->InsertNextPoint(p[0], p[1], 0);
@@ -30,12 +29,20 @@ void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>
   rows->SetName(name.c_str());
   rows->SetNumberOfComponents(3);
   for (const auto& v : vectors) rows->InsertNextTuple3(v[0], v[1], 0);
-  vtkNew<vtkUnstructuredGrid> grid;
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(places);
   grid->SetCells(VTK_TRIANGLE, cells);
   grid->GetPointData()->AddArray(rows);
   grid->GetPointData()->SetActiveVectors(name.c_str());
-  write_atomically(path, vtu_bytes(*grid));
+  return grid;
+}
+
+void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>& points,
+                        const std::vector<kernel::Triangle>& triangles, const std::string& name,
+                        const std::vector<kernel::Vec2>& vectors) {
+  if (lower_extension(path) != ".vtu")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtu");
+  write_atomically(path, vtu_bytes(*planar_field_grid(points, triangles, name, vectors)));
 }
 
 }  // namespace crest::io

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkCrestModeSurface.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/modes/certificate.hpp"
+#include "algorithms/modes/curves_certificate.hpp"
+#include "algorithms/modes/degenerate_curves.hpp"
+#include "algorithms/modes/surface_geometry.hpp"
+#include "certify/modes/encode.hpp"
+#include "certify/modes_curves/encode.hpp"
+#include "crest_modes.h"
+#include "crest_parts.h"
+#include "io/formats/vtk_input.hpp"
+#include "io/modes/mode_writer.hpp"
+#include "io/read/tet_reader.hpp"
+#include "kernel/geometry/input_error.hpp"
+
+vtkStandardNewMacro(vtkCrestModeSurface);
+
+vtkCrestModeSurface::vtkCrestModeSurface() {
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkCrestModeSurface::~vtkCrestModeSurface() {
+  this->SetMode(nullptr);
+  this->SetOrder(nullptr);
+}
+
+int vtkCrestModeSurface::FillInputPortInformation(int, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+namespace {
+
+using namespace crest;
+
+double diagonal(const std::vector<kernel::Vec3>& points) {
+  kernel::Vec3 low = points[0], high = points[0];
+  for (const kernel::Vec3& p : points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::fmin(low[k], p[k]);
+      high[k] = std::fmax(high[k], p[k]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+}  // namespace
+
+void vtkCrestModeSurface::Work(vtkInformationVector** inputs, vtkInformationVector* outputs) {
+  const std::vector<WantedMode> wanted =
+      wanted_modes(this->Mode ? this->Mode : "", this->Signed, this->Neutral);
+  if (wanted.empty() && !this->Degenerate)
+    throw kernel::InputError("Mode: none is given; give one, or Neutral, or Degenerate");
+  this->Step("reading tensors", 0);
+  io::TensorFile file =
+      io::tensors_of_soup(io::soup_of(*vtkUnstructuredGrid::GetData(inputs[0])),
+                          {this->ChosenArray(), this->Order ? this->Order : "", {}});
+  this->Warn(file.warnings);
+  if (file.max_asymmetry > 0)
+    this->Warn("'" + file.field + "' is not symmetric: its symmetric part is taken");
+  modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
+  io::ModeScene scene;
+  scene.min_magnitude = this->MinMagnitude;
+  if (this->Degenerate) {
+    this->Step("degenerate curves", 0.1);
+    const modes::DegenerateCurves curves =
+        modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors);
+    if (wanted.empty() && this->WantsCertificate())
+      this->Certify(certify::encode(modes::curves_certificate(
+                        field.mesh.points(), field.mesh.tets(), field.tensors, curves)),
+                    curves.undecided.size(), false);
+    if (!curves.undecided.empty())
+      this->Warn(std::to_string(curves.undecided.size()) + " places are undecided");
+    scene.curves = curves.curves;
+  }
+  this->Step("looking for zeros", 0.2);
+  const modes::ZeroSet zeros = modes::insert_zeros(field);
+  const modes::ModeOptions options{this->MaxDepth, static_cast<std::uint64_t>(this->Budget),
+                                   this->Deviation * diagonal(field.mesh.points())};
+  std::vector<certify::ModeLevel> records;
+  std::size_t undecided = 0;
+  for (const WantedMode& w : wanted) {
+    this->Step("extracting mode surfaces", 0.3);
+    certify::ModeLevel record;
+    modes::ModeResult result = this->WantsCertificate()
+                                   ? modes::extract(field, w.level, options, record)
+                                   : modes::extract(field, w.level, options);
+    undecided += result.undecided.size();
+    const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
+      return r.numerator == record.numerator && r.denominator == record.denominator;
+    });
+    if (!known) records.push_back(std::move(record));
+    if (w.sign != 0)
+      std::erase_if(result.surfaces, [&](const auto& s) { return s.sign != w.sign; });
+    std::move(result.surfaces.begin(), result.surfaces.end(), std::back_inserter(scene.surfaces));
+  }
+  if (undecided > 0) this->Warn(std::to_string(undecided) + " tetrahedra are undecided");
+  if (!wanted.empty() && this->WantsCertificate()) {
+    if (this->Degenerate)
+      this->Warn("the certificate is about the surfaces; that of the curves: Degenerate alone");
+    this->Step("composing the certificate", 0.7);
+    this->Certify(certify::encode(modes::make_certificate(field, zeros, std::move(records))),
+                  undecided);
+  }
+  this->Step("curvatures", 0.85);
+  for (modes::ModeSurface& s : scene.surfaces) modes::add_geometry(field, s);
+  scene.data_digest = this->DataDigest;
+  this->Step("writing", 0.95);
+  const auto whole = io::mode_poly_data(scene);
+  take_rest(*whole, "tet", {-1}, *vtkPolyData::GetData(outputs, 0));
+  take_part(*whole, "tet", {-1}, *vtkPolyData::GetData(outputs, 1));
+}
