@@ -125,7 +125,7 @@ void Contours::collect_edges() {
 
 void Contours::add_crossings(EdgeEnds ends, const PlaneBox& box,
                              std::vector<Candidate>& found) const {
-  const auto [a, b] = ends;
+  const PointId a = ends.a, b = ends.b;
   occluders_->query(box, [&](u32 i) {
     const SceneEdge& other = occluding_[i];
     const PointId c = id_of(other.low), d = id_of(other.high);
@@ -150,7 +150,7 @@ bool Contours::touches(u32 face, EdgeEnds ends) const {
 
 void Contours::add_face_events(EdgeEnds ends, const PlaneBox& box, std::vector<Candidate>& found,
                                std::vector<u32>& touching) const {
-  const auto [a, b] = ends;
+  const PointId a = ends.a, b = ends.b;
   faces_->query(box, [&](u32 f) {
     const std::array<PointId, 3> v = {id_of(c_.faces[f][0]), id_of(c_.faces[f][1]),
                                       id_of(c_.faces[f][2])};
