@@ -43,8 +43,8 @@ struct Verdict {
   bool undecided = false;          ///< rejected only because a number could not be enclosed
   std::vector<std::string> lines;  ///< one per claim proved, in order
   std::function<void(const std::string&)> progress;  ///< of the options
-  std::string reason;              ///< why not accepted; empty otherwise
-  std::optional<Digest> data;      ///< digest of the data section, as recomputed
+  std::string reason;                                ///< why not accepted; empty otherwise
+  std::optional<Digest> data;                        ///< digest of the data section, as recomputed
   /// Of what files may be compared with: each field, as a claim about it alone has it, if several;
   /// a stream.
   std::vector<Digest> fields;

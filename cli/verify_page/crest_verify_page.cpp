@@ -54,6 +54,15 @@ Digest sha256(std::initializer_list<std::span<const std::uint8_t>> pieces) {
 
 extern "C" {
 
+/// For large arrays; nobody takes it here.
+int madvise(void* /*memory*/, std::size_t /*size*/, int /*advice*/) {
+  return 0;
+}
+/// GMP says so where a number outgrows it.
+int raise(int /*signal*/) {
+  __builtin_trap();
+}
+
 /// Where a certificate of this size is to be written; null if it is too large.
 __attribute__((export_name("crest_room"))) std::uint8_t* crest_room(std::size_t size) {
   if (size > kMost) return nullptr;
