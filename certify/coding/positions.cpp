@@ -390,7 +390,7 @@ Patterns decode_exact(Decisions& in, const Walk& walk, std::size_t vertices) {
     for (std::uint64_t left = in.small(number); left > 0; --left) {
       vertex += in.small(skipped);
       require(vertex < vertices, "stream: an exception at no vertex");
-      patterns[vertex++][axis] = in.plain(64);
+      patterns[static_cast<std::size_t>(vertex++)][axis] = in.plain(64);
     }
   }
   return patterns;

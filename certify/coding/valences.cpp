@@ -55,7 +55,8 @@ class Loops {
   }
   void push(u32 s) {
     slots_[s].pushed = ++pushes_;
-    heaps_[std::min<std::uint64_t>(slots_[s].free, 63)].push_back({s, pushes_});
+    const std::uint64_t heap = std::min<std::uint64_t>(slots_[s].free, 63);
+    heaps_[static_cast<std::size_t>(heap)].push_back({s, pushes_});
   }
   /// The slot to go on with: of the fewest free edges, the latest.
   std::optional<u32> pop() {

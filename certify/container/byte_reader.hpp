@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Little-endian reading from bytes that nobody has checked.
+// Little-endian reading from bytes that nobody has checked. Counts have 64 bits, whatever a size_t
+// has: none is cut before it is compared.
 #include <bit>
 #include <cstring>
 #include <span>
@@ -16,10 +17,10 @@ class ByteReader {
 
   std::size_t left() const { return left_.size(); }
 
-  std::span<const std::uint8_t> take(std::size_t count) {
+  std::span<const std::uint8_t> take(std::uint64_t count) {
     if (count > left_.size()) throw Malformed("section ends early");
-    const auto piece = left_.first(count);
-    left_ = left_.subspan(count);
+    const auto piece = left_.first(static_cast<std::size_t>(count));
+    left_ = left_.subspan(piece.size());
     return piece;
   }
 
@@ -34,10 +35,10 @@ class ByteReader {
 
   /// Fills a list of integers or doubles.
   template <class List>
-  void words(List& out, std::size_t count) {
+  void words(List& out, std::uint64_t count) {
     using Word = typename List::value_type;
     if (count > left_.size() / sizeof(Word)) throw Malformed("section ends early");
-    out.resize(count);
+    out.resize(static_cast<std::size_t>(count));
     const auto piece = take(count * sizeof(Word));
     if constexpr (std::endian::native == std::endian::little) {
       if (count > 0) std::memcpy(out.data(), piece.data(), piece.size());
@@ -50,11 +51,11 @@ class ByteReader {
 
   /// Fills trivially copyable rows of little-endian words.
   template <class List>
-  void rows(List& out, std::size_t count) {
+  void rows(List& out, std::uint64_t count) {
     using Row = typename List::value_type;
     using Word = typename Row::value_type;
     if (count > left_.size() / sizeof(Row)) throw Malformed("section ends early");
-    out.resize(count);
+    out.resize(static_cast<std::size_t>(count));
     const auto piece = take(count * sizeof(Row));
     if constexpr (std::endian::native == std::endian::little) {
       if (count > 0) std::memcpy(out.data(), piece.data(), piece.size());

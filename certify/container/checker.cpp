@@ -33,6 +33,7 @@ void check_all(std::span<const ClaimChecker* const> known,
 Verdict verify_among(std::span<const ClaimChecker* const> known,
                      std::span<const std::uint8_t> certificate, const VerifyOptions& options) {
   Verdict verdict;
+  verdict.progress = options.progress;
   try {
     check_all(known, certificate, options, verdict);
     verdict.accepted = true;

@@ -31,8 +31,8 @@ Container open_container(std::span<const std::uint8_t> bytes) {
   const std::uint64_t room = bytes.size() - kHeaderSize - kSealSize;
   if (data > room || claims != room - data) throw Malformed("section lengths do not fit the file");
   c.header = bytes.first(kHeaderSize);
-  c.data = reader.take(static_cast<std::size_t>(data));
-  c.claims = reader.take(static_cast<std::size_t>(claims));
+  c.data = reader.take(data);
+  c.claims = reader.take(claims);
   const auto seal = reader.take(kSealSize);
   std::copy(seal.begin(), seal.end(), c.stated_seal.begin());
   return c;

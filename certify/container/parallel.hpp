@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A loop over independent checks on all cores.
+// A loop over independent checks on all cores. With CREST_SERIAL on one: a page has no threads.
+#ifndef CREST_SERIAL
 #include <mpfr.h>
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+#endif
+#include <cstddef>
 
 namespace crest::certify {
 
@@ -18,6 +21,10 @@ namespace crest::certify {
 ///   threads: indices are handed out in order, and those below a failure are finished.
 template <class Make, class Body>
 void parallel_for(std::size_t count, Make&& make, Body&& body) {
+#ifdef CREST_SERIAL
+  auto worker = make();
+  for (std::size_t i = 0; i < count; ++i) body(worker, i);
+#else
   // Single ones if there are few: umbilics differ much in cost.
   const std::size_t chunk = std::clamp<std::size_t>(count / 64, 1, 8);
   std::atomic<std::size_t> next{0}, failed{count};
@@ -49,6 +56,7 @@ void parallel_for(std::size_t count, Make&& make, Body&& body) {
   run();
   others.clear();
   if (problem) std::rethrow_exception(problem);
+#endif
 }
 
 }  // namespace crest::certify

@@ -12,6 +12,7 @@ namespace crest::certify {
 template <class... Arguments>
 void prove(Verdict& verdict, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
   verdict.lines.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
+  if (verdict.progress) verdict.progress(verdict.lines.back());
 }
 
 }  // namespace crest::certify

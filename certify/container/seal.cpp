@@ -22,6 +22,16 @@ void store_seal(Bytes& bytes, const Digest& seal) {
 
 }  // namespace
 
+std::string hex(const Digest& digest) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
 Digest data_digest(const Bytes& certificate) {
   return open_for_sealing(certificate).data_digest();
 }

@@ -21,14 +21,4 @@ Digest sha256(std::initializer_list<std::span<const std::uint8_t>> pieces) {
   return digest;
 }
 
-std::string hex(const Digest& digest) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
-
 }  // namespace crest::certify

@@ -3,6 +3,7 @@
 
 // What the checkers are asked, and what they answer.
 #include <array>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -25,6 +26,8 @@ struct InputMesh {
 struct VerifyOptions {
   Arithmetic arithmetic = Arithmetic::doubles;
   std::optional<InputMesh> input;  ///< the data must agree with it
+  /// Called with each line of the verdict as soon as it is proved.
+  std::function<void(const std::string&)> progress;
 };
 
 /// How often each stage was reached.
@@ -39,8 +42,9 @@ struct Verdict {
   bool accepted = false;
   bool undecided = false;          ///< rejected only because a number could not be enclosed
   std::vector<std::string> lines;  ///< one per claim proved, in order
-  std::string reason;              ///< why not accepted; empty otherwise
-  std::optional<Digest> data;      ///< digest of the data section, as recomputed
+  std::function<void(const std::string&)> progress;  ///< of the options
+  std::string reason;                                ///< why not accepted; empty otherwise
+  std::optional<Digest> data;                        ///< digest of the data section, as recomputed
   /// Of what files may be compared with: each field, as a claim about it alone has it, if several;
   /// a stream.
   std::vector<Digest> fields;

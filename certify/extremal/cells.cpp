@@ -277,10 +277,10 @@ Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
   Cells cells;
   cells.code.resize(grid.count);
   std::fill(cells.code.begin(), cells.code.end(), Cells::kUnlisted);
-  size_t total = 0;
+  std::uint64_t total = 0;
   for (const CellRun& run : c.cells) total += run.length;
   require(total == c.codes.size(), "cells: {} in runs, {} codes", total, c.codes.size());
-  cells.ids.reserve(total);
+  cells.ids.reserve(c.codes.size());
   std::uint64_t end = 0;  // of the run before
   for (const CellRun& run : c.cells) {
     const std::uint64_t last = std::uint64_t{run.first} + run.length;

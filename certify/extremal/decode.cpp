@@ -91,9 +91,9 @@ ExtremalData read_data(std::span<const std::uint8_t> section) {
     for (std::size_t k = 0; k < data.dimension; ++k) read_weights(reader, (*weights)[k]);
     for (std::size_t k = data.dimension; k < 3; ++k) (*weights)[k] = {1};
   }
-  const std::size_t size = std::size_t{data.nodes[0]} * data.nodes[1] *
-                           data.nodes[2] *  // 1 beyond the dimension
-                           extremal_code::kSampleSize[data.type];
+  const std::uint64_t size = std::uint64_t{data.nodes[0]} * data.nodes[1] *
+                             data.nodes[2] *  // 1 beyond the dimension
+                             extremal_code::kSampleSize[data.type];
   const auto samples = reader.take(size);
   data.samples.assign(samples.begin(), samples.end());
   require_form(reader.left() == 0, "data section: bytes left over");

@@ -125,7 +125,7 @@ void Contours::collect_edges() {
 
 void Contours::add_crossings(EdgeEnds ends, const PlaneBox& box,
                              std::vector<Candidate>& found) const {
-  const auto [a, b] = ends;
+  const PointId a = ends.a, b = ends.b;
   occluders_->query(box, [&](u32 i) {
     const SceneEdge& other = occluding_[i];
     const PointId c = id_of(other.low), d = id_of(other.high);
@@ -140,17 +140,18 @@ void Contours::add_crossings(EdgeEnds ends, const PlaneBox& box,
 }
 
 bool Contours::touches(u32 face, EdgeEnds ends) const {
-  const auto& [p, q, r] = c_.faces[face];
+  const std::array<PointId, 3> v = {id_of(c_.faces[face][0]), id_of(c_.faces[face][1]),
+                                    id_of(c_.faces[face][2])};
   const auto on_plane = [&](PointId x) {
-    if (x == id_of(p) || x == id_of(q) || x == id_of(r)) return true;
-    return o_.plain_sign(id_of(p), id_of(q), id_of(r), x) == Sign::zero;
+    return std::find(v.begin(), v.end(), x) != v.end() ||
+           o_.plain_sign(v[0], v[1], v[2], x) == Sign::zero;
   };
   return plain_side_[face] != Sign::zero && on_plane(ends.a) && on_plane(ends.b);
 }
 
 void Contours::add_face_events(EdgeEnds ends, const PlaneBox& box, std::vector<Candidate>& found,
                                std::vector<u32>& touching) const {
-  const auto [a, b] = ends;
+  const PointId a = ends.a, b = ends.b;
   faces_->query(box, [&](u32 f) {
     const std::array<PointId, 3> v = {id_of(c_.faces[f][0]), id_of(c_.faces[f][1]),
                                       id_of(c_.faces[f][2])};

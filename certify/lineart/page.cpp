@@ -128,7 +128,7 @@ class Barriers {
   bool holds(const Plane<Rational>& p) const {
     bool found = false;
     tree_->query(enclose(p), [&](u32 i) {
-      const auto& [u, v] = barriers_[i];
+      const Plane<Rational>&u = barriers_[i].from, &v = barriers_[i].to;
       if (found || turn(u, v, p) != 0) return;
       const auto between = [&](std::size_t k) {
         return std::min(u[k], v[k]) <= p[k] && p[k] <= std::max(u[k], v[k]);

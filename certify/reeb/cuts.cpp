@@ -254,17 +254,17 @@ Cuts check_cuts(const ReebContents& c, const Complex& k) {
 
 std::span<const Cuts::Crossing> Cuts::across(u32 low, u32 high) const {
   if (!near(low)) return {};
-  auto first = crossings.begin() + start[low];
-  const auto last = crossings.begin() + start[low + 1];
+  const Crossing* first = crossings.data() + start[low];
+  const Crossing* const last = crossings.data() + start[low + 1];
   if (last - first <= 16) {
     while (first < last && first->high != high) ++first;
-    auto end = first;
+    const Crossing* end = first;
     while (end < last && end->high == high) ++end;
     return {first, end};
   }
-  const auto begin = std::lower_bound(
+  const auto* const begin = std::lower_bound(
       first, last, high, [](const Crossing& crossing, u32 to) { return crossing.high < to; });
-  const auto end = std::upper_bound(
+  const auto* const end = std::upper_bound(
       begin, last, high, [](u32 to, const Crossing& crossing) { return to < crossing.high; });
   return {begin, end};
 }

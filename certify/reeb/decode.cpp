@@ -35,7 +35,7 @@ void read_reeb_data(std::span<const std::uint8_t> data, ReebContents& c) {
     throw Malformed("data section: vertex and face counts do not fit its length");
   if (vertices < 3 || faces < 1) throw Malformed("data section: no mesh");
   if (3 * faces > 0xfffffffeU) throw Malformed("data section: more faces than the format numbers");
-  c.vertices = vertices;
+  c.vertices = static_cast<std::size_t>(vertices);
   reader.rows(c.faces, faces);
   c.positions = reader.take(vertices * 3 * sizeof(double));
   const auto values = reader.take(vertices * sizeof(double)), edges = reader.take(rest);

@@ -74,8 +74,8 @@ void classify(const ReebContents& c, NodeTypes& out) {
     index_sum += index_of(node);
   }
   require(total < kNone, "nodes: more runs than the checker numbers");
-  out.lower.resize(total);
-  out.upper.resize(total);
+  out.lower.resize(static_cast<std::size_t>(total));
+  out.upper.resize(static_cast<std::size_t>(total));
   // Theorem 5 says so for any data: a difference would be an error of the checker.
   if (index_sum != c.euler_characteristic)
     throw std::logic_error("indices and Euler characteristic contradict theorem 5");

@@ -52,9 +52,9 @@ void read_numbers(ByteReader& reader, std::vector<double>& list) {
 }
 
 void read_turns(ByteReader& reader, std::vector<Turn>& turns) {
-  const std::size_t count = reader.integer<std::uint32_t>();
+  const std::uint64_t count = reader.integer<std::uint32_t>();
   const auto bytes = reader.take((count + 3) / 4);
-  turns.resize(count);
+  turns.resize(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < 4 * bytes.size(); ++i) {
     const unsigned code = (bytes[i / 4] >> (2 * (i % 4))) & 3U;
     if (code > (i < count ? 2U : 0U)) throw Malformed("turns: no such code");

@@ -14,7 +14,7 @@ std::vector<TetFace> list_faces(const std::vector<std::array<std::uint32_t, 4>>&
   struct Entry {
     std::uint32_t b, c, tet;
   };
-  std::vector<std::uint64_t> start(vertices + 1, 0);
+  std::vector<std::size_t> start(vertices + 1, 0);
   for (const auto& t : tets) start[t[0] + 1] += 3, start[t[1] + 1] += 1;
   for (std::size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
   std::vector<Entry> entries(4 * tets.size());

@@ -17,7 +17,11 @@
 // Proof, for + - *: bounds are never NaN (constructors see to that; rounded up, a sum of bounds
 // never has two infinities of opposite signs, as -max is the least that overflow gives), a sum with
 // an infinite bound is infinite there, and CGAL's product replaces 0 times infinity by infinity.
+// Without SSE2 (WebAssembly, or CGAL_ALWAYS_ROUND_TO_NEAREST) by 0: factors are tested first.
 // The rest is tested for where it is written.
+//
+// With CGAL_ALWAYS_ROUND_TO_NEAREST, CGAL rounds to nearest and takes the next double outwards:
+// sound, and wider; RoundUpward does nothing.
 #include <CGAL/Interval_nt.h>
 
 #include <cmath>
@@ -44,7 +48,9 @@ class Interval {
   Interval& operator+=(const Interval& b) { return *this = *this + b; }
   friend Interval operator+(const Interval& a, const Interval& b) { return a.x_ + b.x_; }
   friend Interval operator-(const Interval& a, const Interval& b) { return a.x_ - b.x_; }
-  friend Interval operator*(const Interval& a, const Interval& b) { return a.x_ * b.x_; }
+  friend Interval operator*(const Interval& a, const Interval& b) {
+    return kPoisonous || (is_defined(a) && is_defined(b)) ? Interval(a.x_ * b.x_) : undefined();
+  }
   friend Interval operator/(const Interval& a, const Interval& b) {
     return is_defined(a) && is_defined(b) ? Interval(a.x_ / b.x_) : undefined();
   }
@@ -56,7 +62,7 @@ class Interval {
     return is_finite(b) ? Interval(a.x_ - b) : undefined();
   }
   friend Interval operator*(const Interval& a, double b) {
-    return is_finite(b) ? Interval(a.x_ * b) : undefined();
+    return is_finite(b) && (kPoisonous || is_defined(a)) ? Interval(a.x_ * b) : undefined();
   }
   friend Interval operator/(const Interval& a, double b) {
     return is_finite(b) ? Interval(a.x_ / b) : undefined();
@@ -78,6 +84,12 @@ class Interval {
   using Base = CGAL::Interval_nt<false>;
   Interval(const Base& x) : x_(x) {}  // NOLINT: results of Base's operators
   static bool is_finite(double x) { return std::fabs(x) < HUGE_VAL; }
+  /// Whether zero times an infinite bound is infinite.
+#ifdef CGAL_USE_SSE2
+  static constexpr bool kPoisonous = true;
+#else
+  static constexpr bool kPoisonous = false;
+#endif
 
   Base x_;
 };

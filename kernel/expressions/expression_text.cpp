@@ -139,7 +139,11 @@ Constant ExpressionText::number() {
   c.exact = shift < 0 ? Rational(c.exact / power) : Rational(c.exact * power);
   c.nearest = c.exact.convert_to<double>();
   // The conversion above may truncate.
+#ifdef __cpp_lib_to_chars
   std::from_chars(text_.data() + begin, text_.data() + at_, c.nearest);
+#else
+  c.nearest = std::strtod(std::string(text_.substr(begin, at_ - begin)).c_str(), nullptr);
+#endif
   return c;
 }
 

@@ -143,8 +143,10 @@ std::string objection(const std::string& file, const std::string& target) {
   const bool in_second = has_prefix(file, "certify/second/");
   if (in_second != has_prefix(target, "certify/second/") && (in_second || from != "tests"))
     return "the second checker shares nothing with the project";
-  if (file == "cli/crest_verify.cpp" || has_prefix(file, "cli/input_mesh.")) {
-    const bool own = target == "cli/input_mesh.hpp";
+  if (file == "cli/crest_verify.cpp" || has_prefix(file, "cli/input_mesh.") ||
+      has_prefix(file, "cli/verify_page/")) {
+    const bool own = target == "cli/input_mesh.hpp" || (has_prefix(file, "cli/verify_page/") &&
+                                                        has_prefix(target, "cli/verify_page/"));
     return own || to == "certify" || has_prefix(to, "kernel/") ? ""
                                                                : "sees certify and kernel only";
   }
