@@ -56,10 +56,12 @@ struct FrameLanes {
   }
 };
 
-/// The directions w of the faces; chosen on the way unless they are known.
-struct Directions {
+/// The directions w of the faces, chosen on the way unless they are known; who passes, and whose
+/// principal vectors have no enclosure though they are regular.
+struct Selection {
+  LaneMask live = kernel::kAllLanes, wide = 0;
   bool known = false;
-  std::array<std::uint8_t, Lanes::count> number{};
+  std::array<std::uint8_t, Lanes::count> w{};
 };
 
 }  // namespace
@@ -154,8 +156,8 @@ struct FaceLanes::State {
   /// Without derivatives.
   bool values(Faces faces, ChartLanes& c, std::span<Start> starts) {
     Extremalities<0, Model> out;
-    Directions w;
-    LaneMask live = c.live;
+    Selection who;
+    LaneMask& live = who.live = c.live;
     if (implicit) {
       FrameLanes frame;
       const auto any = static_cast<std::size_t>(std::countr_zero(live));
@@ -171,15 +173,15 @@ struct FaceLanes::State {
       if (live == 0) return true;
       revive(live, f);
       const GraphGeometry<Model, 3> graph{GraphJet<Model, 3>::of(f, 2)};
-      if (!measure<0>(graph, out, w, live)) return false;
-    } else if (!measure<0>(MapGeometry<Model, 3>{(*x3)({c.x[0], c.x[1]})}, out, w, live)) {
+      if (!measure<0>(graph, out, who)) return false;
+    } else if (!measure<0>(MapGeometry<Model, 3>{(*x3)({c.x[0], c.x[1]})}, out, who)) {
       return false;
     }
     for (std::size_t l = 0; l < starts.size(); ++l) {
       if (!has(live, l)) continue;
-      starts[l].passed = Passed::regular;
-      starts[l].w = w.number[l];
-      extract(out, l, starts[l].values);
+      starts[l].passed = has(who.wide, l) ? Passed::wide : Passed::regular;
+      starts[l].w = who.w[l];
+      if (!has(who.wide, l)) extract(out, l, starts[l].values);
     }
     return true;
   }
@@ -194,8 +196,8 @@ struct FaceLanes::State {
 
   /// FaceTest's: `live` loses who is not regular. False: something is undefined.
   template <int K, class Geometry>
-  static bool measure(const Geometry& geometry, Extremalities<K, Model>& out, Directions& directions,
-                      LaneMask& live) {
+  static bool measure(const Geometry& geometry, Extremalities<K, Model>& out, Selection& who) {
+    LaneMask& live = who.live;
     const auto forms = forms_of<K>(geometry);
     const auto shape = shape_of(forms.i, forms.l);
     auto squared = squared_sigma(shape);
@@ -203,12 +205,13 @@ struct FaceLanes::State {
     live &= positive(squared[0].range());
     if (live == 0) return true;
     revive(live, squared);
-    const auto sigma = sqrt(squared);
+    auto sigma = sqrt(squared);
     if (!is_defined(sigma)) return false;
+    const LaneMask narrow = positive(sigma[0].range());
     std::array<Lanes, 2> w;
     for (std::size_t l = 0; l < Lanes::count; ++l) {
-      std::uint8_t& number = directions.number[l];
-      if (!directions.known)
+      std::uint8_t& number = who.w[l];
+      if (!who.known)
         number = has(live, l) ? along_first(shape.a[0].rows[0].x[l], shape.b[0].rows[0].x[l],
                                             shape.c[0].rows[0].x[l], sigma[0].rows[0].x[l])
                               : std::uint8_t{0};
@@ -218,7 +221,9 @@ struct FaceLanes::State {
     const auto along = transverse(forms.i, aw, w);
     if (!is_defined(along)) return false;
     live &= positive(along[0].range());
-    if (live == 0) return true;
+    who.wide = live & ~narrow;
+    if ((live & narrow) == 0) return true;
+    if (who.wide != 0) revive(live & narrow, sigma);
     out.v[0] = first_principal(aw, sigma, w);
     out.v[1] = second_principal(forms.i, out.v[0]);
     for (std::size_t j = 0; j < 2; ++j) out.e[j] = extremality(forms, out.v[j]);
@@ -265,14 +270,13 @@ bool FaceLanes::derive(std::span<const Start* const> starts, std::span<Derived> 
     return *starts[std::min(l, starts.size() - 1)];
   };
   Models x;
-  Directions w{true, {}};
+  Selection who{.known = true};
   FrameLanes frame;
   for (std::size_t l = 0; l < kCount; ++l) {
     for (std::size_t k = 0; k < 3; ++k) x[k].set_lane(l, start(l).chart.x[k]);
-    w.number[l] = start(l).w;
+    who.w[l] = start(l).w;
     frame.set(l, start(l).frame);
   }
-  LaneMask live = kernel::kAllLanes;
   Extremalities<1, Model> out;
   if (state_->implicit) {
     const auto by_xyz = (*state_->f4)(x);
@@ -280,17 +284,18 @@ bool FaceLanes::derive(std::span<const Start* const> starts, std::span<Derived> 
     if (!is_defined(f) || positive(f.coefficient(0, 0, 1).range()) != kernel::kAllLanes)
       return false;
     const GraphGeometry<Model, 4> graph{GraphJet<Model, 4>::of(f, 2)};
-    if (!State::measure<1>(graph, out, w, live)) return false;
+    if (!State::measure<1>(graph, out, who)) return false;
     for (std::size_t l = 0; l < derived.size(); ++l)
       derived[l].gradient = {by_xyz.coefficient(1, 0, 0).lane(l),
                              by_xyz.coefficient(0, 1, 0).lane(l),
                              by_xyz.coefficient(0, 0, 1).lane(l)};
-  } else if (!State::measure<1>(MapGeometry<Model, 4>{(*state_->x4)({x[0], x[1]})}, out, w, live)) {
+  } else if (!State::measure<1>(MapGeometry<Model, 4>{(*state_->x4)({x[0], x[1]})}, out, who)) {
     return false;
   }
   for (std::size_t l = 0; l < derived.size(); ++l) {
-    derived[l].regular = has(live, l);
-    if (has(live, l)) State::extract(out, l, derived[l].values);
+    if (!has(who.live, l)) continue;
+    derived[l].passed = has(who.wide, l) ? Passed::wide : Passed::regular;
+    if (!has(who.wide, l)) State::extract(out, l, derived[l].values);
   }
   return true;
 }

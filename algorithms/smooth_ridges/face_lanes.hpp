@@ -21,8 +21,9 @@ class FaceLanes {
   ~FaceLanes();
   FaceLanes(FaceLanes&&) noexcept;
 
-  enum class Passed : std::uint8_t { none, chart, slope, regular };
-  /// A face's values as far as it passed: up to the chart; F_m > 0; (R), then there are values.
+  /// How far a face came: the chart; F_m > 0; (R), and sigma's enclosure holds zero; all, then
+  /// there are values.
+  enum class Passed : std::uint8_t { none, chart, slope, wide, regular };
   struct Start {
     Passed passed = Passed::none;
     Chart<FaceModel> chart;
@@ -35,7 +36,7 @@ class FaceLanes {
   bool start(std::span<const Corners* const> faces, std::span<Start> starts);
 
   struct Derived {
-    bool regular = false;
+    Passed passed = Passed::slope;  ///< or wide, or regular
     Extremalities<1> values;
     std::array<FaceModel, 3> gradient;  ///< implicit: of F
   };

@@ -201,6 +201,7 @@ struct FaceTest::State {
       r.frame = s.frame;
       r.w = s.w;
       r.status = s.passed == Passed::regular              ? FaceStatus::proven
+                 : s.passed == Passed::wide              ? FaceStatus::ridge
                  : implicit && s.passed == Passed::chart ? FaceStatus::chart
                                                          : FaceStatus::regular;
       if (looks_decidable(s.chart, s.values, r)) waiting.push_back({group[k], std::move(s)});
@@ -223,8 +224,9 @@ struct FaceTest::State {
       Chart<Model>& chart = group[k].start.chart;
       if (!together) {
         r.status = ridges(chart, faces[f], r);
-      } else if (!derived[k].regular) {
-        r.status = FaceStatus::regular;
+      } else if (derived[k].passed != FaceLanes::Passed::regular) {
+        r.status = derived[k].passed == FaceLanes::Passed::wide ? FaceStatus::ridge
+                                                                : FaceStatus::regular;
       } else {
         gradient = derived[k].gradient;
         r.status = ridges(chart, faces[f], derived[k].values, r);
