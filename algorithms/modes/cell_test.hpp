@@ -3,7 +3,7 @@
 
 // What is proven of simplices (D = 2 faces, 3 cells) of a level's trees: f has one sign on one, or
 // there is a direction along which the mode grows wherever f = 0 (README.md, H4 and the lemma).
-// Eight go through the formulas together (kernel/polynomial/lanes.hpp), each as it would alone.
+// Eight go through the formulas together (kernel/arithmetic/lanes.hpp), each as it would alone.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,7 @@
 
 #include "algorithms/modes/level.hpp"
 #include "algorithms/modes/tensors.hpp"
-#include "kernel/polynomial/lanes.hpp"
+#include "kernel/arithmetic/lanes.hpp"
 
 namespace crest::modes {
 

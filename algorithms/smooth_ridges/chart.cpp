@@ -27,7 +27,8 @@ Model polynomial(Model m) {
   return m;
 }
 
-/// (J) for |s| <= h, with room for rounding.
+}  // namespace
+
 bool jacobian_is_positive(const Corners& c, double h) {
   const Vec3 p1 = position(c[1]) - position(c[0]);
   const Vec3 p2 = position(c[2]) - position(c[0]);
@@ -44,8 +45,6 @@ bool jacobian_is_positive(const Corners& c, double h) {
   return least > h * (first + h * second) + room;
 }
 
-}  // namespace
-
 template <class Model>
 Charts<Model>::Charts(const Surface& surface) {
   if (!surface.is_implicit()) return;
@@ -54,7 +53,6 @@ Charts<Model>::Charts(const Surface& surface) {
   gradient_model_.emplace(surface);
 }
 
-/// About twice the largest |s|, from the face's centre and its edges' midpoints.
 template <class Model>
 double Charts<Model>::guess_reach(const Corners& c) {
   Vec3 centre{}, mean{};
@@ -112,10 +110,8 @@ template <class Model>
 std::optional<Chart<Model>> Charts<Model>::operator()(const Corners& c) {
   Chart<Model> chart;
   if (!value_) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      chart.x[k] = linear<Model>(c, k);
-      for (std::size_t i = 0; i < 2; ++i) chart.dx[i][k] = difference<Model>(c[i + 1][k], c[0][k]);
-    }
+    for (std::size_t k = 0; k < 2; ++k) chart.x[k] = linear<Model>(c, k);
+    directions(chart, c);
     return chart;
   }
   Models p;
@@ -127,6 +123,13 @@ std::optional<Chart<Model>> Charts<Model>::operator()(const Corners& c) {
   if (!solve_fibres(chart, p) || !jacobian_is_positive(c, chart.h)) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) chart.x[k] = p[k] + chart.s * chart.m[k];
   return chart;
+}
+
+template <class Model>
+void Charts<Model>::directions(Chart<Model>& chart, const Corners& c) {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      chart.dx[i][k] = difference<Model>(c[i + 1][k], c[0][k]);
 }
 
 template <class Model>

@@ -30,6 +30,9 @@ struct Chart {
   double h = 0;
 };
 
+/// (J) for |s| <= h, with room for rounding.
+bool jacobian_is_positive(const std::array<Vertex, 3>& corners, double h);
+
 /// Model: kernel::TaylorModel<3>, <4> or <5>. Not for two threads at a time.
 template <class Model>
 class Charts {
@@ -44,10 +47,14 @@ class Charts {
   /// The same, with the gradient evaluated here.
   void tangents(Chart<Model>& chart, const std::array<Vertex, 3>& corners);
 
+  /// Parametric: adds dx.
+  static void directions(Chart<Model>& chart, const std::array<Vertex, 3>& corners);
+  /// Implicit: about twice the largest |s|, from the face's centre and its edges' midpoints.
+  double guess_reach(const std::array<Vertex, 3>& corners);
+
  private:
   using Models = std::array<Model, 3>;
 
-  double guess_reach(const std::array<Vertex, 3>& corners);
   bool solve_fibres(Chart<Model>& chart, const Models& p);
 
   std::optional<kernel::Evaluator<double>> value_;

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
-#include "algorithms/smooth_ridges/directions.hpp"
-#include "algorithms/smooth_ridges/forms.hpp"
+#include "algorithms/smooth_ridges/face_lanes.hpp"
 #include "algorithms/smooth_ridges/frame_jet.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
 
-using Model = kernel::TaylorModel<4>;
+using Model = FaceModel;
 template <int K>
 using Field = kernel::Jet<Model, 2, K>;
-using Corners = std::array<Vertex, 3>;
 
 bool holds_zero(const kernel::Range& r) {
   return !(r.low > 0 || r.high < 0);
@@ -22,13 +22,6 @@ bool holds_zero(const kernel::Range& r) {
 int sign_of(const kernel::Range& r) {
   return r.low > 0 ? 1 : r.high < 0 ? -1 : 0;
 }
-
-/// E1 and E2 on the face with K derivatives, and the principal vectors.
-template <int K>
-struct Extremalities {
-  std::array<Field<K>, 2> e;
-  std::array<Pair<Field<K>>, 2> v;
-};
 
 /// A polynomial in s, by ascending degree.
 using EdgePolynomial = std::array<double, 5>;
@@ -81,16 +74,6 @@ double zero_on_edge(const Model& f, std::size_t edge) {
 
 FaceImage image_of(const Chart<Model>& chart) {
   return {chart.x[0].range(), chart.x[1].range(), chart.x[2].range()};
-}
-
-std::uint8_t along_first(double a, double b, double c, double sigma) {
-  return a > 0 ? nearest_direction(a + sigma, c) : nearest_direction(b, sigma - a);
-}
-
-Vec3 mean_normal(const Corners& c) {
-  const Vec3 sum = normal(c[0]) + normal(c[1]) + normal(c[2]);
-  const double size = norm(sum);
-  return {sum[0] / size, sum[1] / size, sum[2] / size};
 }
 
 /// The derivatives by the model's coordinates at (u, v), without the remainder.
@@ -147,7 +130,8 @@ struct FaceTest::State {
   explicit State(const Surface& surface)
       : implicit(surface.is_implicit()),
         has_corners(!implicit && !surface.any_period()),
-        charts(surface) {
+        charts(surface),
+        lanes(surface) {
     if (implicit) {
       f3.emplace(surface), f4.emplace(surface), f5.emplace(surface);
     } else {
@@ -170,7 +154,90 @@ struct FaceTest::State {
     if (special) corner = at_corner(c[*special]);
     Extremalities<0> values;
     r.status = plain(*chart, c, values, r);
-    if (r.status != FaceStatus::proven) return r;
+    if (looks_decidable(*chart, values, r)) r.status = ridges(*chart, c, r);
+    return r;
+  }
+
+  /// Faces that fail early cost the others nothing: those with ridges wait for others of their kind.
+  void run(std::span<const Corners> faces, std::span<FaceResult> results) {
+    constexpr std::size_t kWide = FaceLanes::kCount;
+    std::vector<std::size_t> group;
+    std::vector<Waiting> waiting;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (domain_corner(faces[f]))
+        results[f] = run(faces[f]);
+      else
+        group.push_back(f);
+      if (group.size() == kWide) start(faces, std::exchange(group, {}), results, waiting);
+      if (waiting.size() >= kWide) derive(faces, results, waiting);
+    }
+    start(faces, group, results, waiting);
+    while (!waiting.empty()) derive(faces, results, waiting);
+  }
+
+  /// Fewer faces go alone: lanes cost as much as this many, or more.
+  static constexpr std::size_t kWorthwhile = 3;
+  struct Waiting {
+    std::size_t face;
+    FaceLanes::Start start;
+  };
+
+  void start(std::span<const Corners> faces, const std::vector<std::size_t>& group,
+             std::span<FaceResult> results, std::vector<Waiting>& waiting) {
+    std::vector<const Corners*> corners;
+    for (const std::size_t f : group) corners.push_back(&faces[f]);
+    std::vector<FaceLanes::Start> starts(group.size());
+    if (group.size() < kWorthwhile || !lanes.start(corners, starts)) {
+      for (const std::size_t f : group) results[f] = run(faces[f]);
+      return;
+    }
+    special.reset();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      FaceResult& r = results[group[k]] = {};
+      FaceLanes::Start& s = starts[k];
+      using Passed = FaceLanes::Passed;
+      if (s.passed == Passed::none) continue;
+      r.image = s.image;
+      r.frame = s.frame;
+      r.w = s.w;
+      r.status = s.passed == Passed::regular              ? FaceStatus::proven
+                 : s.passed == Passed::wide              ? FaceStatus::ridge
+                 : implicit && s.passed == Passed::chart ? FaceStatus::chart
+                                                         : FaceStatus::regular;
+      if (looks_decidable(s.chart, s.values, r)) waiting.push_back({group[k], std::move(s)});
+    }
+  }
+
+  /// The last faces that wait, as many as there are lanes.
+  void derive(std::span<const Corners> faces, std::span<FaceResult> results,
+              std::vector<Waiting>& waiting) {
+    const std::size_t count = std::min(waiting.size(), FaceLanes::kCount);
+    const auto group = std::span(waiting).last(count);
+    std::vector<const FaceLanes::Start*> starts;
+    for (const Waiting& w : group) starts.push_back(&w.start);
+    std::vector<FaceLanes::Derived> derived(count);
+    const bool together = count >= kWorthwhile && lanes.derive(starts, derived);
+    special.reset();
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t f = group[k].face;
+      FaceResult& r = results[f];
+      Chart<Model>& chart = group[k].start.chart;
+      if (!together) {
+        r.status = ridges(chart, faces[f], r);
+      } else if (derived[k].passed != FaceLanes::Passed::regular) {
+        r.status = derived[k].passed == FaceLanes::Passed::wide ? FaceStatus::ridge
+                                                                : FaceStatus::regular;
+      } else {
+        gradient = derived[k].gradient;
+        r.status = ridges(chart, faces[f], derived[k].values, r);
+      }
+    }
+    waiting.resize(waiting.size() - count);
+  }
+
+  /// Whether an extremality may have zeros, and derivatives may decide.
+  bool looks_decidable(const Chart<Model>& chart, const Extremalities<0>& values, FaceResult& r) {
+    if (r.status != FaceStatus::proven) return false;
     for (std::size_t j = 0; j < 2; ++j) {
       const Model& e = values.e[j][0];
       r.colour[j].no_zero = !holds_zero(e.range());
@@ -178,12 +245,10 @@ struct FaceTest::State {
       // tells.
       if (!r.colour[j].no_zero &&
           (e.radius > 0.5 * (std::fabs(e.c[1]) + std::fabs(e.c[2])) ||
-           (!special && slope_turns(e, tangents_of(*chart, implicit, r.frame)))))
+           (!special && slope_turns(e, tangents_of(chart, implicit, r.frame)))))
         r.status = FaceStatus::ridge;
     }
-    if (r.status != FaceStatus::proven) return r;
-    if (!r.colour[0].no_zero || !r.colour[1].no_zero) r.status = ridges(*chart, c, r);
-    return r;
+    return r.status == FaceStatus::proven && !(r.colour[0].no_zero && r.colour[1].no_zero);
   }
 
   std::optional<std::size_t> domain_corner(const Corners& c) const {
@@ -279,7 +344,10 @@ struct FaceTest::State {
   FaceStatus ridges(Chart<Model>& chart, const Corners& c, FaceResult& r) {
     Extremalities<1> x;
     const FaceStatus status = derived<1>(chart, x, r);
-    if (status != FaceStatus::proven) return status;
+    return status == FaceStatus::proven ? ridges(chart, c, x, r) : status;
+  }
+  FaceStatus ridges(Chart<Model>& chart, const Corners& c, const Extremalities<1>& x,
+                    FaceResult& r) {
     for (std::size_t j = 0; j < 2; ++j)
       if (!r.colour[j].no_zero && !monotone(x.e[j], j, r.colour[j])) return FaceStatus::ridge;
     if (implicit) set_tangents(chart, c, r.frame);
@@ -402,6 +470,7 @@ struct FaceTest::State {
   std::optional<ParametricMap<double, 4>> plain_map;
   std::array<Model, 3> gradient{};  ///< of F on the present face
   Charts<Model> charts;
+  FaceLanes lanes;
   std::optional<ImplicitMap<Model, 3>> f3;
   std::optional<ImplicitMap<Model, 4>> f4;
   std::optional<ImplicitMap<Model, 5>> f5;
@@ -416,6 +485,10 @@ FaceTest::FaceTest(FaceTest&&) noexcept = default;
 
 FaceResult FaceTest::operator()(const Corners& corners) {
   return state_->run(corners);
+}
+
+void FaceTest::operator()(std::span<const Corners> faces, std::span<FaceResult> results) {
+  state_->run(faces, results);
 }
 
 std::optional<FaceImage> FaceTest::image(const Corners& corners) {

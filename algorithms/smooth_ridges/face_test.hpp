@@ -6,6 +6,7 @@
 // and a red ridge cross.
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "algorithms/smooth_ridges/chart.hpp"
 #include "algorithms/smooth_ridges/frame.hpp"
@@ -61,6 +62,8 @@ class FaceTest {
   FaceTest(FaceTest&&) noexcept;
 
   FaceResult operator()(const std::array<Vertex, 3>& corners);
+  /// The same of many faces, several at a time.
+  void operator()(std::span<const std::array<Vertex, 3>> faces, std::span<FaceResult> results);
   /// Nothing if the chart is not proven.
   std::optional<FaceImage> image(const std::array<Vertex, 3>& corners);
 

@@ -58,23 +58,23 @@ Field squared_sigma(const Shape<Field>& s) {
   return s.a * s.a + s.b * s.c;
 }
 
-/// A w for constant w.
-template <class Field>
-Pair<Field> times(const Shape<Field>& s, const std::array<double, 2>& w) {
+/// A w for constant w: of doubles, or of Lanes for fields side by side.
+template <class Field, class Number>
+Pair<Field> times(const Shape<Field>& s, const std::array<Number, 2>& w) {
   return {s.a * w[0] + s.b * w[1], s.c * w[0] - s.a * w[1]};
 }
 
 /// S(w) = I(w, A w).
-template <class Field>
+template <class Field, class Number>
 Field transverse(const std::array<Field, 3>& i, const Pair<Field>& aw,
-                 const std::array<double, 2>& w) {
+                 const std::array<Number, 2>& w) {
   return (i[0] * w[0] + i[1] * w[1]) * aw[0] + (i[1] * w[0] + i[2] * w[1]) * aw[1];
 }
 
 /// v1 = w + A w / sigma.
-template <class Field>
+template <class Field, class Number>
 Pair<Field> first_principal(const Pair<Field>& aw, const Field& sigma,
-                            const std::array<double, 2>& w) {
+                            const std::array<Number, 2>& w) {
   const Field factor = inverse(sigma);
   return {aw[0] * factor + w[0], aw[1] * factor + w[1]};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/smooth_ridges/refinement.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -113,13 +112,19 @@ class Refinement {
     out_.faces.resize(count());
     for (Index f = 0; f < count(); ++f)
       if (known_[f] != out_.mesh.ids()[f]) fresh.push_back(f);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 16), [&](const auto& range) {
-      FaceTest& test = tests_.local();
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-        if (is_over(stop_))
-          out_.faces[fresh[i]].status = FaceStatus::untested;
-        else
-          out_.faces[fresh[i]] = test(out_.mesh.corners(fresh[i]));
+    constexpr std::size_t kTogether = 64;
+    const std::size_t groups = (fresh.size() + kTogether - 1) / kTogether;
+    tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
+      const std::size_t begin = g * kTogether, end = std::min(begin + kTogether, fresh.size());
+      std::vector<FaceResult> results(end - begin);
+      if (is_over(stop_)) {
+        for (FaceResult& r : results) r.status = FaceStatus::untested;
+      } else {
+        std::vector<std::array<Vertex, 3>> faces;
+        for (std::size_t i = begin; i < end; ++i) faces.push_back(out_.mesh.corners(fresh[i]));
+        tests_.local()(faces, results);
+      }
+      for (std::size_t i = begin; i < end; ++i) out_.faces[fresh[i]] = results[i - begin];
     });
     for (const Index f : fresh) known_[f] = out_.mesh.ids()[f];
     out_.tests += fresh.size();

@@ -40,7 +40,7 @@ class Jet {
  public:
   static constexpr JetTables<Variables, Order> kTables{};
   static constexpr int kCount = kTables.kCount;
-  using Scalar = std::conditional_t<std::is_floating_point_v<T>, T, double>;
+  using Scalar = typename ScalarOf<T>::Type;
 
   Jet() = default;  ///< identically zero
   static Jet constant(T value) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "kernel/arithmetic/defined.hpp"
 #include "kernel/arithmetic/monomials.hpp"
@@ -23,6 +24,12 @@ template <class T>
 void add_product(T& sum, const T& a, const T& b) {
   sum = sum + a * b;
 }
+
+/// What a T is scaled by: a double, or T if it is built in.
+template <class T>
+struct ScalarOf {
+  using Type = std::conditional_t<std::is_floating_point_v<T>, T, double>;
+};
 
 template <int Variables, int Order>
 struct JetTables {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "kernel/arithmetic/taylor_model.hpp"
+#include "kernel/arithmetic/taylor_lanes.hpp"
 
 namespace crest::kernel {
 
@@ -54,6 +54,50 @@ class TaylorCombinations {
   std::array<double, Most> sizes_{};
   double all_ = 0;
   std::size_t count_ = 0;
+};
+
+/// The same of eight models at once, with weights a lane.
+template <int Order, std::size_t Most>
+class TaylorLaneCombinations {
+ public:
+  using Model = TaylorLanes<Order>;
+
+  void add(const Model& f) {
+    models_[count_] = &f;
+    taylor::sizes_of(f.rows, sizes_[count_]);
+    all_ = all_ + (sizes_[count_] + f.radius());
+    ++count_;
+  }
+  std::size_t size() const { return count_; }
+
+  Model of(const std::array<Lanes, Most>& weights, const Lanes& error) const {
+    const double rounding = 1.02 * Model::Model::Kernels::kUnit * static_cast<double>(count_);
+    Model r;
+    Lanes radius = error * all_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      taylor::add_scaled(models_[i]->rows, weights[i], r.rows);
+      radius = radius + magnitude(weights[i]) * (models_[i]->radius() + rounding * sizes_[i]);
+    }
+    for (std::size_t l = 0; l < Lanes::count; ++l) r.radius().x[l] = grow(radius.x[l]);
+    return r;
+  }
+
+ private:
+  std::array<const Model*, Most> models_{};
+  std::array<Lanes, Most> sizes_;
+  Lanes all_ = 0;
+  std::size_t count_ = 0;
+};
+
+template <class Model, std::size_t Most>
+struct CombinationsOf;
+template <int Order, std::size_t Most>
+struct CombinationsOf<TaylorModel<Order>, Most> {
+  using Type = TaylorCombinations<Order, Most>;
+};
+template <int Order, std::size_t Most>
+struct CombinationsOf<TaylorLanes<Order>, Most> {
+  using Type = TaylorLaneCombinations<Order, Most>;
 };
 
 }  // namespace crest::kernel

@@ -70,6 +70,12 @@ struct Kernels {
            a_radius * b_radius;
   }
 
+  /// Coefficient K of a product. List: what has coefficients.
+  template <std::size_t K, class List>
+  static double coefficient(const List& a, const List& b) {
+    return coefficient_of<K>(a, b, std::make_index_sequence<count_terms<K>()>{});
+  }
+
  private:
   template <std::size_t K>
   static constexpr int count_terms() {
@@ -85,16 +91,15 @@ struct Kernels {
       if (p[2] == K) list[n++] = {p[0], p[1]};
     return list;
   }
-  template <std::size_t K, std::size_t... I>
-  static double coefficient(const Coefficients& a, const Coefficients& b,
-                            std::index_sequence<I...>) {
+  template <std::size_t K, class List, std::size_t... I>
+  static double coefficient_of(const List& a, const List& b, std::index_sequence<I...>) {
     constexpr auto kList = list_terms<K>();
     return ((a[kList[I][0]] * b[kList[I][1]]) + ...);
   }
   template <std::size_t... K>
   static Coefficients product_of(const Coefficients& a, const Coefficients& b,
                                  std::index_sequence<K...>) {
-    return {coefficient<K>(a, b, std::make_index_sequence<count_terms<K>()>{})...};
+    return {coefficient<K>(a, b)...};
   }
 
   /// Over the monomials of degree D: sum of w |a_m| and of w |b_m|.

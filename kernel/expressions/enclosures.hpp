@@ -9,7 +9,7 @@
 #include "kernel/arithmetic/jet.hpp"
 #include "kernel/arithmetic/mp_interval.hpp"
 #include "kernel/arithmetic/mp_taylor_model.hpp"
-#include "kernel/arithmetic/taylor_model.hpp"
+#include "kernel/arithmetic/taylor_lanes.hpp"
 #include "kernel/expressions/evaluate.hpp"
 
 namespace crest::kernel {
@@ -46,6 +46,10 @@ inline Interval as_enclosure(const Constant& c, const Interval*) {
 template <int Order>
 TaylorModel<Order> as_enclosure(const Constant& c, const TaylorModel<Order>*) {
   return as_taylor<Order>(c);
+}
+template <int Order>
+TaylorLanes<Order> as_enclosure(const Constant& c, const TaylorLanes<Order>*) {
+  return TaylorLanes<Order>(as_taylor<Order>(c));
 }
 template <int Order>
 MpTaylorModel<Order> as_enclosure(const Constant& c, const MpTaylorModel<Order>*) {

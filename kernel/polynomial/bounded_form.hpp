@@ -24,7 +24,7 @@
 
 #include "kernel/arithmetic/approximate.hpp"
 #include "kernel/polynomial/bernstein_form.hpp"
-#include "kernel/polynomial/lanes.hpp"
+#include "kernel/arithmetic/lanes.hpp"
 
 namespace crest::kernel {
 
