@@ -59,20 +59,17 @@ int vtkCrestAlgorithm::RequestData(vtkInformation*, vtkInformationVector** input
   this->Certified = false;
   std::string error;
   try {
-    crest::kernel::require_sound_floating_point();
     if (this->IsSpread(inputs))
       throw crest::kernel::InputError(
           "input: several processes hold parts of it, and the parts' results are not those of the "
           "whole; put Aggregate Dataset with one target process before this filter");
-    const vtkDataObject* input =
-        this->GetNumberOfInputPorts() > 0 ? vtkDataObject::GetData(inputs[0]) : nullptr;
-    const bool empty = this->GetNumberOfInputPorts() > 0 &&
-                       (!input || const_cast<vtkDataObject*>(input)->GetNumberOfElements(
-                                      vtkDataObject::POINT) == 0);
+    crest::kernel::require_sound_floating_point();
     const int most = tbb::info::default_concurrency();
     tbb::task_arena arena(this->Threads > 0 ? std::min(this->Threads, most) : most);
-    if (!empty) arena.execute([&] { this->Work(inputs, outputs); });
-    this->WriteFieldData(outputs);
+    if (this->HasWork(inputs)) {
+      arena.execute([&] { this->Work(inputs, outputs); });
+      this->WriteFieldData(outputs);
+    }
   } catch (const Stopped&) {
   } catch (const crest::kernel::InputError& bad) {
     error = bad.what();
@@ -86,12 +83,17 @@ int vtkCrestAlgorithm::RequestData(vtkInformation*, vtkInformationVector** input
   return 1;
 }
 
+bool vtkCrestAlgorithm::HasWork(vtkInformationVector** inputs) {
+  if (this->GetNumberOfInputPorts() == 0) return true;
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  return input && input->GetNumberOfElements(vtkDataObject::POINT) > 0;
+}
+
 bool vtkCrestAlgorithm::IsSpread(vtkInformationVector** inputs) {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() < 2 || this->GetNumberOfInputPorts() == 0)
     return false;
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  const int holds = input && input->GetNumberOfElements(vtkDataObject::POINT) > 0 ? 1 : 0;
+  const int holds = this->HasWork(inputs) ? 1 : 0;
   int holders = 0;
   controller->AllReduce(&holds, &holders, 1, vtkCommunicator::SUM_OP);
   return holders > 1;

@@ -13,9 +13,9 @@
 /// and what happens where several processes hold parts of the input.
 ///
 /// A filter overrides Work() and writes its outputs at the very end of it, so that after an error
-/// or an abort they are empty. Every output gets the field arrays `certified` (1: a certificate was
-/// made and leaves nothing undecided; where Verify is on, its checker has accepted it) and
-/// `data_digest` (of the certificate's data; empty: none was made).
+/// or an abort they are empty. Every output of a work that was done gets the field arrays
+/// `certified` (1: a certificate was made and leaves nothing undecided; where Verify is on, its
+/// checker has accepted it) and `data_digest` (of the certificate's data; empty: none was made).
 class VTKCRESTFILTERS_EXPORT vtkCrestAlgorithm : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkCrestAlgorithm, vtkPolyDataAlgorithm);
@@ -48,9 +48,11 @@ class VTKCRESTFILTERS_EXPORT vtkCrestAlgorithm : public vtkPolyDataAlgorithm {
   /// Whether one is asked for.
   bool WantsCertificate() const;
   /// Writes and verifies the certificate, as far as that is asked for, and keeps what the outputs
-  /// say about it. A checker that does not accept is an error, of the filter where `must_hold`, else
-  /// a warning and there is no certificate (the checker is free to prove less than the algorithm).
-  void Certify(const std::vector<std::uint8_t>& bytes, std::size_t undecided, bool must_hold = true);
+  /// say about it. A checker that does not accept is an error, of the filter where `must_hold`,
+  /// else a warning and there is no certificate (the checker is free to prove less than the
+  /// algorithm).
+  void Certify(const std::vector<std::uint8_t>& bytes, std::size_t undecided,
+               bool must_hold = true);
   std::string DataDigest;
 
   /// The array chosen through SetInputArrayToProcess: its name (empty: none) and whether it is one
@@ -60,6 +62,9 @@ class VTKCRESTFILTERS_EXPORT vtkCrestAlgorithm : public vtkPolyDataAlgorithm {
 
  private:
   class Stopped {};
+  /// Whether this process holds points of the input. Sources always do.
+  bool HasWork(vtkInformationVector** inputs);
+  /// Whether several processes hold some. All of them must ask.
   bool IsSpread(vtkInformationVector** inputs);
   void WriteFieldData(vtkInformationVector* outputs);
 

@@ -24,9 +24,9 @@ void vtkCrestCompress::Work(vtkInformationVector** inputs, vtkInformationVector*
   using namespace vector_fields;
   std::string name;
   const PlanarField field = this->Field(inputs, name);
-  constexpr vector_fields::Equivalence notions[] = {
-      vector_fields::Equivalence::strong, vector_fields::Equivalence::original,
-      vector_fields::Equivalence::relaxed};
+  constexpr vector_fields::Equivalence notions[] = {vector_fields::Equivalence::strong,
+                                                    vector_fields::Equivalence::original,
+                                                    vector_fields::Equivalence::relaxed};
   constexpr CollapseTest tests[] = {CollapseTest::retrace, CollapseTest::thesis};
   constexpr CollapsePriority priorities[] = {CollapsePriority::length, CollapsePriority::error};
   CompressionOptions options;
@@ -39,8 +39,7 @@ void vtkCrestCompress::Work(vtkInformationVector** inputs, vtkInformationVector*
   if (!result.same_skeleton)
     throw kernel::InputError("skeletons: those of the two fields are not proven equal (" +
                              result.difference + "); choose another Equivalence");
-  if (this->WantsCertificate())
-    this->Certify(certify::encode(record), Undecided(result.before));
+  if (this->WantsCertificate()) this->Certify(certify::encode(record), Undecided(result.before));
   this->Step("writing", 0.95);
   vtkUnstructuredGrid::GetData(outputs)->ShallowCopy(io::planar_field_grid(
       result.field.points, result.field.triangles, name, result.field.vectors));

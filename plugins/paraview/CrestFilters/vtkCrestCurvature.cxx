@@ -43,10 +43,10 @@ void vtkCrestCurvature::Work(vtkInformationVector** inputs, vtkInformationVector
                " vertices have no finite estimate and are zero");
   const bool corners = *method == Method::np || *method == Method::ne;
   this->Step("writing", 0.9);
-  const auto mesh = io::curvature_poly_data(
-      file.mesh, result,
-      corners ? curvature::corner_curvatures(file.mesh, result.normals)
-              : std::vector<curvature::CornerCurvatures>{});
+  const auto mesh =
+      io::curvature_poly_data(file.mesh, result,
+                              corners ? curvature::corner_curvatures(file.mesh, result.normals)
+                                      : std::vector<curvature::CornerCurvatures>{});
   PassArrays(InputSurface(inputs), file.numbers, *mesh);
   vtkPolyData::GetData(outputs)->ShallowCopy(mesh);
 }

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "algorithms/extremal/extremal.hpp"
+#include "algorithms/extremal/sampled_grid.hpp"
 #include "certify/extremal/encode.hpp"
 #include "crest_parts.h"
 #include "io/extremal/extremal_writer.hpp"
@@ -29,43 +30,15 @@ int vtkCrestExtremalSurface::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-namespace {
-
-using namespace crest;
-
-/// The samples as the extraction takes them: exactly, in the narrower real type that holds them.
-extremal::Volume volume_of(const kernel::SampledGrid& grid) {
-  extremal::Volume volume;
-  for (std::size_t k = 0; k < 3; ++k) volume.size[k] = static_cast<kernel::Index>(grid.size[k]);
-  volume.spacing = grid.spacing;
-  std::visit(
-      [&](const auto& x) {
-        using Native = typename std::decay_t<decltype(x)>::value_type;
-        if constexpr (sizeof(Native) <= 2 || std::is_same_v<Native, float>)
-          volume.samples = std::vector<float>(x.begin(), x.end());
-        else
-          volume.samples = std::vector<double>(x.begin(), x.end());
-      },
-      grid.samples);
-  return volume;
-}
-
-/// From the grid's own frame.
-void move_to_world(const kernel::SampledGrid& grid, extremal::Result& result) {
-  for (auto& p : result.points) p = grid.to_world(p);
-  for (auto& n : result.normals) n = grid.direction_to_world(n);
-}
-
-}  // namespace
-
 void vtkCrestExtremalSurface::Work(vtkInformationVector** inputs, vtkInformationVector* outputs) {
+  using namespace crest;
   this->Step("reading samples", 0);
-  const io::VolumeFile file = io::grid_of_volume(
-      io::volume_of(*vtkImageData::GetData(inputs[0]), this->ChosenArray()));
+  const io::VolumeFile file =
+      io::grid_of_volume(io::volume_of(*vtkImageData::GetData(inputs[0]), this->ChosenArray()));
   this->Warn(file.warnings);
   extremal::Options options;
-  options.definition = this->Hessian ? extremal::Definition::hessian
-                                     : extremal::Definition::structure;
+  options.definition =
+      this->Hessian ? extremal::Definition::hessian : extremal::Definition::structure;
   options.side = this->Valley ? extremal::Side::valley : extremal::Side::ridge;
   options.sigma = this->Sigma;
   if (this->TensorSigma >= 0) options.tensor_sigma = this->TensorSigma;
@@ -76,9 +49,9 @@ void vtkCrestExtremalSurface::Work(vtkInformationVector** inputs, vtkInformation
   std::optional<certify::ExtremalCertificate> certificate;
   if (this->WantsCertificate()) certificate.emplace();
   this->Step("extremal surface", 0.1);
-  extremal::Result result =
-      extremal::extract(volume_of(file.grid), options, certificate ? &*certificate : nullptr);
-  move_to_world(file.grid, result);
+  extremal::Result result = extremal::extract(extremal::volume_of(file.grid), options,
+                                              certificate ? &*certificate : nullptr);
+  extremal::move_to_world(file.grid, result);
   if (certificate) {
     this->Step("composing the certificate", 0.8);
     // What is proven with no margin here may be refused there.

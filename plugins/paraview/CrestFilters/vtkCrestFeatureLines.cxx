@@ -97,7 +97,8 @@ void vtkCrestFeatureLines::CheckSizes() const {
     if (!(size >= 0 && std::isfinite(size)) ||
         (this->Neighbourhood == 0 && size != std::floor(size)))
       throw kernel::InputError(
-          "Dilate, Erode, Open, Close: one is no whole number of rings; give one, or choose lengths "
+          "Dilate, Erode, Open, Close: one is no whole number of rings; give one, or choose "
+          "lengths "
           "with Neighbourhood");
 }
 
@@ -127,10 +128,9 @@ void vtkCrestFeatureLines::Region(const io::MeshFile& file, vtkPolyData& whole) 
 void vtkCrestFeatureLines::SharpEdges(const io::MeshFile& file, vtkPolyData& whole) {
   const kernel::DecimalAngle angle = angle_of(this->Angle);
   this->Step("comparing angles", 0.3);
-  const auto lines =
-      feature_lines::extract_sharp_lines(file.mesh, angle,
-                                         {static_cast<kernel::Index>(this->Prune),
-                                          static_cast<kernel::Index>(this->CloseBranches)});
+  const auto lines = feature_lines::extract_sharp_lines(
+      file.mesh, angle,
+      {static_cast<kernel::Index>(this->Prune), static_cast<kernel::Index>(this->CloseBranches)});
   if (lines.ties > 0)
     this->Warn("edges of exactly " + std::string(this->Angle) + " degrees (" +
                std::to_string(lines.ties) + ") are not above it; a smaller Angle marks them");

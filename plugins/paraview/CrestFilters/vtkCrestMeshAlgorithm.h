@@ -16,8 +16,8 @@ struct Soup;
 class vtkDataSetAttributes;
 class vtkPointSet;
 
-/// Filters whose input is a surface, as polygonal data or the faces of an unstructured grid, cleaned
-/// as the command line cleans files (docs/conventions.md): one warning a step.
+/// Filters whose input is a surface, as polygonal data or the faces of an unstructured grid,
+/// cleaned as the command line cleans files (docs/conventions.md): one warning a step.
 class VTKCRESTFILTERS_EXPORT vtkCrestMeshAlgorithm : public vtkCrestAlgorithm {
  public:
   vtkTypeMacro(vtkCrestMeshAlgorithm, vtkCrestAlgorithm);

@@ -10,14 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 #include "algorithms/modes/certificate.hpp"
 #include "algorithms/modes/curves_certificate.hpp"
 #include "algorithms/modes/degenerate_curves.hpp"
+#include "algorithms/modes/level_text.hpp"
 #include "algorithms/modes/surface_geometry.hpp"
 #include "certify/modes/encode.hpp"
 #include "certify/modes_curves/encode.hpp"
-#include "crest_modes.h"
 #include "crest_parts.h"
 #include "io/formats/vtk_input.hpp"
 #include "io/modes/mode_writer.hpp"
@@ -44,6 +46,32 @@ namespace {
 
 using namespace crest;
 
+/// A level and, if only its sign is wanted, that sign.
+struct Wanted {
+  modes::Level level;
+  int sign = 0;
+  friend bool operator==(const Wanted& a, const Wanted& b) {
+    return a.level.p == b.level.p && a.level.q == b.level.q && a.sign == b.sign;
+  }
+};
+
+/// Different ones, in their order.
+std::vector<Wanted> wanted_modes(std::string words, bool keep_sign, bool neutral) {
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::istringstream stream(words);
+  std::vector<Wanted> all, different;
+  for (std::string word; stream >> word;) try {
+      const modes::SignedLevel parsed = modes::parse_level(word);
+      all.push_back({parsed.level, keep_sign ? parsed.sign : 0});
+    } catch (const std::invalid_argument& error) {
+      throw kernel::InputError(std::string("Mode ") + error.what());
+    }
+  if (neutral) all.push_back({{0, 1}, 0});
+  for (const Wanted& w : all)
+    if (std::find(different.begin(), different.end(), w) == different.end()) different.push_back(w);
+  return different;
+}
+
 double diagonal(const std::vector<kernel::Vec3>& points) {
   kernel::Vec3 low = points[0], high = points[0];
   for (const kernel::Vec3& p : points)
@@ -56,8 +84,23 @@ double diagonal(const std::vector<kernel::Vec3>& points) {
 
 }  // namespace
 
+void vtkCrestModeSurface::AddCurves(const modes::ModeField& field, bool certify,
+                                    io::ModeScene& scene) {
+  this->Step("degenerate curves", 0.1);
+  const auto& mesh = field.mesh;
+  const modes::DegenerateCurves curves =
+      modes::degenerate_curves(mesh.points(), mesh.tets(), field.tensors);
+  if (certify)
+    this->Certify(certify::encode(
+                      modes::curves_certificate(mesh.points(), mesh.tets(), field.tensors, curves)),
+                  curves.undecided.size(), false);
+  if (!curves.undecided.empty())
+    this->Warn(std::to_string(curves.undecided.size()) + " places are undecided");
+  scene.curves = curves.curves;
+}
+
 void vtkCrestModeSurface::Work(vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  const std::vector<WantedMode> wanted =
+  const std::vector<Wanted> wanted =
       wanted_modes(this->Mode ? this->Mode : "", this->Signed, this->Neutral);
   if (wanted.empty() && !this->Degenerate)
     throw kernel::InputError("Mode: none is given; give one, or Neutral, or Degenerate");
@@ -71,25 +114,14 @@ void vtkCrestModeSurface::Work(vtkInformationVector** inputs, vtkInformationVect
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
   io::ModeScene scene;
   scene.min_magnitude = this->MinMagnitude;
-  if (this->Degenerate) {
-    this->Step("degenerate curves", 0.1);
-    const modes::DegenerateCurves curves =
-        modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors);
-    if (wanted.empty() && this->WantsCertificate())
-      this->Certify(certify::encode(modes::curves_certificate(
-                        field.mesh.points(), field.mesh.tets(), field.tensors, curves)),
-                    curves.undecided.size(), false);
-    if (!curves.undecided.empty())
-      this->Warn(std::to_string(curves.undecided.size()) + " places are undecided");
-    scene.curves = curves.curves;
-  }
+  if (this->Degenerate) this->AddCurves(field, wanted.empty() && this->WantsCertificate(), scene);
   this->Step("looking for zeros", 0.2);
   const modes::ZeroSet zeros = modes::insert_zeros(field);
   const modes::ModeOptions options{this->MaxDepth, static_cast<std::uint64_t>(this->Budget),
                                    this->Deviation * diagonal(field.mesh.points())};
   std::vector<certify::ModeLevel> records;
   std::size_t undecided = 0;
-  for (const WantedMode& w : wanted) {
+  for (const Wanted& w : wanted) {
     this->Step("extracting mode surfaces", 0.3);
     certify::ModeLevel record;
     modes::ModeResult result = this->WantsCertificate()

@@ -4,6 +4,15 @@
 
 #include "vtkCrestAlgorithm.h"
 
+namespace crest {  // VTK's parser knows no nested names
+namespace io {
+struct ModeScene;
+}
+namespace modes {
+struct ModeField;
+}
+}  // namespace crest
+
 /// crest modes. Outputs: 0 mode and neutral surfaces, 1 degenerate curves.
 class VTKCRESTFILTERS_EXPORT vtkCrestModeSurface : public vtkCrestAlgorithm {
  public:
@@ -30,6 +39,8 @@ class VTKCRESTFILTERS_EXPORT vtkCrestModeSurface : public vtkCrestAlgorithm {
   void Work(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
  private:
+  void AddCurves(const crest::modes::ModeField& field, bool certify, crest::io::ModeScene& scene);
+
   char *Mode = nullptr, *Order = nullptr;
   bool Neutral = false, Degenerate = false, Signed = false;
   int MaxDepth = 40, Budget = 100'000;

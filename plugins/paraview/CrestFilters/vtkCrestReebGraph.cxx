@@ -11,10 +11,9 @@
 
 #include <cmath>
 
-#include "algorithms/reeb/arc_labels.hpp"
 #include "algorithms/reeb/certificate.hpp"
+#include "algorithms/reeb/labelled_graph.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
-#include "algorithms/reeb/segmentation.hpp"
 #include "certify/reeb/encode.hpp"
 #include "crest_parts.h"
 #include "io/formats/vtk_input.hpp"
@@ -52,36 +51,22 @@ namespace {
 using namespace crest;
 using kernel::Index;
 
-/// The graph that is shown, with the arc of each of the tiles' nodes and of each tile.
-struct Shown {
-  reeb::ReebGraph graph;
-  std::vector<Index> arc_of_node, arc_of_tile;
-};
-
-Shown label(const reeb::TileComplex& tiles, const reeb::ReebGraph& graph) {
-  reeb::Segmentation segmentation = reeb::segmentation(reeb::ordered(tiles), graph);
-  Shown shown{graph, std::move(segmentation.arc_of_vertex), {}};
-  for (const reeb::TriangleArcs& arcs : segmentation.triangles)
-    shown.arc_of_tile.push_back(arcs.middle);
-  return shown;
-}
-
-template <class Coarser>
-void replace(Shown& shown, const Coarser& next) {
-  shown = {next.graph, reeb::relabel_vertices(shown.arc_of_node, shown.graph, next),
-           reeb::relabel_arcs(shown.arc_of_tile, next.arc_of_arc)};
+io::FunctionSource source_of(const char* expression, io::FunctionSource source) {
+  if (!expression || !*expression) return source;
+  try {
+    source.expression = kernel::Expression::parse(expression, {"x", "y", "z"});
+  } catch (const kernel::ExpressionError& error) {
+    throw kernel::InputError(std::string("Expression: ") + error.what());
+  }
+  return source;
 }
 
 }  // namespace
 
 void vtkCrestReebGraph::Work(vtkInformationVector** inputs, vtkInformationVector* outputs) {
   this->Step("cleaning the surface", 0);
-  io::FunctionSource source{this->ChosenArray(), {}, this->Linear, this->Cleaning(), {}};
-  if (this->Expression && *this->Expression) try {
-      source.expression = kernel::Expression::parse(this->Expression, {"x", "y", "z"});
-    } catch (const kernel::ExpressionError& error) {
-      throw kernel::InputError(std::string("Expression: ") + error.what());
-    }
+  const io::FunctionSource source =
+      source_of(this->Expression, {this->ChosenArray(), {}, this->Linear, this->Cleaning(), {}});
   for (const double level : this->Levels)
     if (!std::isfinite(level)) throw kernel::InputError("Levels: one is not finite; repair it");
   const io::QuadraticFile file =
@@ -97,13 +82,13 @@ void vtkCrestReebGraph::Work(vtkInformationVector** inputs, vtkInformationVector
   }
   this->Step("placing nodes and labelling", 0.8);
   const std::vector<reeb::NodePlace> places = reeb::node_places(file.mesh, tiles);
-  Shown shown = label(tiles, graph);
-  if (this->Contract) replace(shown, reeb::contract(shown.graph, tiles.rank, tiles.tied));
-  if (this->Persistence >= 0) {
-    std::vector<double> values;
-    for (const reeb::NodePlace& place : places) values.push_back(place.value);
-    replace(shown, reeb::simplify(shown.graph, values, this->Persistence, this->CancelLoops));
-  }
+  reeb::LabelledGraph shown{graph, {}, {}};
+  reeb::label(tiles, true, shown);
+  std::vector<double> values;
+  for (const reeb::NodePlace& place : places) values.push_back(place.value);
+  reeb::Simplification wanted{this->Contract, {}, this->CancelLoops};
+  if (this->Persistence >= 0) wanted.persistence = this->Persistence;
+  if (wanted.wanted()) reeb::simplify(tiles, values, wanted, shown);
   std::vector<io::LevelLines> levels;
   for (const double level : this->Levels)
     levels.push_back({level, reeb::contours(file.mesh, tiles, level)});
@@ -111,16 +96,8 @@ void vtkCrestReebGraph::Work(vtkInformationVector** inputs, vtkInformationVector
   const std::vector<Index> no_tiles;
   const std::vector<io::TreeLines> no_trees;
   const auto scene = [&](const std::vector<Index>& arc_of_tile) {
-    return io::ReebScene{file.mesh,
-                         tiles,
-                         places,
-                         shown.graph,
-                         shown.arc_of_node,
-                         arc_of_tile,
-                         no_trees,
-                         levels,
-                         this->DataDigest,
-                         file.numbers.faces};
+    return io::ReebScene{file.mesh,   tiles,    places, shown.graph,      shown.arc_of_node,
+                         arc_of_tile, no_trees, levels, this->DataDigest, file.numbers.faces};
   };
   const auto lines = io::reeb_poly_data(scene(no_tiles));
   take_part(*lines, "kind", {1}, *vtkPolyData::GetData(outputs, 0));

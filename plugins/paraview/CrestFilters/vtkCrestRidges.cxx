@@ -70,8 +70,7 @@ void vtkCrestRidges::Work(vtkInformationVector** inputs, vtkInformationVector* o
         "Significance: is 0, so that nothing is salient; give a number above it");
   if (this->SupportMode == Auto) {
     this->Step("choosing the fits' support", 0.02);
-    fitting.min_points =
-        ridges::choose_support(file.mesh, fitting, graph_options, salience).points;
+    fitting.min_points = ridges::choose_support(file.mesh, fitting, graph_options, salience).points;
   }
   this->Step("fitting Monge forms", 0.3);
   const ridges::FitResult fit = ridges::fit_monge_forms(file.mesh, fitting);

@@ -4,8 +4,8 @@
 
 #include "vtkCrestMeshAlgorithm.h"
 
-/// crest ridges of a mesh. Outputs: 0 ridges (polylines), 1 umbilics (vertices), 2 the mesh with k1,
-/// k2, d1, d2.
+/// crest ridges of a mesh. Outputs: 0 ridges (polylines), 1 umbilics (vertices), 2 the mesh with
+/// k1, k2, d1, d2.
 class VTKCRESTFILTERS_EXPORT vtkCrestRidges : public vtkCrestMeshAlgorithm {
  public:
   static vtkCrestRidges* New();

@@ -57,12 +57,11 @@ void vtkCrestSmoothRidges::Work(vtkInformationVector**, vtkInformationVector* ou
   using namespace crest;
   const auto surface = [&] {
     try {
-      return this->Parametric
-                 ? smooth_ridges::Surface::parametric(
-                       {text_of(this->X), text_of(this->Y), text_of(this->Z)},
-                       domain_of(this->Domain), {this->PeriodicU, this->PeriodicV})
-                 : smooth_ridges::Surface::implicit(text_of(this->Surface),
-                                                    std::to_array(this->Box));
+      return this->Parametric ? smooth_ridges::Surface::parametric(
+                                    {text_of(this->X), text_of(this->Y), text_of(this->Z)},
+                                    domain_of(this->Domain), {this->PeriodicU, this->PeriodicV})
+                              : smooth_ridges::Surface::implicit(text_of(this->Surface),
+                                                                 std::to_array(this->Box));
     } catch (const kernel::InputError&) {
       throw;
     } catch (const kernel::ExpressionError& error) {
@@ -85,8 +84,9 @@ void vtkCrestSmoothRidges::Work(vtkInformationVector**, vtkInformationVector* ou
     if (this->GetAbortExecute()) aborted = true;
   };
   options.stop = [&] {
-    return aborted || (this->Seconds > 0 &&
-                       std::chrono::duration<double>(Clock::now() - start).count() >= this->Seconds);
+    return aborted ||
+           (this->Seconds > 0 &&
+            std::chrono::duration<double>(Clock::now() - start).count() >= this->Seconds);
   };
   this->Step("triangulating and proving", 0);
   const smooth_ridges::SmoothRidges result = smooth_ridges::smooth_ridges(surface, options);
@@ -99,6 +99,6 @@ void vtkCrestSmoothRidges::Work(vtkInformationVector**, vtkInformationVector* ou
   const auto whole = io::smooth_ridge_poly_data(result, this->DataDigest);
   take_part(*whole, "kind", {-1}, *vtkPolyData::GetData(outputs, 0));
   take_rest(*whole, "kind", {-1}, *vtkPolyData::GetData(outputs, 1));
-  vtkPolyData::GetData(outputs, 2)->ShallowCopy(
-      io::smooth_mesh_poly_data(result, this->DataDigest));
+  vtkPolyData::GetData(outputs, 2)
+      ->ShallowCopy(io::smooth_mesh_poly_data(result, this->DataDigest));
 }

@@ -4,8 +4,8 @@
 
 #include "vtkCrestAlgorithm.h"
 
-/// crest ridges --surface, --param: a source. Outputs: 0 ridges (polylines), 1 umbilics, turning and
-/// purple points, undecided cells (vertices), 2 the triangulation.
+/// crest ridges --surface, --param: a source. Outputs: 0 ridges (polylines), 1 umbilics, turning
+/// and purple points, undecided cells (vertices), 2 the triangulation.
 class VTKCRESTFILTERS_EXPORT vtkCrestSmoothRidges : public vtkCrestAlgorithm {
  public:
   static vtkCrestSmoothRidges* New();

@@ -24,14 +24,13 @@ int vtkCrestSplineIsosurface::FillInputPortInformation(int, vtkInformation* info
   return 1;
 }
 
-void vtkCrestSplineIsosurface::Work(vtkInformationVector** inputs,
-                                    vtkInformationVector* outputs) {
+void vtkCrestSplineIsosurface::Work(vtkInformationVector** inputs, vtkInformationVector* outputs) {
   using namespace crest;
   if (!std::isfinite(this->Isovalue))
     throw kernel::InputError("Isovalue: is not finite; give a number");
   this->Step("reading samples", 0);
-  io::VolumeFile file = io::grid_of_volume(
-      io::volume_of(*vtkImageData::GetData(inputs[0]), this->ChosenArray()));
+  io::VolumeFile file =
+      io::grid_of_volume(io::volume_of(*vtkImageData::GetData(inputs[0]), this->ChosenArray()));
   this->Warn(file.warnings);
   const splines::QuadraticSpline spline(
       std::move(file.grid), this->Extend ? splines::Border::extend : splines::Border::none);
@@ -44,8 +43,8 @@ void vtkCrestSplineIsosurface::Work(vtkInformationVector** inputs,
                "no certificate; take another Isovalue close by");
   } else if (this->WantsCertificate()) {
     this->Step("composing the certificate", 0.7);
-    this->Certify(
-        certify::encode(splines::isosurface_certificate(spline, this->Isovalue, surface)), 0);
+    this->Certify(certify::encode(splines::isosurface_certificate(spline, this->Isovalue, surface)),
+                  0);
   }
   this->Step("writing", 0.95);
   vtkPolyData::GetData(outputs)->ShallowCopy(io::isosurface_poly_data(surface, this->DataDigest));

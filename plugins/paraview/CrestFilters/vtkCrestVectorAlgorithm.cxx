@@ -16,14 +16,14 @@
 
 int vtkCrestVectorAlgorithm::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  for (const char* type : {"vtkUnstructuredGrid", "vtkImageData", "vtkRectilinearGrid",
-                           "vtkStructuredGrid"})
+  for (const char* type :
+       {"vtkUnstructuredGrid", "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid"})
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   return 1;
 }
 
 crest::vector_fields::PlanarField vtkCrestVectorAlgorithm::Field(vtkInformationVector** inputs,
-                                                                std::string& name) {
+                                                                 std::string& name) {
   using namespace crest;
   this->Step("reading vectors", 0);
   io::VectorRequest request;
