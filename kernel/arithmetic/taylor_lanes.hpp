@@ -22,6 +22,14 @@ struct LaneRanges {
   Range operator[](std::size_t l) const { return {low.x[l], high.x[l]}; }
 };
 
+/// The sign of all of them.
+inline MaybeSign certain_sign(const LaneRanges& r) {
+  const MaybeSign first = certain_sign(r[0]);
+  for (std::size_t l = 1; l < Lanes::count; ++l)
+    if (certain_sign(r[l]) != first) return std::nullopt;
+  return first;
+}
+
 /// Bit l: lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kAllLanes = (1U << Lanes::count) - 1;
@@ -163,6 +171,11 @@ class TaylorLanes {
   }
   friend TaylorLanes cos(const TaylorLanes& a) {
     return a.compose(taylor::cos_series, [](const Model& m) { return cos(m); });
+  }
+  /// In all lanes (defined.hpp).
+  friend TaylorLanes undefined_of(TaylorLanes a) {
+    a.radius() = HUGE_VAL;
+    return a;
   }
   /// Constants of a jet's operations (jet_tables.hpp).
   friend TaylorLanes number_like(const Lanes& x, const TaylorLanes* /*like*/) {
