@@ -98,8 +98,8 @@ class FaceProver {
     bool placed = false, regular = false, steep = false;
     std::array<M, 3> x, m, gradient;  ///< kind 0; grad F in the face's frame
     M s;
-    std::array<bool, 2> no_zero{};       ///< of colours that are said to have none
-    std::array<Extremality<K>, 2> e{};   ///< of the others; K = 1
+    std::array<bool, 2> no_zero{};      ///< of colours that are said to have none
+    std::array<Extremality<K>, 2> e{};  ///< of the others; K = 1
   };
   /// Of the next faces.
   template <int K>

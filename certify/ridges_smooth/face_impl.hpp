@@ -44,8 +44,7 @@ bool FaceProver<M>::prove_purple(const Local<M, K>& x, const Local<M, K>& y, Met
 template <class M>
 template <int K>
 unsigned FaceProver<M>::prove_colour(std::size_t j, const SmoothFaceRecord& record,
-                                     const Extremality<K>& e, unsigned open,
-                                     const Method& method) {
+                                     const Extremality<K>& e, unsigned open, const Method& method) {
   const auto c = direction(record.verdict[j]);
   unsigned proven = 0;
   if ((open & kVerdict << j) != 0 && has_no_zero(e.slope(c[0], c[1]))) proven |= kVerdict << j;
@@ -133,8 +132,7 @@ std::optional<unsigned> FaceProver<M>::prove_prepared(std::uint32_t face, unsign
       open &= ~prove_colour<K>(j, record, w.e[j], open, method);
       if (findings != nullptr) find_signs<K>(j, w.e[j], edge, *findings);
     }
-    if ((open & kPurple) != 0 && both &&
-        prove_purple<K>(w.e[0].e, w.e[1].e, method, advisor))
+    if ((open & kPurple) != 0 && both && prove_purple<K>(w.e[0].e, w.e[1].e, method, advisor))
       open &= ~static_cast<unsigned>(kPurple);
   }
   return open;

@@ -13,6 +13,47 @@
 
 namespace crest::certify::smooth {
 
+inline bool has(kernel::LaneMask mask, std::size_t l) {
+  return (mask >> l & 1) != 0;
+}
+inline kernel::LaneMask positive(const kernel::LaneRanges& r) {
+  kernel::LaneMask mask = 0;
+  for (std::size_t l = 0; l < kernel::Lanes::count; ++l)
+    mask |= kernel::LaneMask{kernel::certain_sign(r[l]) == kernel::Sign::positive} << l;
+  return mask;
+}
+/// The lanes that are not live become copies of one that is. Requires: there is one.
+template <class... T>
+void revive(kernel::LaneMask live, T&... values) {
+  const auto from = static_cast<std::size_t>(std::countr_zero(live));
+  for (std::size_t l = 0; l < kernel::Lanes::count; ++l)
+    if (!has(live, l)) (copy_lane(values, from, l), ...);
+}
+/// b where the mask is set, else a.
+template <int Order>
+kernel::TaylorLanes<Order> choose(kernel::LaneMask mask, const kernel::TaylorLanes<Order>& a,
+                                  const kernel::TaylorLanes<Order>& b) {
+  kernel::TaylorLanes<Order> r = a;
+  for (std::size_t l = 0; mask != 0 && l < kernel::Lanes::count; ++l)
+    if (has(mask, l))
+      for (std::size_t k = 0; k < r.rows.size(); ++k) r.rows[k].x[l] = b.rows[k].x[l];
+  return r;
+}
+template <int Order>
+std::array<kernel::TaylorModel<Order>, 3> lane_of(
+    const std::array<kernel::TaylorLanes<Order>, 3>& v, std::size_t l) {
+  return {v[0].lane(l), v[1].lane(l), v[2].lane(l)};
+}
+template <int Order, int K>
+Local<kernel::TaylorModel<Order>, K> lane_of(const Local<kernel::TaylorLanes<Order>, K>& f,
+                                             std::size_t l) {
+  using Result = Local<kernel::TaylorModel<Order>, K>;
+  typename Result::Coefficients c;
+  kernel::for_each_bit(f.coefficients().mask(),
+                       [&](std::size_t i) { c.put(i, f.coefficients()[i].lane(l)); });
+  return Result(std::move(c));
+}
+
 template <int Order, int K>
 struct FaceLanes<Order, K>::State {
   using M = kernel::TaylorLanes<Order>;
@@ -23,30 +64,6 @@ struct FaceLanes<Order, K>::State {
 
   State(const Surface& surface, const RidgesSmoothCertificate& c) : surface_(surface), c_(c) {}
 
-  static bool has(Mask mask, std::size_t l) { return (mask >> l & 1) != 0; }
-  static Mask positive(const kernel::LaneRanges& r) {
-    Mask mask = 0;
-    for (std::size_t l = 0; l < kCount; ++l)
-      mask |= Mask{kernel::certain_sign(r[l]) == kernel::Sign::positive} << l;
-    return mask;
-  }
-  /// The lanes that are not live become copies of one that is. Requires: there is one.
-  template <class... T>
-  static void revive(Mask live, T&... values) {
-    const auto from = static_cast<std::size_t>(std::countr_zero(live));
-    for (std::size_t l = 0; l < kCount; ++l)
-      if (!has(live, l)) (copy_lane(values, from, l), ...);
-  }
-  /// b where the mask is set.
-  static M choose(Mask mask, const M& a, const M& b) {
-    if (mask == 0) return a;
-    M r = a;
-    for (std::size_t k = 0; k < r.rows.size(); ++k)
-      for (std::size_t l = 0; l < kCount; ++l)
-        r.rows[k].x[l] = has(mask, l) ? b.rows[k].x[l] : a.rows[k].x[l];
-    return r;
-  }
-
   u32 face(std::size_t l) const { return faces_[std::min(l, faces_.size() - 1)]; }
   const SmoothFaceRecord& record(std::size_t l) const { return c_.face_records[face(l)]; }
   M affine(std::size_t coordinate) const {
@@ -56,17 +73,6 @@ struct FaceLanes<Order, K>::State {
         at[i].x[l] = c_.vertices[c_.faces[face(l)][i]][coordinate];
     return M::linear(at[0], at[1], at[2]);
   }
-  template <class V>
-  static std::array<Model, 3> lane_of(const V& v, std::size_t l) {
-    return {v[0].lane(l), v[1].lane(l), v[2].lane(l)};
-  }
-  static Local<Model, K> lane_of(const Local<M, K>& f, std::size_t l) {
-    typename Local<Model, K>::Coefficients c;
-    kernel::for_each_bit(f.coefficients().mask(),
-                         [&](std::size_t i) { c.put(i, f.coefficients()[i].lane(l)); });
-    return Local<Model, K>(std::move(c));
-  }
-
   /// Kind 0, find_foot() of the lanes; `live` are those with feet. False: something is undefined.
   bool find_feet(Vector3& x, Vector3& m, M& s, Mask& live) {
     Vector3 p;
@@ -172,8 +178,8 @@ struct FaceLanes<Order, K>::State {
     const kernel::LaneRanges a11 = a.a.range();
     Mask by_difference = 0;
     for (std::size_t l = 0; l < faces_.size(); ++l) {
-      values[l].steep = has(free[0] | free[1], l) &&
-                        steep[l].value_or(a11.low.x[l] + a11.high.x[l] < 0);
+      values[l].steep =
+          has(free[0] | free[1], l) && steep[l].value_or(a11.low.x[l] + a11.high.x[l] < 0);
       by_difference |= Mask{values[l].steep} << l;
     }
     const M sigma = square_root(a.a * a.a + a.b * a.c);
@@ -191,10 +197,10 @@ struct FaceLanes<Order, K>::State {
       const M lvv = at(forms.l, 0) + s * (at(forms.l, 1) * 2.0 + s * at(forms.l, 2));
       const M tvvv = at(forms.t, 0) +
                      s * (at(forms.t, 1) * 3.0 + s * (at(forms.t, 2) * 3.0 + s * at(forms.t, 3)));
-      const M c = forms.graph
-                      ? (at(forms.h, 0) + s * at(forms.h, 1)) * lvv * forms.sign
-                      : at(forms.c, 0) +
-                            s * (at(forms.c, 1) + s * (at(forms.c, 2) + s * at(forms.c, 3)));
+      const M c =
+          forms.graph
+              ? (at(forms.h, 0) + s * at(forms.h, 1)) * lvv * forms.sign
+              : at(forms.c, 0) + s * (at(forms.c, 1) + s * (at(forms.c, 2) + s * at(forms.c, 3)));
       const kernel::LaneRanges e = (ivv * tvvv - lvv * c * 3.0).range();
       for (std::size_t l = 0; l < faces_.size(); ++l)
         if (has(free[j], l)) values[l].no_zero[j] = nonzero(kernel::certain_sign(e[l]));

@@ -285,14 +285,13 @@ std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
 std::vector<FaceResult> check_faces(const Claim& claim) {
   std::vector<FaceResult> results(claim.certificate.faces.size());
   constexpr std::size_t kTogether = FaceProvers::kTogether;
-  parallel_for(
-      (results.size() + kTogether - 1) / kTogether, [&] { return FaceChecker(claim); },
-      [&](FaceChecker& checker, std::size_t group) {
-        const auto first = static_cast<u32>(group * kTogether);
-        const auto last = static_cast<u32>(std::min(first + kTogether, results.size()));
-        checker.prepare(first, last);
-        for (u32 f = first; f < last; ++f) results[f] = checker.check(f);
-      });
+  parallel_for((results.size() + kTogether - 1) / kTogether, [&] { return FaceChecker(claim); },
+               [&](FaceChecker& checker, std::size_t group) {
+                 const auto first = static_cast<u32>(group * kTogether);
+                 const auto last = static_cast<u32>(std::min(first + kTogether, results.size()));
+                 checker.prepare(first, last);
+                 for (u32 f = first; f < last; ++f) results[f] = checker.check(f);
+               });
   check_undrawn_arcs(claim);
   return results;
 }

@@ -416,14 +416,13 @@ void write(const FaceDraft& draft, bool implicit, SmoothFaceRecord& record) {
 std::vector<std::optional<Ranges>> record_faces(const Claim& claim, RidgesSmoothCertificate& c) {
   std::vector<FaceDraft> drafts(c.faces.size());
   constexpr std::size_t kTogether = FaceProvers::kTogether;
-  for_all(
-      (drafts.size() + kTogether - 1) / kTogether, [&] { return FaceRecorder(claim, c); },
-      [&](FaceRecorder& recorder, std::size_t group) {
-        const auto first = static_cast<u32>(group * kTogether);
-        const auto last = static_cast<u32>(std::min(first + kTogether, drafts.size()));
-        recorder.prepare(first, last);
-        for (u32 f = first; f < last; ++f) drafts[f] = recorder.record(f);
-      });
+  for_all((drafts.size() + kTogether - 1) / kTogether, [&] { return FaceRecorder(claim, c); },
+          [&](FaceRecorder& recorder, std::size_t group) {
+            const auto first = static_cast<u32>(group * kTogether);
+            const auto last = static_cast<u32>(std::min(first + kTogether, drafts.size()));
+            recorder.prepare(first, last);
+            for (u32 f = first; f < last; ++f) drafts[f] = recorder.record(f);
+          });
   for (u32 f = 0; f < drafts.size(); ++f)
     for (std::size_t j = 0; j < 2; ++j)
       for (std::size_t i = 0; i < 3; ++i)

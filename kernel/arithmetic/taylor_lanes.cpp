@@ -166,9 +166,8 @@ inline void times_two_flat_lanes(const LaneRows<Order>& a, const LaneRows<Order>
     const double constant = a[0].x[l], radius = a[kRadius].x[l], factor = flat[0].x[l];
     const double product = constant * factor;
     r[0].x[l] = product;
-    r[kRadius].x[l] =
-        grow(Kernels<Order>::kUnit * std::fabs(product) + std::fabs(factor) * radius +
-             flat[kRadius].x[l] * (std::fabs(constant) + radius));
+    r[kRadius].x[l] = grow(Kernels<Order>::kUnit * std::fabs(product) + std::fabs(factor) * radius +
+                           flat[kRadius].x[l] * (std::fabs(constant) + radius));
   }
 }
 
@@ -259,63 +258,63 @@ inline void centred_lanes(const LaneRows<Order>& a, const Lanes& centre, LaneRow
 
 }  // namespace
 
-#define CREST_LANE_LOOPS(Order)                                                                    \
-  CREST_WIDE_CLONES void add(const LaneRows<Order>& a, const LaneRows<Order>& b,                   \
-                             LaneRows<Order>& r) {                                                 \
-    const auto sum = [](double x, double y) { return x + y; };                                     \
-    by_rows<Order>(a, b, r, sum, sum);                                                             \
-  }                                                                                                \
-  CREST_WIDE_CLONES void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b,              \
-                                  LaneRows<Order>& r) {                                            \
-    by_rows<Order>(                                                                                \
-        a, b, r, [](double x, double y) { return x - y; },                                         \
-        [](double x, double y) { return x + y; });                                                 \
-  }                                                                                                \
-  CREST_WIDE_CLONES void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {     \
-    scale_lanes<Order>(                                                                            \
-        a, s, r, [](double x, double y) { return x * y; },                                         \
-        [](double x, double y) { return std::fabs(y) * x; });                                      \
-  }                                                                                                \
-  CREST_WIDE_CLONES void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {    \
-    scale_lanes<Order>(                                                                            \
-        a, s, r, [](double x, double y) { return x / y; },                                         \
-        [](double x, double y) { return x / std::fabs(y) + 0 * y; });                              \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b,              \
-                                  LaneRows<Order>& r) {                                            \
-    return multiply_lanes<Order, false>(a, b, r);                                                  \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b,      \
-                                          LaneRows<Order>& sum) {                                  \
-    return multiply_lanes<Order, true>(a, b, sum);                                                 \
-  }                                                                                                \
-  CREST_WIDE_CLONES void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,         \
-                                    LaneRows<Order>& r) {                                          \
-    times_flat_lanes<Order>(a, flat, r);                                                           \
-  }                                                                                                \
-  CREST_WIDE_CLONES void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,     \
-                                        LaneRows<Order>& r) {                                      \
-    times_two_flat_lanes<Order>(a, flat, r);                                                       \
-  }                                                                                                \
-  CREST_WIDE_CLONES LaneMask flat_lanes(const LaneRows<Order>& a) {                                \
-    return flat_lanes_of<Order>(a);                                                                \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool all_defined(const LaneRows<Order>& a) {                                   \
-    return all_lanes_defined<Order>(a);                                                            \
-  }                                                                                                \
-  CREST_WIDE_CLONES void range_of(const LaneRows<Order>& a, LaneRanges& r) {                       \
-    range_of_lanes<Order>(a, r);                                                                   \
-  }                                                                                                \
-  CREST_WIDE_CLONES void sizes_of(const LaneRows<Order>& a, Lanes& sizes) {                        \
-    sizes_of_lanes<Order>(a, sizes);                                                               \
-  }                                                                                                \
-  CREST_WIDE_CLONES void add_scaled(const LaneRows<Order>& a, const Lanes& w,                      \
-                                    LaneRows<Order>& sum) {                                        \
-    add_scaled_lanes<Order>(a, w, sum);                                                            \
-  }                                                                                                \
-  CREST_WIDE_CLONES void centred(const LaneRows<Order>& a, const Lanes& centre,                    \
-                                 LaneRows<Order>& h) {                                             \
-    centred_lanes<Order>(a, centre, h);                                                            \
+#define CREST_LANE_LOOPS(Order)                                                                 \
+  CREST_WIDE_CLONES void add(const LaneRows<Order>& a, const LaneRows<Order>& b,                \
+                             LaneRows<Order>& r) {                                              \
+    const auto sum = [](double x, double y) { return x + y; };                                  \
+    by_rows<Order>(a, b, r, sum, sum);                                                          \
+  }                                                                                             \
+  CREST_WIDE_CLONES void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b,           \
+                                  LaneRows<Order>& r) {                                         \
+    by_rows<Order>(                                                                             \
+        a, b, r, [](double x, double y) { return x - y; },                                      \
+        [](double x, double y) { return x + y; });                                              \
+  }                                                                                             \
+  CREST_WIDE_CLONES void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {  \
+    scale_lanes<Order>(                                                                         \
+        a, s, r, [](double x, double y) { return x * y; },                                      \
+        [](double x, double y) { return std::fabs(y) * x; });                                   \
+  }                                                                                             \
+  CREST_WIDE_CLONES void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) { \
+    scale_lanes<Order>(                                                                         \
+        a, s, r, [](double x, double y) { return x / y; },                                      \
+        [](double x, double y) { return x / std::fabs(y) + 0 * y; });                           \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b,           \
+                                  LaneRows<Order>& r) {                                         \
+    return multiply_lanes<Order, false>(a, b, r);                                               \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b,   \
+                                          LaneRows<Order>& sum) {                               \
+    return multiply_lanes<Order, true>(a, b, sum);                                              \
+  }                                                                                             \
+  CREST_WIDE_CLONES void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,      \
+                                    LaneRows<Order>& r) {                                       \
+    times_flat_lanes<Order>(a, flat, r);                                                        \
+  }                                                                                             \
+  CREST_WIDE_CLONES void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,  \
+                                        LaneRows<Order>& r) {                                   \
+    times_two_flat_lanes<Order>(a, flat, r);                                                    \
+  }                                                                                             \
+  CREST_WIDE_CLONES LaneMask flat_lanes(const LaneRows<Order>& a) {                             \
+    return flat_lanes_of<Order>(a);                                                             \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool all_defined(const LaneRows<Order>& a) {                                \
+    return all_lanes_defined<Order>(a);                                                         \
+  }                                                                                             \
+  CREST_WIDE_CLONES void range_of(const LaneRows<Order>& a, LaneRanges& r) {                    \
+    range_of_lanes<Order>(a, r);                                                                \
+  }                                                                                             \
+  CREST_WIDE_CLONES void sizes_of(const LaneRows<Order>& a, Lanes& sizes) {                     \
+    sizes_of_lanes<Order>(a, sizes);                                                            \
+  }                                                                                             \
+  CREST_WIDE_CLONES void add_scaled(const LaneRows<Order>& a, const Lanes& w,                   \
+                                    LaneRows<Order>& sum) {                                     \
+    add_scaled_lanes<Order>(a, w, sum);                                                         \
+  }                                                                                             \
+  CREST_WIDE_CLONES void centred(const LaneRows<Order>& a, const Lanes& centre,                 \
+                                 LaneRows<Order>& h) {                                          \
+    centred_lanes<Order>(a, centre, h);                                                         \
   }
 CREST_LANE_LOOPS(3)
 CREST_LANE_LOOPS(4)

@@ -41,24 +41,24 @@ template <int Order>
 using LaneRows = std::array<Lanes, monomial_count(2, Order) + 1>;
 
 // The loops over the lanes, for each instruction set. Requires: the result is no operand.
-#define CREST_LANE_LOOPS(Order)                                                                   \
-  void add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);               \
-  void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);          \
-  void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                       \
-  void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                      \
-  /* False, and nothing done, if a lane of a factor may be flat. */                               \
-  bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);          \
+#define CREST_LANE_LOOPS(Order)                                                                    \
+  void add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);                \
+  void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);           \
+  void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                        \
+  void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                       \
+  /* False, and nothing done, if a lane of a factor may be flat. */                                \
+  bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);           \
   bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& sum); \
-  /* By lanes that are flat; of lanes that are all not flat, or all flat. */                      \
-  void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);     \
-  void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r); \
-  LaneMask flat_lanes(const LaneRows<Order>& a);                                                  \
-  bool all_defined(const LaneRows<Order>& a);                                                     \
-  void range_of(const LaneRows<Order>& a, LaneRanges& r);                                         \
-  void sizes_of(const LaneRows<Order>& a, Lanes& sizes);                                          \
-  /* The coefficients of w a to those of the sum. */                                              \
-  void add_scaled(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum);                \
-  /* a less the constant `centre`. */                                                             \
+  /* By lanes that are flat; of lanes that are all not flat, or all flat. */                       \
+  void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);      \
+  void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);  \
+  LaneMask flat_lanes(const LaneRows<Order>& a);                                                   \
+  bool all_defined(const LaneRows<Order>& a);                                                      \
+  void range_of(const LaneRows<Order>& a, LaneRanges& r);                                          \
+  void sizes_of(const LaneRows<Order>& a, Lanes& sizes);                                           \
+  /* The coefficients of w a to those of the sum. */                                               \
+  void add_scaled(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum);                 \
+  /* a less the constant `centre`. */                                                              \
   void centred(const LaneRows<Order>& a, const Lanes& centre, LaneRows<Order>& h)
 CREST_LANE_LOOPS(3);
 CREST_LANE_LOOPS(4);
@@ -149,7 +149,8 @@ class TaylorLanes {
   }
   /// sum += a b (see jet_tables.hpp).
   friend void add_product(TaylorLanes& sum, const TaylorLanes& a, const TaylorLanes& b) {
-    if (&sum == &a || &sum == &b || !taylor::multiply_and_add(a.rows, b.rows, sum.rows)) sum.add_slowly(a, b);
+    if (&sum == &a || &sum == &b || !taylor::multiply_and_add(a.rows, b.rows, sum.rows))
+      sum.add_slowly(a, b);
   }
   friend TaylorLanes operator/(const TaylorLanes& a, const TaylorLanes& b) {
     return a * inverse(b);

@@ -35,7 +35,8 @@ bool same(const TaylorModel<N>& a, const TaylorModel<N>& b) {
 template <int N>
 TaylorModel<N> draw_model(Draw& d, Family family, bool flat) {
   TaylorModel<N> m;
-  for (double& x : m.c) x = flat || d.integer(0, 5) == 0 ? (d.coin() ? 0.0 : -0.0) : draw(d, family);
+  for (double& x : m.c)
+    x = flat || d.integer(0, 5) == 0 ? (d.coin() ? 0.0 : -0.0) : draw(d, family);
   m.c[0] = draw(d, family) + d.integer(0, 40);
   m.radius = d.coin() ? 0 : std::fabs(draw(d, family)) * 0x1p-20;
   if (d.integer(0, 30) == 0) m.c[static_cast<std::size_t>(d.integer(0, 9))] = kInfinity;
@@ -149,8 +150,8 @@ TEST_CASE("A jet of models side by side is undefined in every lane if its value 
     Lanes at;
     for (std::size_t l = 0; l < kLanes; ++l) at.x[l] = l == bad ? -1 : 1;
     const Jet x = Jet::variable(0, TaylorLanes<4>(at)), y = Jet::variable(1, TaylorLanes<4>(2.0));
-    for (const Jet& f : {log(x), sqrt(x), log(x) * y, y / sqrt(x), log(x) - log(x), exp(log(x)) * 0.0,
-                         y + log(x), inverse(sqrt(x))}) {
+    for (const Jet& f : {log(x), sqrt(x), log(x) * y, y / sqrt(x), log(x) - log(x),
+                         exp(log(x)) * 0.0, y + log(x), inverse(sqrt(x))}) {
       CHECK_FALSE(is_defined(f));
       for (std::size_t k = 0; k < Jet::kCount; ++k)
         for (std::size_t l = 0; l < kLanes; ++l) CHECK_FALSE(is_defined(f[k].lane(l)));

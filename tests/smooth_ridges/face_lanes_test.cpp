@@ -54,9 +54,9 @@ TEST_CASE("Faces tested together get what each gets alone") {
   CHECK(ellipsoid.at(FaceStatus::regular) > 30);
   compare(Surface::implicit("sqrt(1+x^2)+sqrt(1+2*y^2)+sqrt(1+0.5*z^2+0.2*x*z)-4",
                             {-4, 4, -4, 4, -4, 4}));
-  compare(Surface::parametric({"(2+0.7*cos(v))*cos(u)", "(2+0.7*cos(v))*sin(u)*1.1",
-                               "0.7*sin(v)+0.2*sin(2*u)"},
-                              {"0", "2*pi", "0", "2*pi"}, {true, true}));
+  compare(Surface::parametric(
+      {"(2+0.7*cos(v))*cos(u)", "(2+0.7*cos(v))*sin(u)*1.1", "0.7*sin(v)+0.2*sin(2*u)"},
+      {"0", "2*pi", "0", "2*pi"}, {true, true}));
   compare(Surface::parametric({"u", "v", "0.4*u^2+0.6*v^2+0.2*exp(u*v)-0.1*sin(3*u)"},
                               {"-0.9", "1.1", "-1", "0.8"}, {false, false}));
 }
