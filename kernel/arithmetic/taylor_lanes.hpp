@@ -40,6 +40,13 @@ namespace taylor {
 template <int Order>
 using LaneRows = std::array<Lanes, monomial_count(2, Order) + 1>;
 
+/// Series by lanes.
+template <int Order>
+struct LaneSeries {
+  std::array<Lanes, Order + 1> t, error;
+  Lanes rest;
+};
+
 // The loops over the lanes, for each instruction set. Requires: the result is no operand.
 #define CREST_LANE_LOOPS(Order)                                                                    \
   void add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);                \
@@ -56,6 +63,7 @@ using LaneRows = std::array<Lanes, monomial_count(2, Order) + 1>;
   bool all_defined(const LaneRows<Order>& a);                                                      \
   void range_of(const LaneRows<Order>& a, LaneRanges& r);                                          \
   void sizes_of(const LaneRows<Order>& a, Lanes& sizes);                                           \
+  void series_of_inverse(const Lanes& centre, const Lanes& rho, LaneSeries<Order>& s);             \
   /* The coefficients of w a to those of the sum. */                                               \
   void add_scaled(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum);                 \
   /* a less the constant `centre`. */                                                              \
