@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "algorithms/modes/cell_lanes.hpp"
-#include "algorithms/modes/clones.hpp"
+#include "kernel/arithmetic/wide_clones.hpp"
 #include "algorithms/modes/half_space.hpp"
 
 namespace crest::modes {

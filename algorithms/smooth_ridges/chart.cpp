@@ -128,8 +128,7 @@ std::optional<Chart<Model>> Charts<Model>::operator()(const Corners& c) {
 template <class Model>
 void Charts<Model>::directions(Chart<Model>& chart, const Corners& c) {
   for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t k = 0; k < 2; ++k)
-      chart.dx[i][k] = difference<Model>(c[i + 1][k], c[0][k]);
+    for (std::size_t k = 0; k < 2; ++k) chart.dx[i][k] = difference<Model>(c[i + 1][k], c[0][k]);
 }
 
 template <class Model>

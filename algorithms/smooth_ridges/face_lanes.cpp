@@ -64,21 +64,17 @@ struct Selection {
   std::array<std::uint8_t, Lanes::count> w{};
 };
 
-}  // namespace
+using Faces = std::span<const Corners* const>;
+const Corners& face(Faces faces, std::size_t l) {
+  return *faces[std::min(l, faces.size() - 1)];
+}
 
-struct FaceLanes::State {
-  explicit State(const Surface& surface)
-      : implicit(surface.is_implicit()), charts(surface) {
-    if (implicit)
-      f0.emplace(surface), f1.emplace(surface), f3.emplace(surface), f4.emplace(surface);
-    else
-      x3.emplace(surface), x4.emplace(surface);
+/// Charts of the lanes.
+struct LaneCharts {
+  explicit LaneCharts(const Surface& surface) : implicit(surface.is_implicit()), charts(surface) {
+    if (implicit) f0.emplace(surface), f1.emplace(surface);
   }
 
-  using Faces = std::span<const Corners* const>;
-  static const Corners& face(Faces faces, std::size_t l) {
-    return *faces[std::min(l, faces.size() - 1)];
-  }
   static Model linear(Faces faces, std::size_t k) {
     std::array<Lanes, 3> at;
     for (std::size_t i = 0; i < 3; ++i)
@@ -151,6 +147,24 @@ struct FaceLanes::State {
     for (std::size_t l = 0; l < Lanes::count; ++l)
       needed.x[l] = std::max({-r.low.x[l], r.high.x[l], -reached.low.x[l], reached.high.x[l]});
     return true;
+  }
+
+  bool implicit;
+  Charts<FaceModel> charts;
+  std::optional<ImplicitMap<Model, 0>> f0;
+  std::optional<ImplicitMap<Model, 1>> f1;
+  Model s;           ///< of the latest step
+  Lanes needed = 0;  ///< by it
+};
+
+}  // namespace
+
+struct FaceLanes::State {
+  explicit State(const Surface& surface) : implicit(surface.is_implicit()), charts(surface) {
+    if (implicit)
+      f3.emplace(surface), f4.emplace(surface);
+    else
+      x3.emplace(surface), x4.emplace(surface);
   }
 
   /// Without derivatives.
@@ -231,15 +245,11 @@ struct FaceLanes::State {
   }
 
   bool implicit;
-  Charts<FaceModel> charts;
-  std::optional<ImplicitMap<Model, 0>> f0;
-  std::optional<ImplicitMap<Model, 1>> f1;
+  LaneCharts charts;
   std::optional<ImplicitMap<Model, 3>> f3;
   std::optional<ImplicitMap<Model, 4>> f4;
   std::optional<ParametricMap<Model, 3>> x3;
   std::optional<ParametricMap<Model, 4>> x4;
-  Model s;           ///< of the latest step
-  Lanes needed = 0;  ///< by it
 };
 
 FaceLanes::FaceLanes(const Surface& surface) : state_(std::make_unique<State>(surface)) {}
@@ -248,7 +258,7 @@ FaceLanes::FaceLanes(FaceLanes&&) noexcept = default;
 
 bool FaceLanes::start(std::span<const Corners* const> faces, std::span<Start> starts) {
   ChartLanes c;
-  if (!state_->chart(faces, c)) return false;
+  if (!state_->charts.chart(faces, c)) return false;
   const std::array<LaneRanges, 3> image = {c.x[0].range(), c.x[1].range(), c.x[2].range()};
   for (std::size_t l = 0; l < faces.size(); ++l) {
     starts[l].passed = has(c.live, l) ? Passed::chart : Passed::none;
@@ -258,7 +268,7 @@ bool FaceLanes::start(std::span<const Corners* const> faces, std::span<Start> st
     chart.s = c.s.lane(l);
     chart.h = c.h.x[l];
     for (std::size_t k = 0; k < 3; ++k) starts[l].image[k] = image[k][l];
-    if (!state_->implicit) state_->charts.directions(chart, *faces[l]);
+    if (!state_->implicit) Charts<FaceModel>::directions(chart, *faces[l]);
   }
   if (c.live == 0) return true;
   revive(c.live, c.x[0], c.x[1], c.x[2]);

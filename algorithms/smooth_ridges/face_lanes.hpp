@@ -2,7 +2,8 @@
 #pragma once
 
 // Eight faces at once through what costs most of their tests: the chart, E1 and E2, and these with
-// a derivative. Each gets what it would alone, to the last bit (kernel/arithmetic/taylor_lanes.hpp).
+// a derivative. Each gets what it would alone, to the last bit
+// (kernel/arithmetic/taylor_lanes.hpp).
 //
 // A face that fails on the way goes on as a copy of another one. Where something is undefined in
 // one of them all are left to be tested alone: jets do not keep lanes apart there.

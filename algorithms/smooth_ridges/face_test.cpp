@@ -158,83 +158,6 @@ struct FaceTest::State {
     return r;
   }
 
-  /// Faces that fail early cost the others nothing: those with ridges wait for others of their kind.
-  void run(std::span<const Corners> faces, std::span<FaceResult> results) {
-    constexpr std::size_t kWide = FaceLanes::kCount;
-    std::vector<std::size_t> group;
-    std::vector<Waiting> waiting;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (domain_corner(faces[f]))
-        results[f] = run(faces[f]);
-      else
-        group.push_back(f);
-      if (group.size() == kWide) start(faces, std::exchange(group, {}), results, waiting);
-      if (waiting.size() >= kWide) derive(faces, results, waiting);
-    }
-    start(faces, group, results, waiting);
-    while (!waiting.empty()) derive(faces, results, waiting);
-  }
-
-  /// Fewer faces go alone: lanes cost as much as this many, or more.
-  static constexpr std::size_t kWorthwhile = 3;
-  struct Waiting {
-    std::size_t face;
-    FaceLanes::Start start;
-  };
-
-  void start(std::span<const Corners> faces, const std::vector<std::size_t>& group,
-             std::span<FaceResult> results, std::vector<Waiting>& waiting) {
-    std::vector<const Corners*> corners;
-    for (const std::size_t f : group) corners.push_back(&faces[f]);
-    std::vector<FaceLanes::Start> starts(group.size());
-    if (group.size() < kWorthwhile || !lanes.start(corners, starts)) {
-      for (const std::size_t f : group) results[f] = run(faces[f]);
-      return;
-    }
-    special.reset();
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      FaceResult& r = results[group[k]] = {};
-      FaceLanes::Start& s = starts[k];
-      using Passed = FaceLanes::Passed;
-      if (s.passed == Passed::none) continue;
-      r.image = s.image;
-      r.frame = s.frame;
-      r.w = s.w;
-      r.status = s.passed == Passed::regular              ? FaceStatus::proven
-                 : s.passed == Passed::wide              ? FaceStatus::ridge
-                 : implicit && s.passed == Passed::chart ? FaceStatus::chart
-                                                         : FaceStatus::regular;
-      if (looks_decidable(s.chart, s.values, r)) waiting.push_back({group[k], std::move(s)});
-    }
-  }
-
-  /// The last faces that wait, as many as there are lanes.
-  void derive(std::span<const Corners> faces, std::span<FaceResult> results,
-              std::vector<Waiting>& waiting) {
-    const std::size_t count = std::min(waiting.size(), FaceLanes::kCount);
-    const auto group = std::span(waiting).last(count);
-    std::vector<const FaceLanes::Start*> starts;
-    for (const Waiting& w : group) starts.push_back(&w.start);
-    std::vector<FaceLanes::Derived> derived(count);
-    const bool together = count >= kWorthwhile && lanes.derive(starts, derived);
-    special.reset();
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t f = group[k].face;
-      FaceResult& r = results[f];
-      Chart<Model>& chart = group[k].start.chart;
-      if (!together) {
-        r.status = ridges(chart, faces[f], r);
-      } else if (derived[k].passed != FaceLanes::Passed::regular) {
-        r.status = derived[k].passed == FaceLanes::Passed::wide ? FaceStatus::ridge
-                                                                : FaceStatus::regular;
-      } else {
-        gradient = derived[k].gradient;
-        r.status = ridges(chart, faces[f], derived[k].values, r);
-      }
-    }
-    waiting.resize(waiting.size() - count);
-  }
-
   /// Whether an extremality may have zeros, and derivatives may decide.
   bool looks_decidable(const Chart<Model>& chart, const Extremalities<0>& values, FaceResult& r) {
     if (r.status != FaceStatus::proven) return false;
@@ -479,6 +402,87 @@ struct FaceTest::State {
   std::optional<ParametricMap<Model, 5>> x5;
 };
 
+/// Many faces, several at a time: those with ridges wait for others of their kind.
+struct FaceTest::Together {
+  State& test;
+  std::span<const Corners> faces;
+  std::span<FaceResult> results;
+
+  void run() {
+    constexpr std::size_t kWide = FaceLanes::kCount;
+    std::vector<std::size_t> group;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (test.domain_corner(faces[f]))
+        results[f] = test.run(faces[f]);
+      else
+        group.push_back(f);
+      if (group.size() == kWide) start(std::exchange(group, {}));
+      if (waiting.size() >= kWide) derive();
+    }
+    start(group);
+    while (!waiting.empty()) derive();
+  }
+
+  /// Fewer faces go alone: lanes cost as much as this many, or more.
+  static constexpr std::size_t kWorthwhile = 3;
+  struct Waiting {
+    std::size_t face;
+    FaceLanes::Start start;
+  };
+  std::vector<Waiting> waiting{};
+
+  void start(const std::vector<std::size_t>& group) {
+    std::vector<const Corners*> corners;
+    for (const std::size_t f : group) corners.push_back(&faces[f]);
+    std::vector<FaceLanes::Start> starts(group.size());
+    if (group.size() < kWorthwhile || !test.lanes.start(corners, starts)) {
+      for (const std::size_t f : group) results[f] = test.run(faces[f]);
+      return;
+    }
+    test.special.reset();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      FaceResult& r = results[group[k]] = {};
+      FaceLanes::Start& s = starts[k];
+      using Passed = FaceLanes::Passed;
+      if (s.passed == Passed::none) continue;
+      r.image = s.image;
+      r.frame = s.frame;
+      r.w = s.w;
+      r.status = s.passed == Passed::regular                  ? FaceStatus::proven
+                 : s.passed == Passed::wide                   ? FaceStatus::ridge
+                 : test.implicit && s.passed == Passed::chart ? FaceStatus::chart
+                                                              : FaceStatus::regular;
+      if (test.looks_decidable(s.chart, s.values, r)) waiting.push_back({group[k], std::move(s)});
+    }
+  }
+
+  /// The last faces that wait, as many as there are lanes.
+  void derive() {
+    const std::size_t count = std::min(waiting.size(), FaceLanes::kCount);
+    const auto group = std::span(waiting).last(count);
+    std::vector<const FaceLanes::Start*> starts;
+    for (const Waiting& w : group) starts.push_back(&w.start);
+    std::vector<FaceLanes::Derived> derived(count);
+    const bool together = count >= kWorthwhile && test.lanes.derive(starts, derived);
+    test.special.reset();
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t f = group[k].face;
+      FaceResult& r = results[f];
+      Chart<Model>& chart = group[k].start.chart;
+      if (!together) {
+        r.status = test.ridges(chart, faces[f], r);
+      } else if (derived[k].passed != FaceLanes::Passed::regular) {
+        r.status =
+            derived[k].passed == FaceLanes::Passed::wide ? FaceStatus::ridge : FaceStatus::regular;
+      } else {
+        test.gradient = derived[k].gradient;
+        r.status = test.ridges(chart, faces[f], derived[k].values, r);
+      }
+    }
+    waiting.resize(waiting.size() - count);
+  }
+};
+
 FaceTest::FaceTest(const Surface& surface) : state_(std::make_unique<State>(surface)) {}
 FaceTest::~FaceTest() = default;
 FaceTest::FaceTest(FaceTest&&) noexcept = default;
@@ -488,7 +492,7 @@ FaceResult FaceTest::operator()(const Corners& corners) {
 }
 
 void FaceTest::operator()(std::span<const Corners> faces, std::span<FaceResult> results) {
-  state_->run(faces, results);
+  Together{*state_, faces, results}.run();
 }
 
 std::optional<FaceImage> FaceTest::image(const Corners& corners) {

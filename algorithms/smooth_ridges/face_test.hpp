@@ -69,6 +69,7 @@ class FaceTest {
 
  private:
   struct State;
+  struct Together;
   std::unique_ptr<State> state_;
 };
 

@@ -115,20 +115,23 @@ class Refinement {
     constexpr std::size_t kTogether = 64;
     const std::size_t groups = (fresh.size() + kTogether - 1) / kTogether;
     tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
-      const std::size_t begin = g * kTogether, end = std::min(begin + kTogether, fresh.size());
-      std::vector<FaceResult> results(end - begin);
-      if (is_over(stop_)) {
-        for (FaceResult& r : results) r.status = FaceStatus::untested;
-      } else {
-        std::vector<std::array<Vertex, 3>> faces;
-        for (std::size_t i = begin; i < end; ++i) faces.push_back(out_.mesh.corners(fresh[i]));
-        tests_.local()(faces, results);
-      }
-      for (std::size_t i = begin; i < end; ++i) out_.faces[fresh[i]] = results[i - begin];
+      const std::size_t begin = g * kTogether, count = std::min(kTogether, fresh.size() - begin);
+      test_group(std::span(fresh).subspan(begin, count), tests_.local());
     });
     for (const Index f : fresh) known_[f] = out_.mesh.ids()[f];
     out_.tests += fresh.size();
     fresh_ = std::move(fresh);
+  }
+
+  void test_group(std::span<const Index> group, FaceTest& test) {
+    std::vector<std::array<Vertex, 3>> faces;
+    std::vector<FaceResult> results(group.size());
+    for (const Index f : group) faces.push_back(out_.mesh.corners(f));
+    if (!is_over(stop_))
+      test(faces, results);
+    else
+      for (FaceResult& r : results) r.status = FaceStatus::untested;
+    for (std::size_t i = 0; i < group.size(); ++i) out_.faces[group[i]] = results[i];
   }
 
   /// Newton's method from the new faces that are not regular; a new umbilic is proven at once.

@@ -89,3 +89,10 @@ std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion(const M& u, c
   template std::array<kernel::Jet<M, 2, 4>, 3> SurfaceEvaluator<M>::immersion<4>(const M&,    \
                                                                                  const M&);   \
   template std::array<kernel::Jet<M, 2, 5>, 3> SurfaceEvaluator<M>::immersion<5>(const M&, const M&)
+
+/// What FaceLanes asks for, with n derivatives: models side by side.
+#define CREST_SMOOTH_LANES_EVALUATOR(M, n)                                      \
+  template M SurfaceEvaluator<M>::value(const Point&);                          \
+  template kernel::Jet<M, 3, 1> SurfaceEvaluator<M>::implicit<1>(const Point&); \
+  template kernel::Jet<M, 3, n> SurfaceEvaluator<M>::implicit<n>(const Point&); \
+  template std::array<kernel::Jet<M, 2, n>, 3> SurfaceEvaluator<M>::immersion<n>(const M&, const M&)

@@ -4,6 +4,8 @@
 // Statements about one face, or a piece of it, with one model type (SPEC.md, "Triangulation",
 // "Faces outside patches" and "Witnesses").
 #include <span>
+#include <tuple>
+#include <vector>
 
 #include "certify/ridges_smooth/foot.hpp"
 #include "certify/ridges_smooth/forms.hpp"
@@ -80,6 +82,31 @@ class FaceProver {
   };
   std::optional<Image> image(std::uint32_t face, const Piece& piece, bool with_derivatives);
 
+  template <int K>
+  struct Extremality {
+    Local<M, K> e;
+    std::array<Local<M, K>, 2> v;
+    M growth() const;                   ///< G; K >= 1
+    M turn() const;                     ///< det(grad E, grad G); K = 2
+    M slope(double x, double y) const;  ///< (x, y) . grad E
+  };
+  /// What is known of a whole face before its statements are asked for (FaceLanes), as far as it
+  /// came: the foot; F_m > 0 and (R), then all.
+  template <int K>
+  struct WholeFace {
+    std::uint32_t face = 0;
+    bool placed = false, regular = false, steep = false;
+    std::array<M, 3> x, m, gradient;  ///< kind 0; grad F in the face's frame
+    M s;
+    std::array<bool, 2> no_zero{};      ///< of colours that are said to have none
+    std::array<Extremality<K>, 2> e{};  ///< of the others; K = 1
+  };
+  /// Of the next faces.
+  template <int K>
+  void prepare(std::vector<WholeFace<K>> faces) {
+    std::get<K>(prepared_) = std::move(faces);
+  }
+
  private:
   using Vector3 = std::array<M, 3>;
   using Vector2 = std::array<M, 2>;
@@ -93,14 +120,6 @@ class FaceProver {
     Forms<M, K> forms;
     std::array<Vector2, 3> edge;  ///< derivative of the coordinates along each edge
   };
-  template <int K>
-  struct Extremality {
-    Local<M, K> e;
-    std::array<Local<M, K>, 2> v;
-    M growth() const;                   ///< G; K >= 1
-    M turn() const;                     ///< det(grad E, grad G); K = 2
-    M slope(double x, double y) const;  ///< (x, y) . grad E
-  };
 
   M affine(std::uint32_t face, std::size_t coordinate, const Piece& piece,
            const std::array<M, 3>& l) const;
@@ -110,22 +129,36 @@ class FaceProver {
   bool keeps_orientation(const Place& at, std::uint32_t face) const;
   template <int K>
   std::optional<Jets<K>> jets(const Place& at, std::uint32_t face, bool with_edges);
+  /// Jets::edge. gradient: kind 0, of F in the face's frame.
+  std::array<Vector2, 3> edges(const Place& at, std::uint32_t face, const Vector3& gradient) const;
   template <int K>
   unsigned prove_order(const Place& at, std::uint32_t face, unsigned open, Method& method,
                        FaceFindings* findings, Advisor* advisor);
+  /// The same by what is prepared, or nothing if that is not the face.
+  template <int K>
+  std::optional<unsigned> prove_prepared(std::uint32_t face, unsigned open, Method& method,
+                                         FaceFindings* findings, Advisor* advisor);
+  /// The statements on the colours with a direction.
+  template <int K>
+  unsigned prove_colour(std::size_t j, const SmoothFaceRecord& record, const Extremality<K>& e,
+                        unsigned open, const Method& method);
+  /// Of the statements those that the foot alone shows are taken off.
+  void prove_chart(const Place& at, std::uint32_t face, unsigned& open,
+                   FaceFindings* findings) const;
   template <int K>
   bool prove_type(std::size_t j, const SmoothFaceRecord& record, const Extremality<K>& e,
                   bool by_turn);
   template <int K>
   bool prove_purple(const Local<M, K>& x, const Local<M, K>& y, Method& method, Advisor* advisor);
   template <int K>
-  void find_signs(std::size_t j, const Extremality<K>& e, const Jets<K>& jets,
+  void find_signs(std::size_t j, const Extremality<K>& e, const std::array<Vector2, 3>& edge,
                   FaceFindings& findings);
   template <int K>
   kernel::MaybeSign sign_order(const Question& q, const Place& at);
 
   SurfaceEvaluator<M> surface_;
   const RidgesSmoothCertificate& c_;
+  std::tuple<std::vector<WholeFace<0>>, std::vector<WholeFace<1>>> prepared_;
 };
 
 }  // namespace crest::certify::smooth

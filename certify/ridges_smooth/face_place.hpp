@@ -104,6 +104,36 @@ auto FaceProver<M>::image(std::uint32_t face, const Piece& piece, bool with_deri
 }
 
 template <class M>
+auto FaceProver<M>::edges(const Place& at, std::uint32_t face, const Vector3& gradient) const
+    -> std::array<Vector2, 3> {
+  std::array<Vector2, 3> edge;
+  if (!surface_.surface().implicit) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t d = 0; d < 2; ++d) {
+        const std::size_t j = (i + 1) % 3;
+        const auto& a = c_.vertices[c_.faces[face][i]];
+        const auto& b = c_.vertices[c_.faces[face][j]];
+        edge[i][d] =
+            difference<M>(b[d], a[d]) + M(lift_of(c_, face, j, d) - lift_of(c_, face, i, d));
+      }
+    return edge;
+  }
+  // In the frame's coordinates, all times n, a positive factor.
+  const Frame frame = frame_of(c_.face_records[face]);
+  const auto in_frame = [&](const Vector3& x) {
+    return Vector3{dot(x, frame[0]), dot(x, frame[1]), dot(x, frame[2])};
+  };
+  const Vector3 m = in_frame(at.m);
+  const M factor = -inverse(dot(gradient, m));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 d = in_frame(step(at, face, i, (i + 1) % 3));
+    const M back = dot(gradient, d) * factor;
+    edge[i] = {d[0] + back * m[0], d[1] + back * m[1]};
+  }
+  return edge;
+}
+
+template <class M>
 template <int K>
 auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
     -> std::optional<Jets<K>> {
@@ -112,14 +142,7 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
     const auto x = surface_.template immersion<3 + K>(at.u, at.v);
     if (!are_defined(x)) return std::nullopt;  // (A)
     r.forms = surface_forms<K, 3 + K, M>(x);
-    for (std::size_t i = 0; with_edges && i < 3; ++i)
-      for (std::size_t d = 0; d < 2; ++d) {
-        const std::size_t j = (i + 1) % 3;
-        const auto& a = c_.vertices[c_.faces[face][i]];
-        const auto& b = c_.vertices[c_.faces[face][j]];
-        r.edge[i][d] =
-            difference<M>(b[d], a[d]) + M(lift_of(c_, face, j, d) - lift_of(c_, face, i, d));
-      }
+    if (with_edges) r.edge = edges(at, face, {});
     return r;
   }
   const Frame frame = frame_of(c_.face_records[face]);
@@ -127,18 +150,7 @@ auto FaceProver<M>::jets(const Place& at, std::uint32_t face, bool with_edges)
   if (!is_defined(f)) return std::nullopt;  // (A)
   if (!is_positive(gradient(f)[2])) return std::nullopt;
   r.forms = graph_forms<K, 3 + K>(graph_of<M>(implicit_function<M, 3 + K>(f, 2), 1));
-  if (!with_edges) return r;
-  // In the frame's coordinates, all times n, a positive factor.
-  const auto in_frame = [&](const Vector3& x) {
-    return Vector3{dot(x, frame[0]), dot(x, frame[1]), dot(x, frame[2])};
-  };
-  const Vector3 grad = gradient(f), m = in_frame(at.m);
-  const M factor = -inverse(dot(grad, m));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 d = in_frame(step(at, face, i, (i + 1) % 3));
-    const M back = dot(grad, d) * factor;
-    r.edge[i] = {d[0] + back * m[0], d[1] + back * m[1]};
-  }
+  if (with_edges) r.edge = edges(at, face, gradient(f));
   return r;
 }
 

@@ -27,8 +27,8 @@ M FaceProver<M>::Extremality<K>::turn() const {
 
 template <class M>
 template <int K>
-void FaceProver<M>::find_signs(std::size_t j, const Extremality<K>& e, const Jets<K>& jets,
-                               FaceFindings& findings) {
+void FaceProver<M>::find_signs(std::size_t j, const Extremality<K>& e,
+                               const std::array<Vector2, 3>& edge, FaceFindings& findings) {
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const M value = e.e.value();
@@ -36,7 +36,7 @@ void FaceProver<M>::find_signs(std::size_t j, const Extremality<K>& e, const Jet
     if ((findings.ask_value[j] >> i & 1U) != 0)
       findings.value[j][k] = kernel::certain_sign(value.range_on_edge(i));
     if ((findings.ask_slope[j] >> i & 1U) == 0) continue;
-    const M along = e.e.d(1, 0) * jets.edge[k][0] + e.e.d(0, 1) * jets.edge[k][1];
+    const M along = e.e.d(1, 0) * edge[k][0] + e.e.d(0, 1) * edge[k][1];
     findings.slope[j][k] = kernel::certain_sign(along.range_on_edge(i));
   }
 }

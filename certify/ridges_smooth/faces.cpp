@@ -75,6 +75,8 @@ class FaceChecker {
   explicit FaceChecker(const Claim& claim) : claim_(claim), provers_(claim) {}
   FaceChecker(const FaceChecker&) = delete;  // crossings_ points to provers_
 
+  void prepare(u32 first, u32 last) { provers_.prepare(first, last, true); }
+
   FaceResult check(u32 face) {
     face_ = crossings_.face = face;
     const bool implicit = claim_.surface.implicit;
@@ -282,11 +284,14 @@ std::array<std::set<u32>, 2> check_loose_corners(const Claim& claim,
 
 std::vector<FaceResult> check_faces(const Claim& claim) {
   std::vector<FaceResult> results(claim.certificate.faces.size());
-  parallel_for(
-      results.size(), [&] { return FaceChecker(claim); },
-      [&](FaceChecker& checker, std::size_t f) {
-        results[f] = checker.check(static_cast<u32>(f));
-      });
+  constexpr std::size_t kTogether = FaceProvers::kTogether;
+  parallel_for((results.size() + kTogether - 1) / kTogether, [&] { return FaceChecker(claim); },
+               [&](FaceChecker& checker, std::size_t group) {
+                 const auto first = static_cast<u32>(group * kTogether);
+                 const auto last = static_cast<u32>(std::min(first + kTogether, results.size()));
+                 checker.prepare(first, last);
+                 for (u32 f = first; f < last; ++f) results[f] = checker.check(f);
+               });
   check_undrawn_arcs(claim);
   return results;
 }

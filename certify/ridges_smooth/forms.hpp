@@ -46,13 +46,14 @@ Shape<Local<M, K>> shape(const FirstSecond<M, K>& f) {
 template <class F>
 using Pair = std::array<F, 2>;
 
-template <class F>
-Pair<F> apply(const Shape<F>& a, const std::array<double, 2>& w) {
+// Constant directions: of doubles, or of Lanes for values side by side.
+template <class F, class Number>
+Pair<F> apply(const Shape<F>& a, const std::array<Number, 2>& w) {
   return {a.a * w[0] + a.b * w[1], a.c * w[0] - a.a * w[1]};
 }
 /// I(w, x) for a constant w.
-template <class F>
-F inner(const std::array<F, 3>& i, const std::array<double, 2>& w, const Pair<F>& x) {
+template <class F, class Number>
+F inner(const std::array<F, 3>& i, const std::array<Number, 2>& w, const Pair<F>& x) {
   return (i[0] * w[0] + i[1] * w[1]) * x[0] + (i[1] * w[0] + i[2] * w[1]) * x[1];
 }
 template <class M, int K>
@@ -64,18 +65,19 @@ Shape<M> values(const Shape<Local<M, K>>& a) {
   return {a.a.value(), a.b.value(), a.c.value()};
 }
 /// S(w) = I(w, A w), without derivatives.
-template <class M, int K>
+template <class M, int K, class Number>
 M s_of(const std::array<Local<M, K>, 3>& i, const Shape<Local<M, K>>& a,
-       const std::array<double, 2>& w) {
+       const std::array<Number, 2>& w) {
   return inner(values(i), w, smooth::apply(values(a), w));
 }
 
 /// v1 = w + A w / sigma.
-template <class F>
-Pair<F> principal(const Shape<F>& a, const std::array<double, 2>& w) {
+template <class F, class Number>
+Pair<F> principal(const Shape<F>& a, const std::array<Number, 2>& w) {
   const F factor = inverse(sqrt(a.a * a.a + a.b * a.c));
   const Pair<F> aw = apply(a, w);
-  return {factor * aw[0] + F(w[0]), factor * aw[1] + F(w[1])};
+  using M = typename F::Number;
+  return {factor * aw[0] + F(M(w[0])), factor * aw[1] + F(M(w[1]))};
 }
 /// v2: v turned by a right angle of I.
 template <class F>

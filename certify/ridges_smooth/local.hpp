@@ -9,6 +9,7 @@
 
 #include "certify/ridges_smooth/numbers.hpp"
 #include "kernel/arithmetic/jet_tables.hpp"
+#include "kernel/arithmetic/lanes.hpp"
 
 namespace crest::certify::smooth {
 
@@ -16,12 +17,14 @@ namespace crest::certify::smooth {
 template <class M, int K>
 class Local {
  public:
+  using Number = M;
   static constexpr kernel::JetTables<2, K> kTables{};
   static constexpr std::size_t kCount = kTables.kCount;
   using Coefficients = kernel::SparseArray<M, kCount>;
 
   Local() = default;  ///< identically zero
   explicit Local(M value) { c_.put(0, std::move(value)); }
+  explicit Local(Coefficients c) : c_(std::move(c)) {}
 
   /// The expansion of D^(a, b) f, from the Taylor coefficients of f up to `Order` >= a + b + K.
   template <int Order, class Coefficients>
@@ -46,6 +49,7 @@ class Local {
     return r;
   }
 
+  const Coefficients& coefficients() const { return c_; }
   const M& value() const { return at(0); }
   M d(int a, int b) const {
     const M& x = at(kTables.position[kTables.digits(a, b)]);
@@ -73,6 +77,13 @@ class Local {
     return r;
   }
   friend Local operator*(double s, const Local& a) { return a * s; }
+  /// By a number a lane.
+  friend Local operator*(const Local& a, const kernel::Lanes& s) {
+    Local r;
+    kernel::for_each_bit(a.c_.mask(),
+                         [&](std::size_t i) { r.c_.make(i, [&] { return M(a.c_[i] * s); }); });
+    return r;
+  }
   friend Local operator*(const Local& a, const Local& b) {
     Local r;
     kernel::for_each_bit(a.c_.mask(), [&](std::size_t i) { spread(r.c_, i, a.c_[i], b.c_, 0); });

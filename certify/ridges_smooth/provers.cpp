@@ -27,6 +27,54 @@ bool is_inside(const SmoothPatchRecord& p, const std::array<kernel::Range, 3>& b
   return box[p.axis].low > p.height[0] && box[p.axis].high < p.height[1];
 }
 
+namespace {
+
+/// What the first node of a face's division says, if there is one.
+std::optional<bool> steep_in(const SmoothFaceRecord& record, bool implicit) {
+  std::size_t at = implicit ? 1 : 0;
+  if (record.type[0] != 0 || record.type[1] != 0) ++at;
+  for (const auto verdict : record.verdict) at += verdict != SmoothFaceRecord::kNoZero ? 1 : 0;
+  if (at >= record.witness.size()) return std::nullopt;
+  return (record.witness[at] & DivisionNode::kSteep) != 0;
+}
+
+}  // namespace
+
+void FaceProvers::prepare(std::uint32_t first, std::uint32_t last, bool has_witnesses) {
+  if (claim_.arithmetic == Arithmetic::mpfr) return;
+  const RidgesSmoothCertificate& c = claim_.certificate;
+  std::vector<std::uint32_t> plain, with_ridges;
+  for (std::uint32_t f = first; f < last; ++f) {
+    const SmoothFaceRecord& record = c.face_records[f];
+    if (record.in_patch || (!c.lifts.empty() && c.lifts[f] != 0)) continue;
+    const auto no_zero = SmoothFaceRecord::kNoZero;
+    const bool is_plain = record.verdict[0] == no_zero && record.verdict[1] == no_zero;
+    (is_plain ? plain : with_ridges).push_back(f);
+  }
+  prepare<3, 0>(lanes_three_, three_, plain, has_witnesses);
+  prepare<4, 1>(lanes_four_, four_, with_ridges, has_witnesses);
+}
+
+template <int Order, int K>
+void FaceProvers::prepare(std::unique_ptr<FaceLanes<Order, K>>& lanes,
+                          std::unique_ptr<FaceProver<kernel::TaylorModel<Order>>>& prover,
+                          const std::vector<std::uint32_t>& faces, bool has_witnesses) {
+  using Lanes = FaceLanes<Order, K>;
+  constexpr std::size_t kWorthwhile = 3;  // fewer cost less alone
+  if (!lanes) lanes = std::make_unique<Lanes>(claim_.surface, claim_.certificate);
+  std::vector<typename Lanes::Values> all;
+  for (std::size_t i = 0; i + kWorthwhile <= faces.size(); i += Lanes::kCount) {
+    const auto group = std::span(faces).subspan(i, std::min(Lanes::kCount, faces.size() - i));
+    std::vector<std::optional<bool>> steep;
+    for (const std::uint32_t f : group)
+      steep.push_back(has_witnesses
+                          ? steep_in(claim_.certificate.face_records[f], claim_.surface.implicit)
+                          : std::nullopt);
+    for (auto& values : lanes->evaluate(group, steep)) all.push_back(std::move(values));
+  }
+  get(prover).prepare(std::move(all));
+}
+
 unsigned FaceProvers::left_open(std::uint32_t face, const Piece& piece, unsigned here,
                                 Method& method, int order, FaceFindings* findings,
                                 Advisor* advisor) {

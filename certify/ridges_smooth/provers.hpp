@@ -9,6 +9,7 @@
 
 #include "certify/container/verdict.hpp"
 #include "certify/ridges_smooth/face.hpp"
+#include "certify/ridges_smooth/face_lanes.hpp"
 #include "certify/ridges_smooth/witness.hpp"
 
 namespace crest::certify::smooth {
@@ -56,6 +57,11 @@ class FaceProvers {
   auto precisely(F&& f) {
     return f(get(mp_four_));
   }
+
+  /// Evaluates what whole faces need, several at a time; they are asked about next. The methods are
+  /// those of their witnesses, or, if these are still to be made, what suits them.
+  void prepare(std::uint32_t first, std::uint32_t last, bool has_witnesses);
+  static constexpr std::uint32_t kTogether = 64;  ///< faces to prepare at once
 
   /// Shows `open` on the face as a division with statements says; `findings` on the whole face.
   /// Throws Undecided.
@@ -106,11 +112,18 @@ class FaceProvers {
   }
   void prove(std::uint32_t face, const Piece& piece, unsigned open, Method method,
              WitnessReader& in, FaceFindings* findings, int depth);
+  /// Whole faces by models of one order.
+  template <int Order, int K>
+  void prepare(std::unique_ptr<FaceLanes<Order, K>>& lanes,
+               std::unique_ptr<FaceProver<kernel::TaylorModel<Order>>>& prover,
+               const std::vector<std::uint32_t>& faces, bool has_witnesses);
 
   const Claim& claim_;
   std::unique_ptr<FaceProver<Model3>> three_;
   std::unique_ptr<FaceProver<Model4>> four_;
   std::unique_ptr<FaceProver<Model5>> five_;
+  std::unique_ptr<FaceLanes<3, 0>> lanes_three_;
+  std::unique_ptr<FaceLanes<4, 1>> lanes_four_;
   std::unique_ptr<FaceProver<MpModel3>> mp_three_;
   std::unique_ptr<FaceProver<MpModel4>> mp_four_;
   std::unique_ptr<FaceProver<MpModel5>> mp_five_;

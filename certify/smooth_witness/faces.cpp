@@ -198,6 +198,8 @@ class FaceRecorder {
       : claim_(claim), c_(c), provers_(claim) {}
   FaceRecorder(const FaceRecorder&) = delete;  // members point to provers_
 
+  void prepare(u32 first, u32 last) { provers_.prepare(first, last, false); }
+
   FaceDraft record(u32 face) {
     face_ = divider_.face = crossings_.face = face;
     const bool implicit = claim_.surface.implicit;
@@ -413,11 +415,14 @@ void write(const FaceDraft& draft, bool implicit, SmoothFaceRecord& record) {
 
 std::vector<std::optional<Ranges>> record_faces(const Claim& claim, RidgesSmoothCertificate& c) {
   std::vector<FaceDraft> drafts(c.faces.size());
-  for_all(
-      drafts.size(), [&] { return FaceRecorder(claim, c); },
-      [&](FaceRecorder& recorder, std::size_t f) {
-        drafts[f] = recorder.record(static_cast<u32>(f));
-      });
+  constexpr std::size_t kTogether = FaceProvers::kTogether;
+  for_all((drafts.size() + kTogether - 1) / kTogether, [&] { return FaceRecorder(claim, c); },
+          [&](FaceRecorder& recorder, std::size_t group) {
+            const auto first = static_cast<u32>(group * kTogether);
+            const auto last = static_cast<u32>(std::min(first + kTogether, drafts.size()));
+            recorder.prepare(first, last);
+            for (u32 f = first; f < last; ++f) drafts[f] = recorder.record(f);
+          });
   for (u32 f = 0; f < drafts.size(); ++f)
     for (std::size_t j = 0; j < 2; ++j)
       for (std::size_t i = 0; i < 3; ++i)

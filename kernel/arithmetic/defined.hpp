@@ -20,6 +20,12 @@ inline bool is_defined(double x) {
 inline bool is_defined(long double x) {
   return std::isfinite(x);
 }
+/// An undefined number for what follows from one. Types that hold several numbers, of which one may
+/// be undefined alone, overload it: all of them are.
+template <class T>
+T undefined_of(T value) {
+  return value;
+}
 /// Undefined operations of rationals throw.
 inline bool is_defined(const Rational& /*x*/) {
   return true;

@@ -9,6 +9,7 @@ namespace crest::kernel {
 
 template <class T, int Variables, int Order>
 void Jet<T, Variables, Order>::undefine(T value) {
+  value = undefined_of(std::move(value));
   for (std::size_t i = 0; i < kCount; ++i) c_.put(i, value);
 }
 

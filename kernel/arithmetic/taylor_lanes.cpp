@@ -166,9 +166,8 @@ inline void times_two_flat_lanes(const LaneRows<Order>& a, const LaneRows<Order>
     const double constant = a[0].x[l], radius = a[kRadius].x[l], factor = flat[0].x[l];
     const double product = constant * factor;
     r[0].x[l] = product;
-    r[kRadius].x[l] =
-        grow(Kernels<Order>::kUnit * std::fabs(product) + std::fabs(factor) * radius +
-             flat[kRadius].x[l] * (std::fabs(constant) + radius));
+    r[kRadius].x[l] = grow(Kernels<Order>::kUnit * std::fabs(product) + std::fabs(factor) * radius +
+                           flat[kRadius].x[l] * (std::fabs(constant) + radius));
   }
 }
 
@@ -234,6 +233,32 @@ inline void sizes_of_lanes(const LaneRows<Order>& a, Lanes& sizes) {
     r[l] = Loops<Order>::size(Loops<Order>::column(a, l));
 }
 
+/// inverse_series() of taylor_series.hpp.
+template <int Order>
+inline void inverse_series_lanes(const Lanes& centre, const Lanes& radius,
+                                 LaneSeries<Order>& series) {
+  const double *const c = centre.x.data(), *const rho = radius.x.data();
+  double* __restrict const t = series.t[0].x.data();
+  double* __restrict const error = series.error[0].x.data();
+  double* __restrict const rest = series.rest.x.data();
+#pragma GCC ivdep
+  for (std::size_t l = 0; l < Lanes::count; ++l) {
+    const double size = std::fabs(c[l]), nearest = shrink(size - rho[l]);
+    const bool analytic = (nearest > 0) & (size < HUGE_VAL);
+    const double first = 1 / c[l];
+    double term = first, power = 1;
+    unrolled<Order + 1>([&](auto k) {
+      if constexpr (k > 0) term = -term * first;
+      const double bound = grow((2 + 2.0 * k) * Kernels<Order>::kUnit * std::fabs(term));
+      t[Lanes::count * k + l] = analytic ? term : 0;
+      error[Lanes::count * k + l] = analytic ? bound : 0;
+      power *= size;
+    });
+    const double below = power * nearest, quotient = 1 / below;
+    rest[l] = analytic & (below > 0x1p-960) ? grow(quotient) : HUGE_VAL;
+  }
+}
+
 template <int Order>
 inline void add_scaled_lanes(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum) {
   using L = Loops<Order>;
@@ -259,63 +284,67 @@ inline void centred_lanes(const LaneRows<Order>& a, const Lanes& centre, LaneRow
 
 }  // namespace
 
-#define CREST_LANE_LOOPS(Order)                                                                    \
-  CREST_WIDE_CLONES void add(const LaneRows<Order>& a, const LaneRows<Order>& b,                   \
-                             LaneRows<Order>& r) {                                                 \
-    const auto sum = [](double x, double y) { return x + y; };                                     \
-    by_rows<Order>(a, b, r, sum, sum);                                                             \
-  }                                                                                                \
-  CREST_WIDE_CLONES void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b,              \
-                                  LaneRows<Order>& r) {                                            \
-    by_rows<Order>(                                                                                \
-        a, b, r, [](double x, double y) { return x - y; },                                         \
-        [](double x, double y) { return x + y; });                                                 \
-  }                                                                                                \
-  CREST_WIDE_CLONES void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {     \
-    scale_lanes<Order>(                                                                            \
-        a, s, r, [](double x, double y) { return x * y; },                                         \
-        [](double x, double y) { return std::fabs(y) * x; });                                      \
-  }                                                                                                \
-  CREST_WIDE_CLONES void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {    \
-    scale_lanes<Order>(                                                                            \
-        a, s, r, [](double x, double y) { return x / y; },                                         \
-        [](double x, double y) { return x / std::fabs(y) + 0 * y; });                              \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b,              \
-                                  LaneRows<Order>& r) {                                            \
-    return multiply_lanes<Order, false>(a, b, r);                                                  \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b,      \
-                                          LaneRows<Order>& sum) {                                  \
-    return multiply_lanes<Order, true>(a, b, sum);                                                 \
-  }                                                                                                \
-  CREST_WIDE_CLONES void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,         \
-                                    LaneRows<Order>& r) {                                          \
-    times_flat_lanes<Order>(a, flat, r);                                                           \
-  }                                                                                                \
-  CREST_WIDE_CLONES void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,     \
-                                        LaneRows<Order>& r) {                                      \
-    times_two_flat_lanes<Order>(a, flat, r);                                                       \
-  }                                                                                                \
-  CREST_WIDE_CLONES LaneMask flat_lanes(const LaneRows<Order>& a) {                                \
-    return flat_lanes_of<Order>(a);                                                                \
-  }                                                                                                \
-  CREST_WIDE_CLONES bool all_defined(const LaneRows<Order>& a) {                                   \
-    return all_lanes_defined<Order>(a);                                                            \
-  }                                                                                                \
-  CREST_WIDE_CLONES void range_of(const LaneRows<Order>& a, LaneRanges& r) {                       \
-    range_of_lanes<Order>(a, r);                                                                   \
-  }                                                                                                \
-  CREST_WIDE_CLONES void sizes_of(const LaneRows<Order>& a, Lanes& sizes) {                        \
-    sizes_of_lanes<Order>(a, sizes);                                                               \
-  }                                                                                                \
-  CREST_WIDE_CLONES void add_scaled(const LaneRows<Order>& a, const Lanes& w,                      \
-                                    LaneRows<Order>& sum) {                                        \
-    add_scaled_lanes<Order>(a, w, sum);                                                            \
-  }                                                                                                \
-  CREST_WIDE_CLONES void centred(const LaneRows<Order>& a, const Lanes& centre,                    \
-                                 LaneRows<Order>& h) {                                             \
-    centred_lanes<Order>(a, centre, h);                                                            \
+#define CREST_LANE_LOOPS(Order)                                                                 \
+  CREST_WIDE_CLONES void add(const LaneRows<Order>& a, const LaneRows<Order>& b,                \
+                             LaneRows<Order>& r) {                                              \
+    const auto sum = [](double x, double y) { return x + y; };                                  \
+    by_rows<Order>(a, b, r, sum, sum);                                                          \
+  }                                                                                             \
+  CREST_WIDE_CLONES void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b,           \
+                                  LaneRows<Order>& r) {                                         \
+    by_rows<Order>(                                                                             \
+        a, b, r, [](double x, double y) { return x - y; },                                      \
+        [](double x, double y) { return x + y; });                                              \
+  }                                                                                             \
+  CREST_WIDE_CLONES void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) {  \
+    scale_lanes<Order>(                                                                         \
+        a, s, r, [](double x, double y) { return x * y; },                                      \
+        [](double x, double y) { return std::fabs(y) * x; });                                   \
+  }                                                                                             \
+  CREST_WIDE_CLONES void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r) { \
+    scale_lanes<Order>(                                                                         \
+        a, s, r, [](double x, double y) { return x / y; },                                      \
+        [](double x, double y) { return x / std::fabs(y) + 0 * y; });                           \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b,           \
+                                  LaneRows<Order>& r) {                                         \
+    return multiply_lanes<Order, false>(a, b, r);                                               \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b,   \
+                                          LaneRows<Order>& sum) {                               \
+    return multiply_lanes<Order, true>(a, b, sum);                                              \
+  }                                                                                             \
+  CREST_WIDE_CLONES void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,      \
+                                    LaneRows<Order>& r) {                                       \
+    times_flat_lanes<Order>(a, flat, r);                                                        \
+  }                                                                                             \
+  CREST_WIDE_CLONES void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat,  \
+                                        LaneRows<Order>& r) {                                   \
+    times_two_flat_lanes<Order>(a, flat, r);                                                    \
+  }                                                                                             \
+  CREST_WIDE_CLONES LaneMask flat_lanes(const LaneRows<Order>& a) {                             \
+    return flat_lanes_of<Order>(a);                                                             \
+  }                                                                                             \
+  CREST_WIDE_CLONES bool all_defined(const LaneRows<Order>& a) {                                \
+    return all_lanes_defined<Order>(a);                                                         \
+  }                                                                                             \
+  CREST_WIDE_CLONES void range_of(const LaneRows<Order>& a, LaneRanges& r) {                    \
+    range_of_lanes<Order>(a, r);                                                                \
+  }                                                                                             \
+  CREST_WIDE_CLONES void sizes_of(const LaneRows<Order>& a, Lanes& sizes) {                     \
+    sizes_of_lanes<Order>(a, sizes);                                                            \
+  }                                                                                             \
+  CREST_WIDE_CLONES void series_of_inverse(const Lanes& centre, const Lanes& rho,               \
+                                           LaneSeries<Order>& s) {                              \
+    inverse_series_lanes<Order>(centre, rho, s);                                                \
+  }                                                                                             \
+  CREST_WIDE_CLONES void add_scaled(const LaneRows<Order>& a, const Lanes& w,                   \
+                                    LaneRows<Order>& sum) {                                     \
+    add_scaled_lanes<Order>(a, w, sum);                                                         \
+  }                                                                                             \
+  CREST_WIDE_CLONES void centred(const LaneRows<Order>& a, const Lanes& centre,                 \
+                                 LaneRows<Order>& h) {                                          \
+    centred_lanes<Order>(a, centre, h);                                                         \
   }
 CREST_LANE_LOOPS(3)
 CREST_LANE_LOOPS(4)
@@ -372,20 +401,27 @@ TaylorLanes<Order> TaylorLanes<Order>::compose(taylor::Series (*make_series)(dou
     return r;
   }
   const LaneRanges all = range();
-  Lanes centre, power, rest;
+  Lanes centre, power;
   for (std::size_t l = 0; l < kLanes; ++l) centre.x[l] = 0.5 * (all.low.x[l] + all.high.x[l]);
   TaylorLanes h(Unset{});
   taylor::centred(rows, centre, h.rows);
   const LaneRanges off = h.range();
-  std::array<Lanes, Order + 1> t, error;
+  taylor::LaneSeries<Order> all_series;
+  auto& [t, error, rest] = all_series;
+  Lanes rho;
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const double rho = std::fmax(-off.low.x[l], off.high.x[l]);
-    const taylor::Series s = make_series(centre.x[l], rho, Order);
-    for (std::size_t k = 0; k <= Order; ++k) t[k].x[l] = s.t[k], error[k].x[l] = s.error[k];
-    rest.x[l] = s.rest;
+    rho.x[l] = std::fmax(-off.low.x[l], off.high.x[l]);
     power.x[l] = 1;
-    for (int k = 0; k <= Order; ++k) power.x[l] *= rho;
+    for (int k = 0; k <= Order; ++k) power.x[l] *= rho.x[l];
   }
+  if (make_series == taylor::inverse_series)
+    taylor::series_of_inverse(centre, rho, all_series);
+  else
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const taylor::Series s = make_series(centre.x[l], rho.x[l], Order);
+      for (std::size_t k = 0; k <= Order; ++k) t[k].x[l] = s.t[k], error[k].x[l] = s.error[k];
+      rest.x[l] = s.rest;
+    }
   TaylorLanes r = around(t[Order], error[Order]);
   for (std::size_t k = Order; k-- > 0;) r = r * h + around(t[k], error[k]);
   for (std::size_t l = 0; l < kLanes; ++l) {

@@ -22,6 +22,14 @@ struct LaneRanges {
   Range operator[](std::size_t l) const { return {low.x[l], high.x[l]}; }
 };
 
+/// The sign of all of them.
+inline MaybeSign certain_sign(const LaneRanges& r) {
+  const MaybeSign first = certain_sign(r[0]);
+  for (std::size_t l = 1; l < Lanes::count; ++l)
+    if (certain_sign(r[l]) != first) return std::nullopt;
+  return first;
+}
+
 /// Bit l: lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kAllLanes = (1U << Lanes::count) - 1;
@@ -32,25 +40,33 @@ namespace taylor {
 template <int Order>
 using LaneRows = std::array<Lanes, monomial_count(2, Order) + 1>;
 
+/// Series by lanes.
+template <int Order>
+struct LaneSeries {
+  std::array<Lanes, Order + 1> t, error;
+  Lanes rest;
+};
+
 // The loops over the lanes, for each instruction set. Requires: the result is no operand.
-#define CREST_LANE_LOOPS(Order)                                                                   \
-  void add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);               \
-  void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);          \
-  void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                       \
-  void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                      \
-  /* False, and nothing done, if a lane of a factor may be flat. */                               \
-  bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);          \
+#define CREST_LANE_LOOPS(Order)                                                                    \
+  void add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);                \
+  void subtract(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);           \
+  void scale(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                        \
+  void divide(const LaneRows<Order>& a, const Lanes& s, LaneRows<Order>& r);                       \
+  /* False, and nothing done, if a lane of a factor may be flat. */                                \
+  bool multiply(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& r);           \
   bool multiply_and_add(const LaneRows<Order>& a, const LaneRows<Order>& b, LaneRows<Order>& sum); \
-  /* By lanes that are flat; of lanes that are all not flat, or all flat. */                      \
-  void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);     \
-  void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r); \
-  LaneMask flat_lanes(const LaneRows<Order>& a);                                                  \
-  bool all_defined(const LaneRows<Order>& a);                                                     \
-  void range_of(const LaneRows<Order>& a, LaneRanges& r);                                         \
-  void sizes_of(const LaneRows<Order>& a, Lanes& sizes);                                          \
-  /* The coefficients of w a to those of the sum. */                                              \
-  void add_scaled(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum);                \
-  /* a less the constant `centre`. */                                                             \
+  /* By lanes that are flat; of lanes that are all not flat, or all flat. */                       \
+  void times_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);      \
+  void times_two_flat(const LaneRows<Order>& a, const LaneRows<Order>& flat, LaneRows<Order>& r);  \
+  LaneMask flat_lanes(const LaneRows<Order>& a);                                                   \
+  bool all_defined(const LaneRows<Order>& a);                                                      \
+  void range_of(const LaneRows<Order>& a, LaneRanges& r);                                          \
+  void sizes_of(const LaneRows<Order>& a, Lanes& sizes);                                           \
+  void series_of_inverse(const Lanes& centre, const Lanes& rho, LaneSeries<Order>& s);             \
+  /* The coefficients of w a to those of the sum. */                                               \
+  void add_scaled(const LaneRows<Order>& a, const Lanes& w, LaneRows<Order>& sum);                 \
+  /* a less the constant `centre`. */                                                              \
   void centred(const LaneRows<Order>& a, const Lanes& centre, LaneRows<Order>& h)
 CREST_LANE_LOOPS(3);
 CREST_LANE_LOOPS(4);
@@ -141,7 +157,8 @@ class TaylorLanes {
   }
   /// sum += a b (see jet_tables.hpp).
   friend void add_product(TaylorLanes& sum, const TaylorLanes& a, const TaylorLanes& b) {
-    if (&sum == &a || &sum == &b || !taylor::multiply_and_add(a.rows, b.rows, sum.rows)) sum.add_slowly(a, b);
+    if (&sum == &a || &sum == &b || !taylor::multiply_and_add(a.rows, b.rows, sum.rows))
+      sum.add_slowly(a, b);
   }
   friend TaylorLanes operator/(const TaylorLanes& a, const TaylorLanes& b) {
     return a * inverse(b);
@@ -163,6 +180,11 @@ class TaylorLanes {
   }
   friend TaylorLanes cos(const TaylorLanes& a) {
     return a.compose(taylor::cos_series, [](const Model& m) { return cos(m); });
+  }
+  /// In all lanes (defined.hpp).
+  friend TaylorLanes undefined_of(TaylorLanes a) {
+    a.radius() = HUGE_VAL;
+    return a;
   }
   /// Constants of a jet's operations (jet_tables.hpp).
   friend TaylorLanes number_like(const Lanes& x, const TaylorLanes* /*like*/) {

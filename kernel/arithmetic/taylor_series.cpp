@@ -9,17 +9,6 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;
 
-/// A lower bound of the exact value of a positive number computed in a few operations; at most 0
-/// for what may be zero.
-double shrink(double x) {
-  return x * (1 - 0x1p-43) - 0x1p-1000;
-}
-
-/// x / y; infinite where y, a product, may have lost digits to underflow.
-double over(double x, double y) {
-  return y > 0x1p-960 ? x / y : HUGE_VAL;
-}
-
 double factorial(int n) {
   double f = 1;
   for (int k = 2; k <= n; ++k) f *= k;

@@ -31,6 +31,16 @@ Series log_series(double c, double rho, int order);
 Series sin_series(double c, double rho, int order);
 Series cos_series(double c, double rho, int order);
 
+/// A lower bound of the exact value of a positive number computed in a few operations; at most 0
+/// for what may be zero.
+inline double shrink(double x) {
+  return x * (1 - 0x1p-43) - 0x1p-1000;
+}
+/// x / y; infinite where y, a product, may have lost digits to underflow.
+inline double over(double x, double y) {
+  return y > 0x1p-960 ? x / y : HUGE_VAL;
+}
+
 constexpr double weight(int i, int j) {
   double w = 1;
   for (int k = 0; k < i && k < j; ++k) w /= 2;

@@ -113,7 +113,7 @@ class Evaluator {
       case Code::negate:
         return step.to->make([&] { return T(-a); });
       case Code::power:  // 0: what is undefined stays so
-        return step.to->make([&] { return is_defined(a) ? constants_.back() : a; });
+        return step.to->make([&] { return is_defined(a) ? constants_.back() : undefined_of(a); });
       default:
         return step.to->make([&] { return ElementaryFunctions<T>::apply(step.code, a); });
     }
