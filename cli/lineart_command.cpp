@@ -16,6 +16,7 @@
 #include "certify/verify.hpp"
 #include "cli/lineart_report.hpp"
 #include "cli/run.hpp"
+#include "io/page/scene.hpp"
 #include "io/line_art/buffer_files.hpp"
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
@@ -216,6 +217,7 @@ Outcome work(Run& run, const LineArtOptions& o) {
     run.write("--save-sidecar", [&](const std::string& path) {
       io::write_atomically(path, io::sidecar_of(drawing));
     });
+    run.show_page([&] { return io::drawing_scene(drawing); });
   });
   return {line_art_summary(drawing), {"roessl2005surfaces"}};
 }
@@ -300,6 +302,7 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--report", o.common.report, "counts and times (.json)")->type_name("FILE");
   app.add_option("--certificate", o.common.certificate, "proof for crest-verify (.crest)")
       ->type_name("FILE");
+  add_page_option(app, o.common);
   add_view(app, o);
   add_clean_options(app, o.common.clean, true);
   const std::map<std::string, Style> styles = {{"contours", Style::contours},

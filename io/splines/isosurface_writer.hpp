@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/splines/isosurface.hpp"
+#include "io/picture/viewpoint.hpp"
 
 namespace crest::io {
 
@@ -13,5 +14,10 @@ namespace crest::io {
 /// kernel::InputError for another extension or a place that cannot be written.
 void write_isosurface(const std::string& path, const splines::Isosurface& surface,
                       const std::string& data_digest);
+
+struct Scene;  // io/page/scene.hpp
+
+/// The mesh for a page, with the lengths of its gradients.
+Scene isosurface_scene(const splines::Isosurface& surface, const Viewpoint& viewpoint);
 
 }  // namespace crest::io

@@ -27,4 +27,9 @@ void write_skeleton(const std::string& path, const SkeletonScene& scene);
 /// written.
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene);
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page, over the field's speed.
+Scene skeleton_page_scene(const SkeletonScene& scene);
+
 }  // namespace crest::io
