@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <map>
 
 namespace crest::cli {
 namespace {
@@ -21,15 +22,13 @@ std::string quoted(const std::string& word) {
 
 std::string command_line(const CLI::App& app) {
   std::string line = "crest " + app.get_name();
-  for (const CLI::Option* option : app.get_options()) {
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* option : app.parse_order()) {
     const std::string name = option->get_name();
-    if (option->count() == 0 || name == "--threads" || name == "--quiet") continue;
-    const bool flag = option->get_expected_max() == 0;
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional() || !option->get_lnames().empty()) line += " " + name;
-      if (flag) break;
-      line += " " + quoted(value);
-    }
+    const std::size_t number = seen[option]++;
+    if (name == "--threads" || name == "--quiet" || number >= option->results().size()) continue;
+    if (!option->get_positional()) line += " " + name;
+    if (option->get_expected_max() > 0) line += " " + quoted(option->results()[number]);
   }
   return line;
 }

@@ -233,8 +233,8 @@ void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh&
                               legend_note(written.kind, written.by));
   });
   run.show_page([&] {
-    io::Scene scene = io::feature_scene(mesh, graph, field_name(o), field, o.sharp(),
-                                        o.common.viewpoint);
+    io::Scene scene =
+        io::feature_scene(mesh, graph, field_name(o), field, o.sharp(), o.common.viewpoint);
     scene.note = legend_note(written.kind, written.by);
     scene.data_digest = digest;
     return scene;

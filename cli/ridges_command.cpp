@@ -235,17 +235,17 @@ Outcome work(Run& run, const RidgesOptions& o) {
       io::write_ridges(path, mesh, fit, graph, result.data_digest);
     });
     run.write("--picture", [&](const std::string& path) {
-      draw([&](const auto& shown, const auto& picture) {
-        io::write_picture(path, mesh, shown, picture);
-      }, graph, result, o);
+      draw([&](const auto& shown,
+               const auto& picture) { io::write_picture(path, mesh, shown, picture); },
+           graph, result, o);
     });
     run.write_certificate("ridges-mesh", certified.certificate);
   });
   run.show_page([&] {
     io::Scene scene;
-    draw([&](const auto& shown, const auto& picture) {
-      scene = io::ridge_scene(mesh, fit, shown, picture);
-    }, graph, result, o);
+    draw([&](const auto& shown,
+             const auto& picture) { scene = io::ridge_scene(mesh, fit, shown, picture); },
+         graph, result, o);
     scene.data_digest = result.data_digest;
     return scene;
   });

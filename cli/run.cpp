@@ -64,8 +64,8 @@ void Run::write_page(const Outcome& outcome) {
   if (!scene_) return;
   std::error_code ignored;
   const bool file = std::filesystem::exists(options_.input, ignored);
-  scene_->title += " of " + (file ? std::filesystem::path(options_.input).filename().string()
-                                  : options_.input);
+  scene_->title +=
+      " of " + (file ? std::filesystem::path(options_.input).filename().string() : options_.input);
   write("--page", [&](const std::string& path) {
     io::write_page(path, *scene_,
                    {options_.command_line, CREST_VERSION, outcome.summary, report_.warnings(),

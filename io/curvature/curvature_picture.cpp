@@ -79,8 +79,9 @@ Camera camera_of(const kernel::TriangleMesh& mesh, const ColourPicture& options)
 
 SceneLayer focal_layer(const curvature::FocalSurface& focal) {
   const bool gaussian = focal.quantity == curvature::Quantity::gaussian;
-  SceneLayer layer{gaussian ? "Focal surface of K" : "Focal surface of H",
-                   {{"positive", kPositive, 0.4}, {"zero", kZero, 0.4}, {"negative", kNegative, 0.4}}};
+  SceneLayer layer{
+      gaussian ? "Focal surface of K" : "Focal surface of H",
+      {{"positive", kPositive, 0.4}, {"zero", kZero, 0.4}, {"negative", kNegative, 0.4}}};
   for (std::size_t i = 0; i < focal.curves.size(); ++i) {
     const auto& curve = focal.curves[i];
     layer.add_item().add("curve", static_cast<int>(i));
@@ -135,8 +136,7 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
 }
 
 Scene curvature_scene(const kernel::TriangleMesh& mesh, const curvature::Result& result,
-                      const std::string& shown,
-                      const std::vector<curvature::FocalSurface>& focal,
+                      const std::string& shown, const std::vector<curvature::FocalSurface>& focal,
                       const ColourPicture& options) {
   using curvature::PointCurvature;
   Scene scene{"Curvature"};

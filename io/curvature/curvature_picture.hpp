@@ -37,8 +37,7 @@ struct Scene;  // io/page/scene.hpp
 /// A page of the mesh with all curvatures, `shown` (a name among H, K, k1, k2) first, and the
 /// boundary curves of focal surfaces.
 Scene curvature_scene(const kernel::TriangleMesh& mesh, const curvature::Result& result,
-                      const std::string& shown,
-                      const std::vector<curvature::FocalSurface>& focal,
+                      const std::string& shown, const std::vector<curvature::FocalSurface>& focal,
                       const ColourPicture& options);
 
 }  // namespace crest::io

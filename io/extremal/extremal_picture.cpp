@@ -172,7 +172,8 @@ void draw_image(const kernel::SampledGrid& image, const ImageFrame& frame, Canva
 SceneSurface page_surface(const Result& r) {
   SceneSurface surface{"extremal surface", r.points, {}};
   SceneField plateness{"plateness", {}, true}, strength{"strength", {}, true},
-      component{"component", {}, true, ColourMap::labels}, type{"extremal (0: merely critical)", {}, true};
+      component{"component", {}, true, ColourMap::labels},
+      type{"extremal (0: merely critical)", {}, true};
   for (std::size_t p = 0; p < r.polygons(); ++p) {
     for (Index i = r.first[p] + 1; i + 1 < r.first[p + 1]; ++i) {
       surface.faces.push_back({r.corners[r.first[p]], r.corners[i], r.corners[i + 1]});
@@ -227,9 +228,9 @@ SceneSurface image_surface(const kernel::SampledGrid& image) {
   SceneField grey{"samples", {}, false, ColourMap::grey};
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < columns; ++x) {
-      surface.points.push_back(image.to_world(
-          {static_cast<double>(x * step) * image.spacing[0],
-           static_cast<double>(y * step) * image.spacing[1], 0}));
+      surface.points.push_back(
+          image.to_world({static_cast<double>(x * step) * image.spacing[0],
+                          static_cast<double>(y * step) * image.spacing[1], 0}));
       grey.values.push_back(image.at(y * step * image.size[0] + x * step));
     }
   const auto corner = [&](std::size_t x, std::size_t y) {
@@ -291,8 +292,13 @@ Scene extremal_scene(const Result& result, const kernel::SampledGrid* image,
     scene.flat = true;
     scene.surfaces.push_back(image_surface(*image));
     const Vec3 down = image->directions[1];
-    scene.camera = Camera{image->directions[0], combine(-1, down, 0, down),
-                          cross(image->directions[0], down), {}, 1, 1200, 1200};
+    scene.camera = Camera{image->directions[0],
+                          combine(-1, down, 0, down),
+                          cross(image->directions[0], down),
+                          {},
+                          1,
+                          1200,
+                          1200};
     scene.layers = {curve_layer(result), rim_layer(result)};
     return scene;
   }

@@ -156,8 +156,8 @@ std::string vtp(const ModeScene& scene) {
 constexpr Rgb kLinear = {0, 140, 60}, kPlanar = {215, 170, 0};
 
 SceneLayer curve_layer(const ModeScene& scene) {
-  SceneLayer layer{"Degenerate curves", {{"linear", kLinear}, {"planar", kPlanar}},
-                   {{"length", "length"}}};
+  SceneLayer layer{
+      "Degenerate curves", {{"linear", kLinear}, {"planar", kPlanar}}, {{"length", "length"}}};
   layer.words = {{"closed", {"no", "yes"}}};
   for (const auto& curve : scene.curves) {
     Columns& row = layer.add_item();
@@ -183,7 +183,9 @@ SceneSurface mode_surface(const ModeScene& scene, const modes::ModeSurface& s) {
   const ModeScene alone{{s}, {}, {}, {}, scene.min_magnitude};
   const Joined all(alone);
   SceneSurface surface{"mode " + fmt::format("{:g}", s.mode), all.points, all.triangles};
-  surface.colour = s.sign > 0 ? Rgb{72, 184, 184} : s.sign < 0 ? Rgb{240, 200, 66} : Rgb{156, 214, 84};
+  surface.colour = s.sign > 0   ? Rgb{72, 184, 184}
+                   : s.sign < 0 ? Rgb{240, 200, 66}
+                                : Rgb{156, 214, 84};
   SceneField size{"magnitude", {}}, component{"component", {}, true, ColourMap::labels};
   for (const auto* t : all.tensors) size.values.push_back(magnitude(*t) / 3);
   for (const Joined::Row& row : all.rows)
@@ -234,8 +236,7 @@ void write_mode_picture(const std::string& path, const ModeScene& scene,
   }
   // Curves lie inside the surfaces around them: they are drawn in front of everything.
   for (const auto& curve : scene.curves) {
-    const Rgb colour =
-        curve.type == modes::DegenerateType::linear ? kLinear : kPlanar;
+    const Rgb colour = curve.type == modes::DegenerateType::linear ? kLinear : kPlanar;
     for (std::size_t k = 0; k + 1 < curve.polyline.size(); ++k)
       canvas.draw_stroke(camera.project(curve.polyline[k]), camera.project(curve.polyline[k + 1]),
                          2.5, colour);

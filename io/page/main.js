@@ -152,8 +152,12 @@ class View {
         lines.draw(uniforms, {...widths, ...settings, lift: settings.lift + 0.003 * i}));
     };
     gl.enable(gl.BLEND);
-    pass([0.05, 0.05, 0.05], 1, {more: 1.4 * scale, lift: 0, colour: colour(0.45)});
-    pass([1, 1, 1], 1, {more: 0, lift: 0.0015, colour: colour(1)});
+    const rim = 1.4 * scale, unit = this.camera.half / this.window.size;
+    gl.depthMask(false);  // rims hide nothing
+    pass([0.05, 0.05, 0.05], 1, {more: rim, lift: 0, colour: colour(0.45)});
+    gl.depthMask(true);
+    // Wider lines are lifted more, by 1.5 half widths: as much as their rims.
+    pass([1, 1, 1], 1, {more: 0, lift: 0.75 * rim * unit, colour: colour(1)});
     if (!this.through) return;
     gl.depthFunc(gl.GREATER);
     gl.depthMask(false);
@@ -335,15 +339,14 @@ function addKeys(view, actions) {
     ArrowLeft: [-turn, 0], ArrowRight: [turn, 0], ArrowUp: [0, -turn], ArrowDown: [0, turn],
   };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName);
-    const arrow = arrows[event.key];
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
+    const typing = event.target.type === "range", arrow = arrows[event.key];
     if (arrow && !typing) {
       if (event.shiftKey) camera.move(-arrow[0], arrow[1]);
       else camera.turn(...arrow);
     } else if ("+=-".includes(event.key) && !typing) {
       camera.zoom(event.key === "-" ? 1 / 1.15 : 1.15, 0, 0);
-    } else if (actions[event.key.toLowerCase()] && !(typing && arrow)) {
+    } else if (actions[event.key.toLowerCase()]) {
       actions[event.key.toLowerCase()]();
     } else {
       return;
@@ -417,7 +420,9 @@ async function start() {
     view.camera.fromHash(location.hash);
     redraw();
   });
-  view.canvas.addEventListener("webglcontextlost", () => location.reload());
+  view.canvas.addEventListener("webglcontextlost", () => {
+    byId("status").textContent = "The graphics card was lost: reload the page.";
+  });
   view.resize();  // the panel is full now
   view.fit();
   view.camera.fromHash(location.hash);

@@ -152,8 +152,7 @@ Json surface_json(const SceneSurface& surface, const Frame& frame, Arrays& array
   constexpr const char* kMaps[] = {"sequential", "diverging", "pale", "grey", "labels"};
   Json fields = Json::array();
   for (const SceneField& field : surface.fields) {
-    require(field.values.size() ==
-                (field.per_face ? surface.faces.size() : surface.points.size()),
+    require(field.values.size() == (field.per_face ? surface.faces.size() : surface.points.size()),
             "a field's length");
     fields.push_back({{"name", field.name},
                       {"face", field.per_face},
@@ -243,23 +242,23 @@ Json scene_json(const Scene& scene, const PageContext& context, Arrays& arrays) 
   for (const SceneSurface& surface : scene.surfaces)
     surfaces.push_back(surface_json(surface, frame, arrays));
   for (const SceneLayer& layer : scene.layers) layers.push_back(layer_json(layer, arrays));
-  return {{"title", scene.title},
-          {"command", context.command},
-          {"version", context.version},
-          {"summary", context.summary},
-          {"warnings", context.warnings},
-          {"note", scene.note},
-          {"digest", scene.data_digest},
-          {"flat", scene.flat},
-          {"right", camera.right},
-          {"up", camera.up},
-          {"forward", camera.forward},
-          {"centre", frame.centre},
-          {"radius", frame.radius},
-          {"surfaces", surfaces},
-          {"layers", layers},
-          {"certificate",
-           context.certificate.empty() ? Json() : arrays.bytes(context.certificate)}};
+  return {
+      {"title", scene.title},
+      {"command", context.command},
+      {"version", context.version},
+      {"summary", context.summary},
+      {"warnings", context.warnings},
+      {"note", scene.note},
+      {"digest", scene.data_digest},
+      {"flat", scene.flat},
+      {"right", camera.right},
+      {"up", camera.up},
+      {"forward", camera.forward},
+      {"centre", frame.centre},
+      {"radius", frame.radius},
+      {"surfaces", surfaces},
+      {"layers", layers},
+      {"certificate", context.certificate.empty() ? Json() : arrays.bytes(context.certificate)}};
 }
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
@@ -283,8 +282,7 @@ void fill(std::string& page, std::string_view slot, std::string_view text) {
 
 }  // namespace
 
-std::string page_bytes(const Scene& scene, const PageContext& context,
-                       const std::string& checker) {
+std::string page_bytes(const Scene& scene, const PageContext& context, const std::string& checker) {
   Arrays arrays;
   const std::string json = embedded(scene_json(scene, context, arrays));
   const bool verifies = !checker.empty() && !context.certificate.empty();
@@ -317,14 +315,15 @@ std::string page_checker() {
   text << file.rdbuf();
   if (file && !text.str().empty()) return text.str();
   if (named && *named)
-    throw kernel::InputError(path + ": file: cannot be read; CREST_VERIFY_JS names the checker "
-                                    "that pages carry, unset it to have none");
+    throw kernel::InputError(path +
+                             ": file: cannot be read; CREST_VERIFY_JS names the checker "
+                             "that pages carry, unset it to have none");
   return "";
 }
 
 void write_page(const std::string& path, const Scene& scene, const PageContext& context) {
-  write_atomically(
-      path, page_bytes(scene, context, context.certificate.empty() ? "" : page_checker()));
+  write_atomically(path,
+                   page_bytes(scene, context, context.certificate.empty() ? "" : page_checker()));
 }
 
 }  // namespace crest::io

@@ -39,8 +39,8 @@ struct SceneSurface {
   std::vector<kernel::Triangle> faces;
   std::vector<SceneField> fields = {};  ///< the first one is shown, if `coloured`
   bool coloured = true;
-  std::optional<Rgb> colour = {};       ///< else a light grey
-  double opacity = 1;                   ///< below 1 it hides nothing and cannot be picked
+  std::optional<Rgb> colour = {};  ///< else a light grey
+  double opacity = 1;              ///< below 1 it hides nothing and cannot be picked
 };
 
 /// A line of the legend, with which items come and go.
@@ -98,8 +98,7 @@ struct SceneLayer {
     for (std::size_t i = 0; i < segments;) {
       const int kind = kind_of(i);
       run.assign(1, points[i]);
-      do
-        run.push_back(points[++i % n]);
+      do run.push_back(points[++i % n]);
       while (i < segments && kind_of(i) == kind);
       if (kind >= 0) add_run(static_cast<std::uint32_t>(kind), run);
     }
@@ -118,11 +117,11 @@ struct Scene {
 
 /// What is known of a run besides its scene.
 struct PageContext {
-  std::string command;               ///< the line that made the page
-  std::string version;               ///< of the program
-  std::string summary;               ///< the terminal's lines
+  std::string command;  ///< the line that made the page
+  std::string version;  ///< of the program
+  std::string summary;  ///< the terminal's lines
   std::vector<std::string> warnings = {};
-  std::string certificate = {};      ///< its bytes; empty: none
+  std::string certificate = {};  ///< its bytes; empty: none
 };
 
 /// The surface of any mesh.

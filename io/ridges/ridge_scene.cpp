@@ -80,7 +80,7 @@ SceneLayer umbilic_layer(const ridges::RidgeGraph& graph, const PictureOptions& 
     row.add("index", 0.5 * u.twice_index);
     row.add("face", static_cast<int>(u.face));
     row.add("coherent", u.coherent ? 1 : 0);
-    const std::uint32_t kind = is_region(u)                            ? 3
+    const std::uint32_t kind = is_region(u)                         ? 3
                                : u.kind == UmbilicKind::one_ridge   ? 0
                                : u.kind == UmbilicKind::three_ridge ? 1
                                                                     : 2;
@@ -96,8 +96,8 @@ Scene ridge_scene(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit
   const std::vector<Vec3> normals = vertex_normals(mesh);
   const bool salience = !fit.errors.empty();
   Scene scene{"Ridges"};
-  scene.camera =
-      make_camera(mesh, {options.view, options.up}, options.width, view_score(mesh, normals, graph));
+  scene.camera = make_camera(mesh, {options.view, options.up}, options.width,
+                             view_score(mesh, normals, graph));
   SceneSurface surface = scene_surface("surface", mesh);
   std::vector<double> k1, k2;
   for (const kernel::MongeForm& form : fit.forms) {

@@ -158,11 +158,10 @@ SceneLayer point_layer(const SmoothRidges& result) {
     add(p.colour == Colour::blue ? 0 : 1, p.point).add("index", 0.0);
   for (const auto& p : result.purple_points) add(2, p.point).add("index", 0.0);
   for (const UmbilicPoint& u : result.umbilics) {
-    const auto mark = std::find_if(std::begin(kUmbilicMarks), std::end(kUmbilicMarks),
-                                   [&](const UmbilicMark& m) {
-                                     return m.twice_index == u.twice_index &&
-                                            m.branches == u.branches[0];
-                                   });
+    const auto mark =
+        std::find_if(std::begin(kUmbilicMarks), std::end(kUmbilicMarks), [&](const UmbilicMark& m) {
+          return m.twice_index == u.twice_index && m.branches == u.branches[0];
+        });
     if (mark == std::end(kUmbilicMarks)) continue;
     add(3 + static_cast<std::size_t>(mark - std::begin(kUmbilicMarks)), u.point)
         .add("index", 0.5 * u.twice_index);

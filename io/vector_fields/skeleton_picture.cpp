@@ -110,8 +110,9 @@ std::vector<kernel::Vec3> at(const std::vector<Vec2>& line) {
 }
 
 SceneLayer boundary_layer(const Skeleton& s) {
-  SceneLayer layer{"Boundary",
-                   {{"outflow", kRed, 1.2}, {"no flow across", kGrey, 1.2}, {"inflow", kGreen, 1.2}}};
+  SceneLayer layer{
+      "Boundary",
+      {{"outflow", kRed, 1.2}, {"no flow across", kGrey, 1.2}, {"inflow", kGreen, 1.2}}};
   for (const BoundaryPiece& p : s.boundary) {
     layer.add_item();
     layer.add_run(static_cast<std::uint32_t>(p.flow + 1), std::array{at(p.from), at(p.to)});
@@ -151,8 +152,9 @@ SceneLayer orbit_layer(const Skeleton& s) {
 }
 
 SceneLayer zero_layer(const Skeleton& s) {
-  SceneLayer layer{"Critical points",
-                   {{"saddle", kBlue}, {"source", kRed}, {"sink", kGreen}, {"other zero", kViolet}}};
+  SceneLayer layer{
+      "Critical points",
+      {{"saddle", kBlue}, {"source", kRed}, {"sink", kGreen}, {"other zero", kViolet}}};
   layer.words = {{"focus", {"no", "yes"}}};
   for (const CriticalPoint& c : s.critical_points) {
     if (c.where == ZeroPlace::region || c.where == ZeroPlace::line) continue;

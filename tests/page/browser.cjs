@@ -81,8 +81,11 @@ const placeOf = (page, layerName) => page.evaluate((layerName) => {
   const view = crestPage, lines = view.layers.find(({layer}) => layer.name === layerName);
   const {middle, size} = view.window, {right, up, centre, half} = view.camera;
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  for (let i = 0; i < lines.unit.length; i += 3) {
-    const p = [0, 1, 2].map((k) => lines.unit[i + k] - centre[k]);
+  const places = [];
+  for (let i = 0; i < lines.unit.length; i += 3)
+    places.push([0, 1, 2].map((k) => lines.unit[i + k] - centre[k]));
+  places.sort((a, b) => dot(view.camera.forward, a) - dot(view.camera.forward, b));  // the nearest first
+  for (const p of places.slice(0, 20)) {
     const x = (middle[0] + size / half * dot(right, p)) / view.scale;
     const y = (middle[1] - size / half * dot(up, p)) / view.scale;
     const number = view.itemAt(x, y);
