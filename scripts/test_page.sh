@@ -43,7 +43,8 @@ mkdir -p "$pages"
 $crest sample ellipsoid --parameters 1,1.5,2 --rotate --vertices 1200 -o "$folder/ellipsoid.off" --quiet
 $crest ridges "$folder/ellipsoid.off" --all --certificate "$folder/ridges.crest" \
   --page "$pages/ridges.html" --quiet
-$crest features "$folder/ellipsoid.off" --angle 8 --page "$pages/features.html" --quiet
+$crest sample blend --vertices 12000 -o "$folder/blend.off" --quiet
+$crest features "$folder/blend.off" --threshold 0.9 --prune 3 --page "$pages/features.html" --quiet
 $crest reeb "$folder/ellipsoid.off" --expression 'x*x - y*z' --page "$pages/reeb.html" --quiet
 NODE_PATH=$tools/node_modules node tests/page/browser.cjs --browser "$browser" --pages "$pages" \
   --stored tests/page/screenshots $update

@@ -153,17 +153,18 @@ class View {
     };
     gl.enable(gl.BLEND);
     const rim = 1.4 * scale, unit = this.camera.half / this.window.size;
-    gl.depthMask(false);  // rims hide nothing
+    // On a surface lines hide nothing: a rim or a soft edge would hide the core of the next segment.
+    const alone = !this.surfaces.some(({shown, data}) => shown && data.opacity >= 1);
+    gl.depthMask(false);
     pass([0.05, 0.05, 0.05], 1, {more: rim, lift: 0, colour: colour(0.45)});
-    gl.depthMask(true);
+    gl.depthMask(alone);
     // Wider lines are lifted more, by 1.5 half widths: as much as their rims.
     pass([1, 1, 1], 1, {more: 0, lift: 0.75 * rim * unit, colour: colour(1)});
-    if (!this.through) return;
-    gl.depthFunc(gl.GREATER);
     gl.depthMask(false);
-    pass([1, 1, 1], 0.3, {more: 0, lift: 0, colour: colour(1)});
-    gl.depthMask(true);
+    gl.depthFunc(gl.GREATER);
+    if (this.through && !alone) pass([1, 1, 1], 0.3, {more: 0, lift: 0, colour: colour(1)});
     gl.depthFunc(gl.LEQUAL);
+    gl.depthMask(true);
   }
 
   draw() {

@@ -27,7 +27,7 @@ TEST_CASE("crest --page: every command with a picture, the same bytes with one t
   REQUIRE(run_crest("crest sample ellipsoid --parameters 1,1.5,2 --vertices 700 -o e.off && "
                     "crest sample moebius-sheet --nodes 20 -o m.nrrd && "
                     "crest sample block-twist --vertices 500 -o t.vtu && "
-                    "crest sample lattice --seed 5 --parameters 12,1 -o l.vtu",
+                    "crest sample lattice --seed 5 --parameters 16,1 -o l.vtu",
                     folder.path())
               .exit_code == 0);
   for (const std::string line :

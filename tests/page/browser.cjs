@@ -199,6 +199,20 @@ async function features(browser) {
     return hit !== null && hit[1].face >= 0;
   });
   check(canvas, "a face is found in the middle");
+
+  // Where frames take too long, fewer triangles turn, and the page says how many.
+  const coarse = await page.evaluate(() => {
+    const view = crestPage, all = view.surfaces[0].indices.length / 3;
+    view.move(true);
+    view.level = 3;
+    view.draw();
+    const said = document.getElementById("status").textContent, drawn = view.surfaces[0].prepare(3);
+    view.move(false);
+    view.draw();
+    return {all, drawn, said, after: document.getElementById("status").textContent};
+  });
+  check(coarse.all > 20000 && coarse.drawn <= 12000 && coarse.drawn > 2000, `coarse: ${JSON.stringify(coarse)}`);
+  check(coarse.said.includes("triangles") && coarse.after === "", "a coarse surface is said, while it moves only");
   await page.context().close();
 }
 
