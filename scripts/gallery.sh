@@ -27,7 +27,7 @@ page() {
   step "$name.html" "$crest" "$@" --page "$to/$name.html"
 }
 
-$crest sample blend --vertices 6000 -o blend.off --quiet
+$crest sample blend --vertices 3000 -o blend.off --quiet
 page ridges ridges blend.off --all --certificate blend.crest
 real kitten.obj meshes/kitten.obj perturbed-torus --vertices 9000
 page ridges-scan ridges kitten.obj
@@ -39,8 +39,8 @@ real fandisk.off meshes/fandisk.off handles --vertices 6000
 page features features fandisk.off --angle 25 --prune 2 --close-branches 3
 $crest sample handles --parameters 3 --vertices 6000 -o handles.off --quiet
 page reeb reeb handles.off --expression 'x + 0.2*y' --linear
-$crest sample block-single --vertices 3000 -o block.vtu --quiet
-page modes modes block.vtu --mode 0.97 --neutral --degenerate --up 0,0,1
+$crest sample block-single --vertices 700 -o block.vtu --quiet
+page modes modes block.vtu --mode 0.97 --up 0,0,1
 if [ -f "$data/volumes/EMD-3001.map" ]; then
   cp "$data/volumes/EMD-3001.map" .
   page extremal extremal EMD-3001.map --ridge --tensor-sigma 2 --min-value 0.1
@@ -52,10 +52,10 @@ $crest sample twin-bodden -o twin-bodden.vtu --quiet
 page skeleton skeleton twin-bodden.vtu --vectors flow
 if [ -f "$data/volumes/hydrogen_64.vti" ]; then
   cp "$data/volumes/hydrogen_64.vti" .
-  page spline spline hydrogen_64.vti --isovalue 24.5
+  page spline spline hydrogen_64.vti --isovalue 0.2
 else
   $crest sample genus2-shell --nodes 32 -o shell.vti --quiet
   page spline spline shell.vti --isovalue 0.4
 fi
 page strips strips dino.off
-page lineart lineart dino.off --view 40,15
+page lineart lineart dino.off --view 40,15 --spacing 1.4

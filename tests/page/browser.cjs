@@ -33,7 +33,7 @@ async function open(browser, name, settings = {}) {
   });
   const file = path.join(options.pages, `${name}.html`);
   await page.goto(`file://${path.resolve(file)}`);
-  await page.waitForFunction(() => window.crestPage !== undefined, null, {timeout: 30000});
+  await page.waitForFunction(() => window.crestPage !== undefined, null, {timeout: 90000});
   await settled(page);
   return page;
 }
