@@ -5,8 +5,35 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <map>
 
 namespace crest::cli {
+namespace {
+
+/// In single quotes if a shell would read anything into it.
+std::string quoted(const std::string& word) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string command_line(const CLI::App& app) {
+  std::string line = "crest " + app.get_name();
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* option : app.parse_order()) {
+    const std::string name = option->get_name();
+    const std::size_t number = seen[option]++;
+    if (name == "--threads" || name == "--quiet" || number >= option->results().size()) continue;
+    if (!option->get_positional()) line += " " + name;
+    if (option->get_expected_max() > 0) line += " " + quoted(option->results()[number]);
+  }
+  return line;
+}
+
+}  // namespace
 
 CLI::Validator finite_number(double least) {
   return {[least](std::string& text) -> std::string {
@@ -37,6 +64,12 @@ void add_step_option(CLI::App& app, CommonOptions& options) {
   app.add_option("--step", options.step, "time step of the field (.msh; default: the last)")
       ->type_name("N")
       ->group(kMeshGroup);
+}
+
+void add_page_option(CLI::App& app, CommonOptions& options) {
+  app.add_option("--page", options.page, "scene to turn in a browser, in one file (.html)")
+      ->type_name("FILE");
+  app.parse_complete_callback([&app, &options] { options.command_line = command_line(app); });
 }
 
 void add_view_options(CLI::App& app, io::Viewpoint& viewpoint) {
@@ -73,6 +106,7 @@ void add_common_options(CLI::App& app, CommonOptions& options, const std::string
       ->type_name("FILE");
   app.add_option("--picture", options.picture, "drawing, hidden parts removed (.svg, .png)")
       ->type_name("FILE");
+  add_page_option(app, options);
   add_view_options(app, options.viewpoint);
   add_run_options(app, options);
   app.add_flag("--cite", options.cite, "print the references this run used (BibTeX)");

@@ -21,6 +21,8 @@ struct CommonOptions {
   std::string report;                ///< --report; JSON
   std::string certificate;           ///< --certificate; certify/SPEC.md
   std::string picture;               ///< --picture; .svg or .png
+  std::string page;                  ///< --page; .html
+  std::string command_line;          ///< as a shell would take it; without --threads and --quiet
   io::Viewpoint viewpoint;           ///< --view, --up; of pictures
   int threads = 0;                   ///< --threads; 0: as many as the machine has
   bool quiet = false;                ///< --quiet; no summary, no progress
@@ -43,6 +45,9 @@ void add_clean_options(CLI::App& app, io::CleanOptions& clean, bool oriented);
 
 /// --step, of commands that read fields.
 void add_step_option(CLI::App& app, CommonOptions& options);
+
+/// --page, and the command line that it shows.
+void add_page_option(CLI::App& app, CommonOptions& options);
 
 /// --view and --up, of commands with pictures.
 void add_view_options(CLI::App& app, io::Viewpoint& viewpoint);

@@ -61,6 +61,7 @@ Outcome work(Run& run, const CompressOptions& o) {
     run.write("--picture", [&](const std::string& path) {
       io::write_skeleton_picture(path, {&result.field, &result.after});
     });
+    run.show_page([&] { return io::skeleton_page_scene({&result.field, &result.after}); });
   });
   return {compression_summary(field, result),
           {"roessl2005surfaces"},

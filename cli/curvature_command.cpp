@@ -62,6 +62,7 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
   app.add_option("--picture", o.common.picture, "the mesh in colours of a curvature (.svg .png)")
       ->type_name("FILE");
   add_view_options(app, o.common.viewpoint);
+  add_page_option(app, o.common);
   app.add_option("--colour", o.colour, "what the picture shows (default H)")
       ->check(CLI::IsMember({"K", "H", "k1", "k2"}));
   app.add_option("--reference", o.reference,
@@ -241,8 +242,9 @@ void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file
                         corners ? curvature::corner_curvatures(mesh, result.normals)
                                 : std::vector<curvature::CornerCurvatures>{});
   });
+  std::vector<curvature::FocalSurface> focal;
   if (run.wanted("--focal") || run.wanted("--focal-picture")) {
-    const auto focal = focal_surfaces(o, file, result);
+    focal = focal_surfaces(o, file, result);
     run.write("--focal", [&](const std::string& path) { io::write_focal(path, focal); });
     run.write("--focal-picture", [&](const std::string& path) {
       io::ColourPicture picture;
@@ -254,6 +256,10 @@ void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file
     });
   }
   run.write("--picture", [&](const std::string& path) { write_picture(path, o, mesh, result); });
+  run.show_page([&] {
+    return io::curvature_scene(mesh, result, o.colour, focal,
+                               {"", 1200, o.common.viewpoint.view, o.common.viewpoint.up});
+  });
 }
 
 Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
@@ -300,7 +306,8 @@ const Command curvature_command = {
     "curvature",
     "the curvature tensor of a triangle mesh, by seven methods",
     add,
-    {"crest curvature ellipsoid.off -o ellipsoid-curvature.vtp --picture ellipsoid-curvature.png",
+    {"crest curvature ellipsoid.off -o ellipsoid-curvature.vtp --picture ellipsoid-curvature.png "
+     "--page ellipsoid-curvature.html",
      "crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 "
      "--report ellipsoid-curvature.json"}};
 

@@ -88,6 +88,11 @@ Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& resul
       else
         io::write_extremal_picture(path, result, run.viewpoint());
     });
+    run.show_page([&] {
+      io::Scene scene = io::extremal_scene(result, image, run.viewpoint());
+      scene.data_digest = digest;
+      return scene;
+    });
   });
   const bool certified =
       !run.wanted("--certificate") || (!digest.empty() && result.undecided.empty());

@@ -196,14 +196,18 @@ std::vector<double> field_of(const FeaturesOptions& o, const io::MeshFile& file,
   return field;
 }
 
+std::string field_name(const FeaturesOptions& o) {
+  if (!o.angle.empty()) return "dihedral angle";
+  return o.field.empty() ? "max(|k1|, |k2|)" : o.field;
+}
+
 void report_field(Report& report, const FeaturesOptions& o) {
+  report["field"] = field_name(o);
   if (!o.angle.empty()) {
-    report["field"] = "dihedral angle";
     report["angle"] = kernel::DecimalAngle(o.angle).degrees();
     report["over"] = o.over;
     return;
   }
-  report["field"] = o.field.empty() ? "max(|k1|, |k2|)" : o.field;
   if (o.field.empty()) report["method"] = o.method;
 }
 
@@ -227,6 +231,13 @@ void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh&
   run.write("--picture", [&](const std::string& path) {
     io::write_feature_picture(path, mesh, graph, o.sharp(), o.common.viewpoint,
                               legend_note(written.kind, written.by));
+  });
+  run.show_page([&] {
+    io::Scene scene =
+        io::feature_scene(mesh, graph, field_name(o), field, o.sharp(), o.common.viewpoint);
+    scene.note = legend_note(written.kind, written.by);
+    scene.data_digest = digest;
+    return scene;
   });
   report_lines(run.report(), mesh, graph);
 }
@@ -338,6 +349,6 @@ const Command features_command = {
     {"crest features ellipsoid.off --angle 10 --prune 2 -o edges.vtp --patches patches.vtp",
      "crest features ellipsoid.off --threshold 0.9 --close 1 --prune 4 -o features.vtp",
      "crest features ellipsoid.off --method ne --value 1.5 --certificate features.crest --picture "
-     "features.svg"}};
+     "features.svg --page features.html"}};
 
 }  // namespace crest::cli

@@ -19,6 +19,7 @@
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
 #include "io/line_art/view_choice.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/face_soup_reader.hpp"
 #include "io/write/atomic_file.hpp"
 
@@ -153,6 +154,7 @@ Outcome work(Run& run, const LineArtOptions& o) {
     run.write("--save-sidecar", [&](const std::string& path) {
       io::write_atomically(path, io::sidecar_of(drawing));
     });
+    run.show_page([&] { return io::drawing_scene(drawing); });
   });
   return {line_art_summary(drawing), {"roessl2005surfaces"}};
 }
@@ -237,6 +239,7 @@ std::function<int()> add(CLI::App& app) {
   app.add_option("--report", o.common.report, "counts and times (.json)")->type_name("FILE");
   app.add_option("--certificate", o.common.certificate, "proof for crest-verify (.crest)")
       ->type_name("FILE");
+  add_page_option(app, o.common);
   add_view(app, o);
   add_clean_options(app, o.common.clean, true);
   const std::map<std::string, Style> styles = {{"contours", Style::contours},

@@ -129,6 +129,7 @@ void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
     run.write("--picture", [&](const std::string& path) {
       io::write_mode_picture(path, scene, run.viewpoint());
     });
+    run.show_page([&] { return io::mode_page_scene(scene, run.viewpoint()); });
   });
 }
 
@@ -147,7 +148,7 @@ Outcome work(Run& run, const ModesOptions& o) {
   io::TensorFile file = read_input(run, o);
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
   io::ModeScene scene;
-  if (run.wanted("--picture")) scene.outline = io::domain_outline(field.mesh);
+  if (run.wanted("--picture") || run.wanted("--page")) scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool of_curves = wanted.empty() && run.wanted("--certificate");
   const bool curves_decided =

@@ -13,10 +13,12 @@
 #include "algorithms/reeb/contours.hpp"
 #include "algorithms/reeb/labelled_graph.hpp"
 #include "algorithms/reeb/merge_trees.hpp"
+#include "algorithms/reeb/persistence.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "certify/certificate.hpp"
 #include "cli/reeb_report.hpp"
 #include "cli/run.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/quadratic_reader.hpp"
 #include "io/reeb/reeb_picture.hpp"
 #include "io/reeb/reeb_writer.hpp"
@@ -198,6 +200,16 @@ struct Shown {
   WrittenGraph written;
 };
 
+/// The largest of the pairs that a node is in.
+std::vector<double> node_persistence(const Shown& shown) {
+  std::vector<double> values, most(shown.written.graph.nodes.size(), 0);
+  for (const reeb::NodePlace& place : shown.places) values.push_back(place.value);
+  for (const reeb::PersistencePair& pair : reeb::persistence_pairs(shown.written.graph, values))
+    for (const Index node : {pair.lower, pair.upper})
+      most[node] = std::max(most[node], pair.persistence);
+  return most;
+}
+
 void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   const auto scene = [&](const std::vector<io::LevelLines>& lines) {
     return io::ReebScene{x.file.mesh,
@@ -212,12 +224,22 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
                          x.file.numbers.faces};
   };
   run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
+  const auto drawn_lines = [&] {
+    return shown.levels.empty()
+               ? level_lines(x.file.mesh, x.tiles, io::picture_levels(shown.places))
+               : shown.levels;
+  };
+  const std::string note = legend_note("simplified", shown.written.simplified_by);
   run.write("--picture", [&](const std::string& path) {
-    const auto lines = shown.levels.empty()
-                           ? level_lines(x.file.mesh, x.tiles, io::picture_levels(shown.places))
-                           : shown.levels;
-    io::write_reeb_picture(path, scene(lines), run.viewpoint(),
-                           legend_note("simplified", shown.written.simplified_by));
+    const auto lines = drawn_lines();
+    io::write_reeb_picture(path, scene(lines), run.viewpoint(), note);
+  });
+  run.show_page([&] {
+    const auto lines = drawn_lines();
+    io::Scene page = io::reeb_page_scene(scene(lines), node_persistence(shown), run.viewpoint());
+    page.note = note;
+    page.data_digest = x.digest;
+    return page;
   });
 }
 
@@ -250,7 +272,7 @@ void check_options(const ReebOptions& o) {
 
 Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
   const Extraction x = extract(run, source);
-  const bool drawn = run.wanted("-o") || run.wanted("--picture");
+  const bool drawn = run.wanted("-o") || run.wanted("--picture") || run.wanted("--page");
   const Shown shown = compute_shown(run, o, x, drawn);
   if (drawn) run.step("write", "writing", [&] { write_scenes(run, x, shown); });
   const std::vector<LevelCount> counts = count_lines(shown.levels);
@@ -297,7 +319,8 @@ const Command reeb_command = {
     "reeb",
     "Reeb graph of a function on a surface, linear or quadratic on each face",
     add_reeb,
-    {"crest reeb ellipsoid.off --expression 'x*x - y*z' -o reeb.vtp --picture reeb.svg",
+    {"crest reeb ellipsoid.off --expression 'x*x - y*z' -o reeb.vtp --picture reeb.svg "
+     "--page reeb.html",
      "crest reeb ellipsoid.off --expression 'x^3 - 3*x*y^2' --certificate reeb.crest --report "
      "reeb.json"}};
 

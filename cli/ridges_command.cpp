@@ -62,7 +62,7 @@ void add_ridges_options(CLI::App& app, RidgesOptions& o) {
   rings->check(CLI::Range(1, 100))->type_name("N");
   app.add_option("--scale", o.scale,
                  "radius of a fit's support in units of the input, or auto: chosen by what is "
-                 "salient (the default with --picture)")
+                 "salient (the default with --picture and --page)")
       ->type_name("auto|R")
       ->excludes(rings);
   app.add_option("--smooth", o.fit.smooth, "smoothing steps of the extremalities (default 0)")
@@ -91,14 +91,15 @@ void add_ridges_options(CLI::App& app, RidgesOptions& o) {
   app.option_defaults()->group("Options");
 }
 
-/// --scale auto|R into the fit's options. With a picture auto is the default.
+/// --scale auto|R into the fit's options. With a picture or a page auto is the default.
 void set_scale(RidgesOptions& o) {
   const bool marks = o.salience.z > 0;
   o.fit.errors = marks;
   if (!marks && (o.salient || o.significant))
     throw UsageError("--salient and --significant need --significance above 0");
   if (o.scale.empty()) {
-    o.auto_scale = marks && !o.all && o.fit.rings == 0 && !o.common.picture.empty();
+    const bool drawn = !o.common.picture.empty() || !o.common.page.empty();
+    o.auto_scale = marks && !o.all && o.fit.rings == 0 && drawn;
     return;
   }
   if (o.scale == "auto") {
@@ -160,16 +161,18 @@ double mean_radius(const ridges::FitResult& fit) {
   return sum / static_cast<double>(std::max<std::size_t>(fit.errors.size(), 1));
 }
 
-/// The picture: the whole graph, or what is significant with the salient lines in full width.
-void draw(const std::string& path, const kernel::TriangleMesh& mesh,
-          const ridges::RidgeGraph& graph, const RidgesRun& result, const RidgesOptions& o) {
+/// Calls `show` with what pictures and pages show: the whole graph, or what is significant with the
+/// salient lines in full width.
+template <class Show>
+void draw(const Show& show, const ridges::RidgeGraph& graph, const RidgesRun& result,
+          const RidgesOptions& o) {
   io::PictureOptions picture;
   picture.view = o.common.viewpoint.view;
   picture.up = o.common.viewpoint.up;
   picture.order = o.order;
   std::vector<std::string> by = result.filtered_by();
   picture.note = legend_note("subset", by);
-  if (!result.shows_salience) return io::write_picture(path, mesh, graph, picture);
+  if (!result.shows_salience) return show(graph, picture);
   constexpr double kAll = 0.95;  // of the length: then nothing needs to stand back
   const ridges::SalienceReport& s = *result.salience;
   picture.by_salience = true;
@@ -178,7 +181,7 @@ void draw(const std::string& path, const kernel::TriangleMesh& mesh,
   ridges::RidgeGraph significant = graph;
   if (ridges::filter(significant, at_level(1)).by_level > 0) by.push_back("significance");
   picture.note = legend_note("subset", by);
-  io::write_picture(path, mesh, significant, picture);
+  show(significant, picture);
 }
 
 Outcome work(Run& run, const RidgesOptions& o) {
@@ -231,8 +234,20 @@ Outcome work(Run& run, const RidgesOptions& o) {
     run.write("-o", [&](const std::string& path) {
       io::write_ridges(path, mesh, fit, graph, result.data_digest);
     });
-    run.write("--picture", [&](const std::string& path) { draw(path, mesh, graph, result, o); });
+    run.write("--picture", [&](const std::string& path) {
+      draw([&](const auto& shown,
+               const auto& picture) { io::write_picture(path, mesh, shown, picture); },
+           graph, result, o);
+    });
     run.write_certificate("ridges-mesh", certified.certificate);
+  });
+  run.show_page([&] {
+    io::Scene scene;
+    draw([&](const auto& shown,
+             const auto& picture) { scene = io::ridge_scene(mesh, fit, shown, picture); },
+         graph, result, o);
+    scene.data_digest = result.data_digest;
+    return scene;
   });
   fill_report(run.report(), result);
   return {summary_text(result), used_references(o)};
@@ -273,6 +288,7 @@ const Command ridges_command = {
     "ridges and umbilics of a triangle mesh or of a smooth surface",
     add_ridges,
     {"crest ridges ellipsoid.off -o ellipsoid.vtp --picture ellipsoid.svg",
+     "crest ridges ellipsoid.off --page ellipsoid.html --certificate ellipsoid.crest",
      "crest ridges ellipsoid.off --certificate ellipsoid.crest --report ellipsoid.json",
      "crest ridges --surface 'x^2 + y^2/2.25 + z^2/4 - 1' --box '-3,3' -o smooth.vtp "
      "--certificate smooth.crest",

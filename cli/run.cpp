@@ -7,10 +7,13 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 
 #include "cli/references.hpp"
+#include "cli/version.hpp"
+#include "io/page/page.hpp"
 #include "io/picture/camera.hpp"
 #include "io/write/atomic_file.hpp"
 
@@ -36,6 +39,7 @@ Run::Run(const Task& task, int threads)
   outputs_.add("-o", options_.output, task.formats);
   for (const OutputFile& file : task.files) outputs_.add(file.option, file.path, file.extensions);
   outputs_.add("--picture", options_.picture, {".svg", ".png"});
+  outputs_.add("--page", options_.page, {".html"});
   outputs_.add("--certificate", options_.certificate);
   outputs_.add("--report", options_.report);
 }
@@ -51,11 +55,26 @@ void Run::write_certificate(const std::string& claim, std::span<const std::uint8
   write("--certificate", [&](const std::string& path) {
     io::write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     certificate_bytes_ = bytes.size();
+    if (wanted("--page")) page_certificate_.assign(bytes.begin(), bytes.end());
     report_.set_certificate(claim, undecided);
   });
 }
 
+void Run::write_page(const Outcome& outcome) {
+  if (!scene_) return;
+  std::error_code ignored;
+  const bool file = std::filesystem::exists(options_.input, ignored);
+  scene_->title +=
+      " of " + (file ? std::filesystem::path(options_.input).filename().string() : options_.input);
+  write("--page", [&](const std::string& path) {
+    io::write_page(path, *scene_,
+                   {options_.command_line, CREST_VERSION, outcome.summary, report_.warnings(),
+                    page_certificate_});
+  });
+}
+
 void Run::finish(const Outcome& outcome) {
+  write_page(outcome);
   write("--report", [&](const std::string& path) { io::write_atomically(path, report_.text()); });
   outputs_.commit();
   show({});

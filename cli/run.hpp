@@ -5,6 +5,7 @@
 // the keys it adds to the report and its lines on the terminal.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "cli/common_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -92,6 +94,11 @@ class Run {
   void write(const std::string& option, const std::function<void(const std::string&)>& writer) {
     outputs_.write(option, writer);
   }
+  /// The scene of --page, made now if that is wanted and written at the end, with what was written
+  /// to --certificate.
+  void show_page(const std::function<io::Scene()>& scene) {
+    if (wanted("--page")) scene_ = step("page", "composing the page", scene);
+  }
   /// Writes --certificate, if it is wanted, and reports its claim as certified but for `undecided`
   /// cells, of which it states nothing.
   void write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
@@ -100,12 +107,15 @@ class Run {
  private:
   friend int run_command(const Task&, const std::function<Outcome(Run&)>&, void (*)());
   void finish(const Outcome& outcome);
+  void write_page(const Outcome& outcome);
 
   const CommonOptions& options_;
   std::string command_;
   Outputs outputs_;
   Report report_;
   std::size_t certificate_bytes_ = 0;  ///< 0: none was written
+  std::string page_certificate_;       ///< its bytes, if there is a page
+  std::optional<io::Scene> scene_;
   bool shows_;
 };
 

@@ -12,6 +12,7 @@
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "cli/vector_options.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/planar_field_reader.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
 
@@ -52,6 +53,7 @@ Outcome work(Run& run, const SkeletonOptions& o) {
     run.write("-o", [&](const std::string& path) { io::write_skeleton(path, scene); });
     run.write("--picture",
               [&](const std::string& path) { io::write_skeleton_picture(path, scene); });
+    run.show_page([&] { return io::skeleton_page_scene(scene); });
   });
   return {skeleton_summary(skeleton),
           {"roessl2005surfaces"},
@@ -77,6 +79,6 @@ const Command skeleton_command = {
     "zeros, switch points, separatrices and closed orbits of a plane vector field",
     add,
     {"crest skeleton lattice.vtu -o skeleton.vtp --certificate skeleton.crest",
-     "crest skeleton twin-bodden.vtu --vectors flow --picture bodden.png"}};
+     "crest skeleton twin-bodden.vtu --vectors flow --picture bodden.png --page bodden.html"}};
 
 }  // namespace crest::cli

@@ -129,6 +129,14 @@ void write_results(Run& run, const SmoothRidges& result, const std::string& dige
     picture.up = run.viewpoint().up;
     io::write_smooth_picture(path, result, picture);
   });
+  run.show_page([&] {
+    io::PictureOptions picture;
+    picture.view = run.viewpoint().view;
+    picture.up = run.viewpoint().up;
+    io::Scene scene = io::smooth_ridge_scene(result, picture);
+    scene.data_digest = digest;
+    return scene;
+  });
 }
 
 Outcome work(Run& run, const SmoothRidgesOptions& o) {

@@ -47,7 +47,7 @@ void add_volume_options(CLI::App& app, SplineOptions& o) {
   constexpr const char* group = "Volumes";
   app.add_flag("--quadratic", o.quadratic, "quadratic super splines (default for volumes)")
       ->group(group);
-  app.add_option("--isovalue", o.isovalue, "of --rays, --picture and --mesh")
+  app.add_option("--isovalue", o.isovalue, "of --rays, --picture, --mesh and --page")
       ->check(finite_number(-HUGE_VAL))
       ->type_name("C")
       ->group(group);

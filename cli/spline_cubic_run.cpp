@@ -140,10 +140,11 @@ bool is_cubic_input(const std::string& path) {
 Outcome run_cubic(Run& run, const SplineOptions& o) {
   if (o.quadratic) throw UsageError("--quadratic is for volumes");
   if (o.isovalue || !o.rays.empty() || !o.hits.empty() || !o.mesh.empty() || !o.camera.empty() ||
-      !o.common.picture.empty() || o.extend || !o.source.raw.empty() || !o.source.field.empty())
+      !o.common.picture.empty() || !o.common.page.empty() || o.extend || !o.source.raw.empty() ||
+      !o.source.field.empty())
     throw UsageError(
-        "--isovalue, --rays, --hits, --mesh, --picture, --camera, --border, --raw and --field are "
-        "for splines of volumes; sample a cubic one by --evaluate");
+        "--isovalue, --rays, --hits, --mesh, --picture, --page, --camera, --border, --raw and "
+        "--field are for splines of volumes; sample a cubic one by --evaluate");
   return io::is_cubic_model(o.common.input) ? of_model(run, o) : of_table(run, o);
 }
 

@@ -25,13 +25,16 @@ using splines::Ray;
 void check(const SplineOptions& o) {
   if (!o.columns.empty() || o.smoothness || !o.cubes.empty() || !o.box.empty())
     throw UsageError("--columns, --smoothness, -n and --box are for tables of samples");
-  const bool level = !o.rays.empty() || !o.common.picture.empty() || !o.mesh.empty();
-  if (level && !o.isovalue) throw UsageError("--rays, --picture and --mesh need --isovalue");
-  if (!level && o.isovalue) throw UsageError("--isovalue is for --rays, --picture and --mesh");
+  const bool mesh = !o.mesh.empty() || !o.common.page.empty();
+  const bool level = !o.rays.empty() || !o.common.picture.empty() || mesh;
+  if (level && !o.isovalue)
+    throw UsageError("--rays, --picture, --mesh and --page need --isovalue");
+  if (!level && o.isovalue)
+    throw UsageError("--isovalue is for --rays, --picture, --mesh and --page");
   if (!o.camera.empty() && o.common.picture.empty()) throw UsageError("--camera is for --picture");
-  const int claims = !o.rays.empty() + !o.common.picture.empty() + !o.mesh.empty();
+  const int claims = !o.rays.empty() + !o.common.picture.empty() + mesh;
   if (!o.common.certificate.empty() && claims != 1)
-    throw UsageError("--certificate is for one of --rays, --picture and --mesh");
+    throw UsageError("--certificate is for one of --rays, --picture and --mesh (--page)");
 }
 
 QuadraticSpline read_spline(Run& run, const SplineOptions& o) {
@@ -166,7 +169,7 @@ std::string cast_rays(Run& run, const SplineOptions& o, const QuadraticSpline& s
 /// Whether all of the surface is proven.
 bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
                std::string& lines) {
-  if (o.mesh.empty()) return true;
+  if (o.mesh.empty() && o.common.page.empty()) return true;
   const auto surface = run.step("isosurface", "isosurface", [&] {
     return run.with_input(
         [&] { return splines::extract_isosurface(spline, *o.isovalue, o.max_depth); });
@@ -208,9 +211,14 @@ bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
       digest = certify::hex(certify::data_digest(bytes));
     });
   }
-  run.step("write", "writing " + o.mesh, [&] {
+  run.step("write", "writing the isosurface", [&] {
     run.write("--mesh",
               [&](const std::string& path) { io::write_isosurface(path, surface, digest); });
+  });
+  run.show_page([&] {
+    io::Scene scene = io::isosurface_scene(surface, run.viewpoint());
+    scene.data_digest = digest;
+    return scene;
   });
   return proven;
 }

@@ -49,6 +49,7 @@ Outcome work(Run& run, const StripsOptions& o) {
     run.write("--picture", [&](const std::string& path) {
       io::write_strip_picture(path, mesh, strips, o.common.viewpoint);
     });
+    run.show_page([&] { return io::strip_scene(mesh, strips, o.common.viewpoint); });
   });
   const auto acmr = [&](std::size_t entries) {
     return strips::average_cache_miss_ratio(strips, mesh.vertex_count(), mesh.face_count(),
@@ -85,6 +86,7 @@ std::function<int()> add_strips(CLI::App& app) {
                  "(.bin)")
       ->type_name("FILE");
   app.add_option("--picture", common.picture, "the strips by tints (.svg .png)")->type_name("FILE");
+  add_page_option(app, common);
   app.add_option("--report", common.report, "counts and times (.json)")->type_name("FILE");
   auto* effort = app.add_option("--effort", options->strips.effort,
                                 "sweeps of annealing that improve the tree's strips (default 20)");
@@ -107,7 +109,7 @@ const Command strips_command = {
     "strips",
     "the faces of a mesh as triangle strips",
     add_strips,
-    {"crest strips ellipsoid.off -o strips.vtp --picture strips.png",
+    {"crest strips ellipsoid.off -o strips.vtp --picture strips.png --page strips.html",
      "crest strips ellipsoid.off --tree -o tree.vtp",
      "crest strips ellipsoid.off --no-swaps --index-buffer strips.bin --report strips.json"}};
 

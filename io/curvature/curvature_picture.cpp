@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/page/scene.hpp"
 #include "io/picture/lettering.hpp"
 #include "io/picture/picture_file.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 
 using kernel::Vec3;
 
+constexpr Rgb kPositive = {0, 140, 40}, kNegative = {200, 20, 20}, kZero = {128, 128, 128};
 constexpr double kQuantile = 0.95;
 constexpr int kBarHeight = 12;  // pixels
 constexpr double kRoom = 0.8;   // of the picture for the mesh, the rest for what stands off it
@@ -75,6 +77,24 @@ Camera camera_of(const kernel::TriangleMesh& mesh, const ColourPicture& options)
   return make_camera(mesh, {options.view, options.up}, options.width);
 }
 
+SceneLayer focal_layer(const curvature::FocalSurface& focal) {
+  const bool gaussian = focal.quantity == curvature::Quantity::gaussian;
+  SceneLayer layer{
+      gaussian ? "Focal surface of K" : "Focal surface of H",
+      {{"positive", kPositive, 0.4}, {"zero", kZero, 0.4}, {"negative", kNegative, 0.4}}};
+  for (std::size_t i = 0; i < focal.curves.size(); ++i) {
+    const auto& curve = focal.curves[i];
+    layer.add_item().add("curve", static_cast<int>(i));
+    std::vector<Vec3> points;
+    for (const kernel::Index p : curve) points.push_back(focal.points[p]);
+    layer.add_line(points, false, [&](std::size_t k) {
+      const double value = focal.values[curve[k]];
+      return value > 0 ? 0 : value < 0 ? 2 : 1;
+    });
+  }
+  return layer;
+}
+
 }  // namespace
 
 void write_colour_picture(const std::string& path, const kernel::TriangleMesh& mesh,
@@ -106,15 +126,34 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
       const Vec3 b = camera.project(focal.points[curve[i + 1]]);
       if (!canvas.visible(a, 1) || !canvas.visible(b, 1)) continue;
       const double value = focal.values[curve[i]];
-      const Rgb colour = value > 0   ? Rgb{0, 140, 40}
-                         : value < 0 ? Rgb{200, 20, 20}
-                                     : Rgb{128, 128, 128};
+      const Rgb colour = value > 0 ? kPositive : value < 0 ? kNegative : kZero;
       canvas.draw_stroke(a, b, width, colour);
     }
   }
   canvas.extend(label_rows(camera));
   draw_label(canvas, camera, camera.height, options.label);
   write_canvas(path, canvas, camera.width, camera.height + label_rows(camera));
+}
+
+Scene curvature_scene(const kernel::TriangleMesh& mesh, const curvature::Result& result,
+                      const std::string& shown, const std::vector<curvature::FocalSurface>& focal,
+                      const ColourPicture& options) {
+  using curvature::PointCurvature;
+  Scene scene{"Curvature"};
+  scene.camera = camera_of(mesh, options);
+  SceneSurface surface = scene_surface("surface", mesh);
+  for (const auto& [name, member] : {std::pair{"H", &PointCurvature::H},
+                                     {"K", &PointCurvature::K},
+                                     {"k1", &PointCurvature::k1},
+                                     {"k2", &PointCurvature::k2}}) {
+    SceneField field{name, {}, false, ColourMap::diverging};
+    for (const PointCurvature& c : result.vertices) field.values.push_back(c.*member);
+    surface.fields.insert(name == shown ? surface.fields.begin() : surface.fields.end(),
+                          std::move(field));
+  }
+  scene.surfaces.push_back(std::move(surface));
+  for (const curvature::FocalSurface& f : focal) scene.layers.push_back(focal_layer(f));
+  return scene;
 }
 
 }  // namespace crest::io

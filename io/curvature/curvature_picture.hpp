@@ -32,4 +32,12 @@ void write_colour_picture(const std::string& path, const kernel::TriangleMesh& m
 void write_focal_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                          const curvature::FocalSurface& focal, const ColourPicture& options);
 
+struct Scene;  // io/page/scene.hpp
+
+/// A page of the mesh with all curvatures, `shown` (a name among H, K, k1, k2) first, and the
+/// boundary curves of focal surfaces.
+Scene curvature_scene(const kernel::TriangleMesh& mesh, const curvature::Result& result,
+                      const std::string& shown, const std::vector<curvature::FocalSurface>& focal,
+                      const ColourPicture& options);
+
 }  // namespace crest::io

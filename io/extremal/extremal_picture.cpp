@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
 
 namespace crest::io {
@@ -167,6 +168,83 @@ void draw_image(const kernel::SampledGrid& image, const ImageFrame& frame, Canva
     }
 }
 
+/// Quadrilaterals in two, with the polygon behind each triangle.
+SceneSurface page_surface(const Result& r) {
+  SceneSurface surface{"extremal surface", r.points, {}};
+  SceneField plateness{"plateness", {}, true}, strength{"strength", {}, true},
+      component{"component", {}, true, ColourMap::labels},
+      type{"extremal (0: merely critical)", {}, true};
+  for (std::size_t p = 0; p < r.polygons(); ++p) {
+    for (Index i = r.first[p] + 1; i + 1 < r.first[p + 1]; ++i) {
+      surface.faces.push_back({r.corners[r.first[p]], r.corners[i], r.corners[i + 1]});
+      plateness.values.push_back(r.plateness[p]);
+      strength.values.push_back(r.strength[p]);
+      component.values.push_back(r.component[p]);
+      type.values.push_back(r.critical_type[p]);
+    }
+  }
+  surface.fields = {plateness, strength, component, type};
+  return surface;
+}
+
+SceneLayer rim_layer(const Result& r) {
+  SceneLayer layer{"Edges where the surface ends or meets", {}};
+  for (const auto& reason : kReasons)
+    layer.kinds.push_back({reason.label, reason.colour, reason.width});
+  for (const extremal::Feature& f : r.features) {
+    layer.add_item();
+    const auto* reason = std::find_if(std::begin(kReasons), std::end(kReasons),
+                                      [&](const auto& k) { return k.reason == f.reason; });
+    const auto kind = static_cast<std::uint32_t>(reason - std::begin(kReasons));
+    if (f.a == f.b)
+      layer.add_run(kind, {&r.points[f.a], 1});
+    else
+      layer.add_run(kind, std::array{r.points[f.a], r.points[f.b]});
+  }
+  return layer;
+}
+
+/// Of an image.
+SceneLayer curve_layer(const Result& r) {
+  SceneLayer layer{"Curves",
+                   {{"merely critical", {40, 90, 220}}, {"extremal", {215, 30, 25}}},
+                   {{"strength", "strength"}}};
+  for (std::size_t p = 0; p < r.polygons(); ++p) {
+    Columns& row = layer.add_item();
+    row.add("strength", r.strength[p]);
+    row.add("component", static_cast<int>(r.component[p]));
+    const Index* corners = r.corners.data() + r.first[p];
+    layer.add_run(r.critical_type[p], std::array{r.points[corners[0]], r.points[corners[1]]});
+  }
+  return layer;
+}
+
+/// Samples as vertices, every so many that there are at most 512 a side.
+SceneSurface image_surface(const kernel::SampledGrid& image) {
+  SceneSurface surface{"image", {}, {}};
+  const std::size_t longest = std::max(image.size[0], image.size[1]);
+  const std::size_t step = (longest + 511) / 512;
+  const std::size_t columns = (image.size[0] - 1) / step + 1, rows = (image.size[1] - 1) / step + 1;
+  SceneField grey{"samples", {}, false, ColourMap::grey};
+  for (std::size_t y = 0; y < rows; ++y)
+    for (std::size_t x = 0; x < columns; ++x) {
+      surface.points.push_back(
+          image.to_world({static_cast<double>(x * step) * image.spacing[0],
+                          static_cast<double>(y * step) * image.spacing[1], 0}));
+      grey.values.push_back(image.at(y * step * image.size[0] + x * step));
+    }
+  const auto corner = [&](std::size_t x, std::size_t y) {
+    return static_cast<Index>(y * columns + x);
+  };
+  for (std::size_t y = 0; y + 1 < rows; ++y)
+    for (std::size_t x = 0; x + 1 < columns; ++x) {
+      surface.faces.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
+      surface.faces.push_back({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
+    }
+  surface.fields.push_back(std::move(grey));
+  return surface;
+}
+
 }  // namespace
 
 void write_extremal_picture(const std::string& path, const Result& result,
@@ -205,6 +283,31 @@ void write_extremal_picture(const std::string& path, const Result& result,
     if (f.reason == Reason::discontinuity)
       canvas.fill_disk(frame.place(result.points[f.a]), 1.5 * width, {250, 190, 0});
   write_canvas(path, canvas, frame.width(), frame.height());
+}
+
+Scene extremal_scene(const Result& result, const kernel::SampledGrid* image,
+                     const Viewpoint& viewpoint) {
+  Scene scene{image ? "Extremal curves" : "Extremal surface"};
+  if (image) {
+    scene.flat = true;
+    scene.surfaces.push_back(image_surface(*image));
+    const Vec3 down = image->directions[1];
+    scene.camera = Camera{image->directions[0],
+                          combine(-1, down, 0, down),
+                          cross(image->directions[0], down),
+                          {},
+                          1,
+                          1200,
+                          1200};
+    scene.layers = {curve_layer(result), rim_layer(result)};
+    return scene;
+  }
+  scene.surfaces.push_back(page_surface(result));
+  const SceneSurface& surface = scene.surfaces.front();
+  if (!surface.faces.empty())
+    scene.camera = make_camera(SurfaceView(surface.points, surface.faces), viewpoint, 1200);
+  scene.layers = {rim_layer(result)};
+  return scene;
 }
 
 }  // namespace crest::io

@@ -21,4 +21,10 @@ void write_extremal_picture(const std::string& path, const extremal::Result& res
 void write_extremal_picture(const std::string& path, const extremal::Result& result,
                             const kernel::SampledGrid& image);
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page; `image`: of a result of dimension 2.
+Scene extremal_scene(const extremal::Result& result, const kernel::SampledGrid* image,
+                     const Viewpoint& viewpoint);
+
 }  // namespace crest::io

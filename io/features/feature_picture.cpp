@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/features/feature_writer.hpp"
+#include "io/page/scene.hpp"
 #include "io/picture/patches.hpp"
 #include "io/picture/picture_file.hpp"
 
@@ -89,6 +90,49 @@ void draw_graph(const Pen& pen, const FeatureGraph& graph, Drawing& drawing) {
   }
 }
 
+std::vector<Vec3> places(const kernel::TriangleMesh& mesh, const std::vector<Index>& vertices) {
+  std::vector<Vec3> points;
+  for (const Index v : vertices) points.push_back(mesh.points()[v]);
+  return points;
+}
+
+SceneLayer line_layer(const kernel::TriangleMesh& mesh, const FeatureGraph& graph) {
+  SceneLayer layer{"Feature lines", {}, {{"length", "length"}}};
+  for (const StrokeClass& c : palette()) layer.kinds.push_back({c.label, c.colour});
+  layer.kinds.pop_back();  // nodes are a layer of their own
+  for (const char* end : {"from", "to"})
+    layer.words.push_back({end, {"open end", "node", "boundary of the mesh"}});
+  for (const auto& line : graph.lines) {
+    Columns& row = layer.add_item();
+    row.add("length", line.length);
+    row.add("vertices", static_cast<int>(line.vertices.size()));
+    row.add("from", static_cast<int>(line.ends[0]));
+    row.add("to", static_cast<int>(line.ends[1]));
+    const std::vector<Vec3> points = places(mesh, line.vertices);
+    const auto kind = static_cast<int>(line.kind);
+    if (points.size() == 1)
+      layer.add_run(static_cast<std::uint32_t>(kind), points);
+    else
+      layer.add_line(points, line.kind == LineKind::loop, [kind](std::size_t) { return kind; });
+  }
+  return layer;
+}
+
+SceneLayer node_layer(const kernel::TriangleMesh& mesh, const FeatureGraph& graph) {
+  const StrokeClass node = palette().back();
+  SceneLayer layer{"Nodes", {{"node", node.colour, 0.8}, {"edge inside a node", node.colour}}};
+  for (const auto& vertices : graph.nodes) {
+    Columns& row = layer.add_item();
+    row.add("vertex", static_cast<int>(vertices.front()));
+    row.add("vertices", static_cast<int>(vertices.size()));
+    layer.add_run(0, {&mesh.points()[vertices.front()], 1});
+    for (const auto& [v, w] : graph.node_edges)
+      if (std::binary_search(vertices.begin(), vertices.end(), v))
+        layer.add_run(1, std::array{mesh.points()[v], mesh.points()[w]});
+  }
+  return layer;
+}
+
 }  // namespace
 
 void write_feature_picture(const std::string& path, const kernel::TriangleMesh& mesh,
@@ -115,6 +159,23 @@ void write_feature_picture(const std::string& path, const kernel::TriangleMesh& 
     drawing.legend.push_back({drawing.classes[4].label, drawing.classes[4].colour, true});
   add_note(note, drawing);
   write_drawing(path, camera, canvas, drawing, true);
+}
+
+Scene feature_scene(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
+                    const std::string& field_name, const std::vector<double>& field, bool patches,
+                    const Viewpoint& viewpoint) {
+  Scene scene{"Feature lines"};
+  scene.camera = make_camera(mesh, viewpoint, 1200);
+  SceneSurface surface = scene_surface("surface", mesh);
+  surface.fields.push_back({field_name, field});
+  std::vector<double> patch;
+  for (const Index p : graph.face_patch) patch.push_back(p == kernel::kNone ? -1.0 : p);
+  surface.fields.insert(patches ? surface.fields.begin() : surface.fields.end(),
+                        {"patch", patch, true, ColourMap::labels});
+  surface.coloured = patches;
+  scene.surfaces.push_back(std::move(surface));
+  scene.layers = {line_layer(mesh, graph), node_layer(mesh, graph)};
+  return scene;
 }
 
 }  // namespace crest::io

@@ -55,4 +55,11 @@ void write_feature_picture(const std::string& path, const kernel::TriangleMesh& 
                            const feature_lines::FeatureGraph& graph, bool patches,
                            const Viewpoint& viewpoint = {}, const std::string& note = {});
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page, with the field and the patches. `field_name`: of the thresholded numbers.
+Scene feature_scene(const kernel::TriangleMesh& mesh, const feature_lines::FeatureGraph& graph,
+                    const std::string& field_name, const std::vector<double>& field, bool patches,
+                    const Viewpoint& viewpoint);
+
 }  // namespace crest::io

@@ -25,4 +25,9 @@ std::string vtp_of(const line_art::Drawing& drawing);
 /// What the .vtp file holds.
 vtkSmartPointer<vtkPolyData> drawing_poly_data(const line_art::Drawing& drawing);
 
+struct Scene;  // io/page/scene.hpp
+
+/// The drawing in space for a page, as .vtp has it, over its surface; seen from where it is drawn.
+Scene drawing_scene(const line_art::Drawing& drawing);
+
 }  // namespace crest::io

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/modes/mode_writer.hpp"
 
+#include <fmt/format.h>
 #include <vtkDoubleArray.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "io/formats/files.hpp"
+#include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
@@ -154,6 +156,52 @@ vtkSmartPointer<vtkPolyData> mode_poly_data(const ModeScene& scene) {
   return data.data();
 }
 
+namespace {
+
+constexpr Rgb kLinear = {0, 140, 60}, kPlanar = {215, 170, 0};
+
+SceneLayer curve_layer(const ModeScene& scene) {
+  SceneLayer layer{
+      "Degenerate curves", {{"linear", kLinear}, {"planar", kPlanar}}, {{"length", "length"}}};
+  layer.words = {{"closed", {"no", "yes"}}};
+  for (const auto& curve : scene.curves) {
+    Columns& row = layer.add_item();
+    row.add("length", curve.length);
+    row.add("closed", curve.closed ? 1 : 0);
+    const int kind = curve.type == modes::DegenerateType::linear ? 0 : 1;
+    layer.add_line(curve.polyline, false, [kind](std::size_t) { return kind; });
+  }
+  return layer;
+}
+
+SceneLayer outline_layer(const ModeScene& scene) {
+  SceneLayer layer{"Domain", {{"sharp edges of its boundary", {150, 150, 158}, 0.5}}};
+  for (const auto& segment : scene.outline) {
+    layer.add_item();
+    layer.add_run(0, segment);
+  }
+  return layer;
+}
+
+/// Without the triangles that `scene` leaves out.
+SceneSurface mode_surface(const ModeScene& scene, const modes::ModeSurface& s) {
+  const ModeScene alone{{s}, {}, {}, {}, scene.min_magnitude};
+  const Joined all(alone);
+  SceneSurface surface{"mode " + fmt::format("{:g}", s.mode), all.points, all.triangles};
+  surface.colour = s.sign > 0   ? Rgb{72, 184, 184}
+                   : s.sign < 0 ? Rgb{240, 200, 66}
+                                : Rgb{156, 214, 84};
+  SceneField size{"magnitude", {}}, component{"component", {}, true, ColourMap::labels};
+  for (const auto* t : all.tensors) size.values.push_back(magnitude(*t) / 3);
+  for (const Joined::Row& row : all.rows)
+    component.values.push_back(row.surface->component_of[row.triangle]);
+  surface.fields = {size, component};
+  surface.coloured = false;
+  return surface;
+}
+
+}  // namespace
+
 void write_modes(const std::string& path, const ModeScene& scene) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp") return write_atomically(path, vtp_bytes(*mode_poly_data(scene)));
@@ -193,13 +241,31 @@ void write_mode_picture(const std::string& path, const ModeScene& scene,
   }
   // Curves lie inside the surfaces around them: they are drawn in front of everything.
   for (const auto& curve : scene.curves) {
-    const Rgb colour =
-        curve.type == modes::DegenerateType::linear ? Rgb{0, 140, 60} : Rgb{215, 170, 0};
+    const Rgb colour = curve.type == modes::DegenerateType::linear ? kLinear : kPlanar;
     for (std::size_t k = 0; k + 1 < curve.polyline.size(); ++k)
       canvas.draw_stroke(camera.project(curve.polyline[k]), camera.project(curve.polyline[k + 1]),
                          2.5, colour);
   }
   write_canvas(path, canvas, camera.width, camera.height);
+}
+
+Scene mode_page_scene(const ModeScene& scene, const Viewpoint& viewpoint) {
+  Scene page{"Mode surfaces"};
+  std::vector<Vec3> places;
+  std::vector<kernel::Triangle> faces;
+  for (const modes::ModeSurface& s : scene.surfaces) {
+    page.surfaces.push_back(mode_surface(scene, s));
+    const auto first = static_cast<Index>(places.size());
+    const SceneSurface& last = page.surfaces.back();
+    places.insert(places.end(), last.points.begin(), last.points.end());
+    for (const auto& [a, b, c] : last.faces) faces.push_back({first + a, first + b, first + c});
+  }
+  page.layers = {outline_layer(scene), curve_layer(scene)};
+  for (const SceneLayer& layer : page.layers)
+    places.insert(places.end(), layer.places.begin(), layer.places.end());
+  if (!places.empty()) page.camera = make_camera(SurfaceView(places, faces), viewpoint, 1200);
+  page.data_digest = scene.data_digest;
+  return page;
 }
 
 }  // namespace crest::io

@@ -41,4 +41,9 @@ vtkSmartPointer<vtkPolyData> mode_poly_data(const ModeScene& scene);
 void write_mode_picture(const std::string& path, const ModeScene& scene,
                         const Viewpoint& viewpoint = {});
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page, with the modes' magnitudes.
+Scene mode_page_scene(const ModeScene& scene, const Viewpoint& viewpoint);
+
 }  // namespace crest::io

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/reeb/graph_layout.hpp"
 
@@ -244,6 +245,58 @@ void add_legend(const ReebScene& scene, Drawing& drawing) {
   }
 }
 
+SceneLayer contour_layer(const ReebScene& scene) {
+  SceneLayer layer{"Contours", {{"contour", kContour, 0.5}}};
+  layer.words = {{"closed", {"no", "yes"}}};
+  for (const LevelLines& lines : scene.levels) {
+    for (const reeb::Contour& contour : lines.contours) {
+      Columns& row = layer.add_item();
+      row.add("value", lines.level);
+      row.add("closed", contour.closed ? 1 : 0);
+      layer.add_line(contour.points, contour.closed, [](std::size_t) { return 0; });
+    }
+  }
+  return layer;
+}
+
+SceneLayer arc_layer(const ReebScene& scene) {
+  SceneLayer layer{"Arcs of the graph", {{"arc, through the inside", {236, 236, 240}}}};
+  layer.kinds[0].shown = false;
+  layer.filters = {{"span", "span of values"}};
+  const auto polylines = arc_polylines(scene);
+  for (std::size_t a = 0; a < polylines.size(); ++a) {
+    const reeb::ReebArc& arc = scene.graph.arcs[a];
+    Columns& row = layer.add_item();
+    row.add("lower node", static_cast<int>(arc.lower));
+    row.add("upper node", static_cast<int>(arc.upper));
+    row.add("span", polylines[a].back().value - polylines[a].front().value);
+    std::vector<Vec3> points;
+    for (const reeb::NodePlace& place : polylines[a]) points.push_back(place.point);
+    layer.add_line(points, false, [](std::size_t) { return 0; });
+  }
+  return layer;
+}
+
+SceneLayer node_layer(const ReebScene& scene, const std::vector<double>& persistence) {
+  SceneLayer layer{"Critical points", {}, {{"persistence", "persistence"}}};
+  for (const auto& [kind, label] : {std::pair{NodeKind::minimum, "minimum"},
+                                    {NodeKind::saddle, "saddle"},
+                                    {NodeKind::maximum, "maximum"}})
+    layer.kinds.push_back({label, node_colour(kind)});
+  layer.words = {{"on the boundary", {"no", "yes"}}};
+  for (std::size_t i = 0; i < scene.graph.nodes.size(); ++i) {
+    const reeb::ReebNode& node = scene.graph.nodes[i];
+    const reeb::NodePlace& place = scene.places[node.vertex];
+    Columns& row = layer.add_item();
+    row.add("value", place.value);
+    row.add("persistence", persistence[i]);
+    row.add("multiplicity", static_cast<int>(node.multiplicity));
+    row.add("on the boundary", int{node.on_boundary});
+    layer.add_run(static_cast<std::uint32_t>(node.kind), {&place.point, 1});
+  }
+  return layer;
+}
+
 }  // namespace
 
 std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places) {
@@ -284,6 +337,23 @@ void write_reeb_picture(const std::string& path, const ReebScene& scene, const V
   Camera page = camera;
   page.width = kSurfaceWidth + kGraphWidth;
   write_drawing(path, page, canvas, drawing, true);
+}
+
+Scene reeb_page_scene(const ReebScene& scene, const std::vector<double>& persistence,
+                      const Viewpoint& viewpoint) {
+  Scene page{"Reeb graph"};
+  SceneSurface surface{"surface", scene.mesh.points(), turned_faces(scene.mesh)};
+  page.camera = camera_for(SurfaceView(surface.points, surface.faces), viewpoint,
+                           height_direction(scene.mesh));
+  std::vector<double> values, arcs;
+  for (Index v = 0; v < surface.points.size(); ++v) {
+    values.push_back(scene.places[v].value);
+    arcs.push_back(scene.arc_of_node[v] == kNone ? -1.0 : scene.arc_of_node[v]);
+  }
+  surface.fields = {{"value", values}, {"arc", arcs, false, ColourMap::labels}};
+  page.surfaces.push_back(std::move(surface));
+  page.layers = {contour_layer(scene), arc_layer(scene), node_layer(scene, persistence)};
+  return page;
 }
 
 }  // namespace crest::io

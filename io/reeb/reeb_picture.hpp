@@ -23,4 +23,11 @@ std::vector<double> picture_levels(const std::vector<reeb::NodePlace>& places);
 void write_reeb_picture(const std::string& path, const ReebScene& scene,
                         const Viewpoint& viewpoint = {}, const std::string& note = {});
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page, with the values and the arcs of the graph through the surface.
+/// `persistence`: of the graph's nodes.
+Scene reeb_page_scene(const ReebScene& scene, const std::vector<double>& persistence,
+                      const Viewpoint& viewpoint);
+
 }  // namespace crest::io

@@ -16,12 +16,6 @@ using ridges::UmbilicKind;
 
 constexpr Rgb kGrey = {128, 128, 128};
 
-Rgb dot_colour(UmbilicKind kind) {
-  if (kind == UmbilicKind::one_ridge) return {255, 255, 255};
-  if (kind == UmbilicKind::three_ridge) return {0, 0, 0};
-  return kGrey;
-}
-
 /// Tells which points the eye can see.
 class Sight {
  public:
@@ -69,24 +63,11 @@ class Sight {
   double outward_;
 };
 
-/// The thin classes come before ridge_classes() and so lie under them.
-std::vector<StrokeClass> classes_by_salience() {
-  std::vector<StrokeClass> classes = ridge_classes();
-  const std::vector<StrokeClass> full = classes;
-  const auto paler = [](std::uint8_t c) { return static_cast<std::uint8_t>((c + 255) / 2); };
-  for (StrokeClass& c : classes) {
-    c.width = 1.0 / 3;
-    c.colour = {paler(c.colour.red), paler(c.colour.green), paler(c.colour.blue)};
-  }
-  classes.insert(classes.end(), full.begin(), full.end());
-  return classes;
-}
-
 /// The ridges' strokes.
 template <class LineOf>
 void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeGraph& graph,
                  const LineOf& line_of, const PictureOptions& options, Drawing& drawing) {
-  const std::size_t thin_classes = options.by_salience ? ridge_classes().size() : 0;
+  const std::size_t full = options.by_salience ? kRidgeClasses : 0;
   StrokeMaker maker(sight.camera(), surface, drawing);
   const auto hidden = [&](const LinePoint& p) {
     return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
@@ -96,13 +77,9 @@ void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeG
     const std::size_t n = line.size();
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
-      const RidgeType type = options.order == 3 ? line[i].third_order : line[i].fourth_order;
-      const bool full = std::min(line[i].level, next.level) >= options.full_level;
-      const bool pruned = line[i].spur || next.spur;
-      const std::size_t base = ridge_class(ridge.colour, type);
-      const std::size_t stroke_class = base + (full ? thin_classes : 0);
-      drawing.classes[base + thin_classes].in_graph = true;
-      if (pruned || hidden(line[i]) || hidden(next))
+      const std::size_t stroke_class = segment_class(ridge, line[i], next, options);
+      drawing.classes[stroke_class % kRidgeClasses + full].in_graph = true;
+      if (line[i].spur || next.spur || hidden(line[i]) || hidden(next))
         maker.end();
       else
         maker.add(line[i].point, next.point, stroke_class);
@@ -117,11 +94,6 @@ std::vector<ridges::Umbilic> significant_umbilics(const ridges::RidgeGraph& grap
   for (const ridges::Umbilic& u : graph.umbilics)
     if (u.region_twice_index != 0) umbilics.push_back(u);
   return umbilics;
-}
-
-/// The umbilic is no single one, but a region of umbilics.
-bool is_region(const ridges::Umbilic& u) {
-  return u.region_twice_index != 0 && u.level == 0;
 }
 
 /// Umbilics at which a ridge of the graph ends: filters take the others' ridges away.
@@ -203,6 +175,47 @@ std::size_t ridge_class(kernel::Colour colour, RidgeType type) {
   return place[static_cast<std::size_t>(type)] + (colour == kernel::Colour::blue ? 4 : 0);
 }
 
+Rgb dot_colour(UmbilicKind kind) {
+  if (kind == UmbilicKind::one_ridge) return {255, 255, 255};
+  if (kind == UmbilicKind::three_ridge) return {0, 0, 0};
+  return kGrey;
+}
+
+std::vector<StrokeClass> classes_by_salience() {
+  std::vector<StrokeClass> classes = ridge_classes();
+  const std::vector<StrokeClass> full = classes;
+  const auto paler = [](std::uint8_t c) { return static_cast<std::uint8_t>((c + 255) / 2); };
+  for (StrokeClass& c : classes) {
+    c.width = 1.0 / 3;
+    c.colour = {paler(c.colour.red), paler(c.colour.green), paler(c.colour.blue)};
+  }
+  classes.insert(classes.end(), full.begin(), full.end());
+  return classes;
+}
+
+bool is_region(const ridges::Umbilic& u) {
+  return u.region_twice_index != 0 && u.level == 0;
+}
+
+std::vector<LinePoint> shown_line(const kernel::TriangleMesh& mesh,
+                                  const std::vector<Vec3>& normals, const ridges::Ridge& ridge,
+                                  const PictureOptions& options) {
+  return options.by_salience ? drawn_line(mesh, normals, ridge, options.spur, options.full_level)
+                             : line_points(ridge);
+}
+
+std::size_t segment_class(const ridges::Ridge& ridge, const LinePoint& from, const LinePoint& to,
+                          const PictureOptions& options) {
+  const bool full = std::min(from.level, to.level) >= options.full_level;
+  const RidgeType type = options.order == 3 ? from.third_order : from.fourth_order;
+  return ridge_class(ridge.colour, type) + (options.by_salience && full ? kRidgeClasses : 0);
+}
+
+std::vector<ridges::Umbilic> shown_umbilics(const ridges::RidgeGraph& graph,
+                                            const PictureOptions& options) {
+  return options.by_salience ? significant_umbilics(graph) : joined_umbilics(graph);
+}
+
 ViewScore view_score(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
                      const ridges::RidgeGraph& graph) {
   if (graph.ridges.empty()) return {};
@@ -216,12 +229,10 @@ Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::
   drawing.classes = options.by_salience ? classes_by_salience() : ridge_classes();
   const Sight sight(camera, surface, mesh, normals);
   const auto line_of = [&](const ridges::Ridge& ridge) {
-    return options.by_salience ? drawn_line(mesh, normals, ridge, options.spur, options.full_level)
-                               : line_points(ridge);
+    return shown_line(mesh, normals, ridge, options);
   };
   add_strokes(sight, surface, graph, line_of, options, drawing);
-  const std::vector<ridges::Umbilic> umbilics =
-      options.by_salience ? significant_umbilics(graph) : joined_umbilics(graph);
+  const std::vector<ridges::Umbilic> umbilics = shown_umbilics(graph, options);
   add_dots(sight, umbilics, drawing);
   set_sizes(camera, drawing);
   add_legend(umbilics, options, drawing);

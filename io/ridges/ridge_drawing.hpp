@@ -6,6 +6,7 @@
 
 #include "algorithms/ridges/ridge_graph.hpp"
 #include "io/picture/drawing.hpp"
+#include "io/ridges/ridge_lines.hpp"
 #include "io/ridges/ridge_picture.hpp"
 
 namespace crest::io {
@@ -13,7 +14,26 @@ namespace crest::io {
 /// Classes for ridges in the order of painting: red under blue, in each colour untyped (or flat),
 /// hyperbolic, turning, elliptic.
 std::vector<StrokeClass> ridge_classes();
+inline constexpr std::size_t kRidgeClasses = 8;
 std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
+
+/// The same with thin, pale ones before them, for what is not salient.
+std::vector<StrokeClass> classes_by_salience();
+
+/// The ridge as a picture with these options shows it.
+std::vector<LinePoint> shown_line(const kernel::TriangleMesh& mesh,
+                                  const std::vector<kernel::Vec3>& normals,
+                                  const ridges::Ridge& ridge, const PictureOptions& options);
+/// Which of the classes the segment between two of its points takes.
+std::size_t segment_class(const ridges::Ridge& ridge, const LinePoint& from, const LinePoint& to,
+                          const PictureOptions& options);
+
+/// The umbilics that a picture with these options shows.
+std::vector<ridges::Umbilic> shown_umbilics(const ridges::RidgeGraph& graph,
+                                            const PictureOptions& options);
+/// The umbilic is no single one, but a region of umbilics.
+bool is_region(const ridges::Umbilic& umbilic);
+Rgb dot_colour(kernel::UmbilicKind kind);
 
 /// How much of the elliptic ridges faces the eye, weighted by curvature; nothing without ridges.
 /// Refers to what it is given.

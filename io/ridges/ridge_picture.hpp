@@ -10,6 +10,8 @@
 
 namespace crest::io {
 
+struct Scene;  // io/page/scene.hpp
+
 struct PictureOptions {
   int width = 1200;                  ///< pixels; the height follows from the view
   std::optional<kernel::Vec3> view;  ///< as in Viewpoint
@@ -40,5 +42,10 @@ void check_picture(const std::string& path, const PictureOptions& options);
 ///   a place that cannot be written.
 void write_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                    const ridges::RidgeGraph& graph, const PictureOptions& options = {});
+
+/// The same for a page: ridges with their lengths, strengths, sharpnesses and what salience has
+/// marked, umbilics with their indices, the surface with its curvatures.
+Scene ridge_scene(const kernel::TriangleMesh& mesh, const ridges::FitResult& fit,
+                  const ridges::RidgeGraph& graph, const PictureOptions& options);
 
 }  // namespace crest::io

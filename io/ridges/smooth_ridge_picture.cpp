@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/ridges/ridge_drawing.hpp"
 #include "io/ridges/smooth_ridge_lines.hpp"
@@ -44,6 +45,13 @@ Dot turning_dot(const Vec3& pixel, Colour colour) {
 
 Dot purple_dot(const Vec3& pixel) {
   return {pixel, kPurple, Mark::diamond, kDiamond};
+}
+
+std::vector<StrokeClass> smooth_classes() {
+  std::vector<StrokeClass> classes = ridge_classes();
+  classes[ridge_class(Colour::blue, RidgeType::none)].label = "blue, untyped";
+  classes[ridge_class(Colour::red, RidgeType::none)].label = "red, untyped";
+  return classes;
 }
 
 void add_lines(const SmoothRidges& result, StrokeMaker& maker, Drawing& drawing) {
@@ -109,6 +117,58 @@ std::vector<Vec3> tints(const SmoothRidges& result) {
   return tints;
 }
 
+SceneLayer ridge_layer(const SmoothRidges& result) {
+  SceneLayer layer{"Ridges", {}, {{"length", "length"}}};
+  for (const StrokeClass& c : smooth_classes()) layer.kinds.push_back({c.label, c.colour});
+  layer.words = {{"closed", {"no", "yes"}},
+                 {"from", {"nothing", "an umbilic", "the boundary"}},
+                 {"to", {"nothing", "an umbilic", "the boundary"}}};
+  for (const SmoothRidge& ridge : result.ridges) {
+    Columns& row = layer.add_item();
+    double length = 0;
+    for (std::size_t i = 0; i < ridge.types.size(); ++i)
+      length += length_of(ridge, i, (i + 1) % ridge.points.size());
+    row.add("length", length);
+    row.add("closed", ridge.loop ? 1 : 0);
+    row.add("from", end_kind(result, ridge, 0));
+    row.add("to", end_kind(result, ridge, 1));
+    for (const RidgeRun& run : runs_of(ridge)) {
+      std::vector<Vec3> points;
+      for (const std::size_t i : run.points) points.push_back(ridge.points[i]);
+      layer.add_run(static_cast<std::uint32_t>(ridge_class(ridge.colour, run.type)), points);
+    }
+  }
+  return layer;
+}
+
+SceneLayer point_layer(const SmoothRidges& result) {
+  SceneLayer layer{"Points", {}};
+  const auto add = [&](std::size_t kind, const Vec3& point) -> Columns& {
+    Columns& row = layer.add_item();
+    layer.add_run(static_cast<std::uint32_t>(kind), {&point, 1});
+    return row;
+  };
+  layer.kinds = {{"blue turning point", turning_dot({}, Colour::blue).colour, 0.8},
+                 {"red turning point", turning_dot({}, Colour::red).colour, 0.8},
+                 {"purple point", kPurple, 0.8}};
+  for (const UmbilicMark& m : kUmbilicMarks)
+    layer.kinds.push_back({m.label, umbilic_dot({}, m.twice_index, m.branches).colour,
+                           m.twice_index > 0 ? 1.0 : 1.25});
+  for (const auto& p : result.turning_points)
+    add(p.colour == Colour::blue ? 0 : 1, p.point).add("index", 0.0);
+  for (const auto& p : result.purple_points) add(2, p.point).add("index", 0.0);
+  for (const UmbilicPoint& u : result.umbilics) {
+    const auto mark =
+        std::find_if(std::begin(kUmbilicMarks), std::end(kUmbilicMarks), [&](const UmbilicMark& m) {
+          return m.twice_index == u.twice_index && m.branches == u.branches[0];
+        });
+    if (mark == std::end(kUmbilicMarks)) continue;
+    add(3 + static_cast<std::size_t>(mark - std::begin(kUmbilicMarks)), u.point)
+        .add("index", 0.5 * u.twice_index);
+  }
+  return layer;
+}
+
 }  // namespace
 
 void write_smooth_picture(const std::string& path, const SmoothRidges& result,
@@ -120,15 +180,29 @@ void write_smooth_picture(const std::string& path, const SmoothRidges& result,
   const std::vector<Vec3> tint = tints(result);
   canvas.draw_surface(camera, mesh, vertex_normals(mesh), &tint);
   Drawing drawing{};
-  drawing.classes = ridge_classes();
-  drawing.classes[ridge_class(Colour::blue, RidgeType::none)].label = "blue, untyped";
-  drawing.classes[ridge_class(Colour::red, RidgeType::none)].label = "red, untyped";
+  drawing.classes = smooth_classes();
   StrokeMaker maker(camera, canvas, drawing);
   add_lines(result, maker, drawing);
   add_dots(result, camera, canvas, drawing);
   set_sizes(camera, drawing);
   add_legend(result, drawing);
   write_drawing(path, camera, canvas, drawing, options.show_legend);
+}
+
+Scene smooth_ridge_scene(const SmoothRidges& result, const PictureOptions& options) {
+  Scene scene{"Ridges"};
+  scene.camera = make_camera(SurfaceView(result.points, result.faces), {options.view, options.up},
+                             options.width, {}, false);
+  SceneSurface surface{"triangulation of the proof", result.points, result.faces};
+  if (!result.undecided.empty()) {
+    SceneField field{"not certified", {}, true};
+    for (const bool undecided : undecided_faces(result)) field.values.push_back(undecided ? 1 : 0);
+    surface.fields.push_back(std::move(field));
+  }
+  scene.surfaces.push_back(std::move(surface));
+  scene.layers = {ridge_layer(result), point_layer(result)};
+  if (!result.certified) scene.note = "the result is not certified";
+  return scene;
 }
 
 }  // namespace crest::io

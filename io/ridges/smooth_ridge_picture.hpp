@@ -19,4 +19,9 @@ namespace crest::io {
 void write_smooth_picture(const std::string& path, const smooth_ridges::SmoothRidges& result,
                           const PictureOptions& options = {});
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page.
+Scene smooth_ridge_scene(const smooth_ridges::SmoothRidges& result, const PictureOptions& options);
+
 }  // namespace crest::io

@@ -3,7 +3,10 @@
 
 #include <vtkDoubleArray.h>
 
+#include <cmath>
+
 #include "io/formats/files.hpp"
+#include "io/page/scene.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
@@ -57,6 +60,20 @@ void write_isosurface(const std::string& path, const Isosurface& surface,
   if (extension == ".obj") return write_atomically(path, obj(surface));
   if (extension == ".ply") return write_atomically(path, ply(surface));
   throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");
+}
+
+Scene isosurface_scene(const splines::Isosurface& surface, const Viewpoint& viewpoint) {
+  Scene scene{"Isosurface"};
+  SceneSurface mesh{"isosurface", surface.points, surface.triangles};
+  SceneField gradient{"gradient", {}};
+  for (const kernel::Vec3& g : surface.gradients)
+    gradient.values.push_back(std::hypot(g[0], g[1], g[2]));
+  mesh.fields.push_back(std::move(gradient));
+  mesh.coloured = false;
+  if (!mesh.faces.empty())
+    scene.camera = make_camera(SurfaceView(mesh.points, mesh.faces), viewpoint, 1200);
+  scene.surfaces.push_back(std::move(mesh));
+  return scene;
 }
 
 }  // namespace crest::io

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/splines/isosurface.hpp"
+#include "io/picture/viewpoint.hpp"
 
 template <class T>
 class vtkSmartPointer;
@@ -21,5 +22,10 @@ void write_isosurface(const std::string& path, const splines::Isosurface& surfac
 /// What the .vtp file holds.
 vtkSmartPointer<vtkPolyData> isosurface_poly_data(const splines::Isosurface& surface,
                                                   const std::string& data_digest);
+
+struct Scene;  // io/page/scene.hpp
+
+/// The mesh for a page, with the lengths of its gradients.
+Scene isosurface_scene(const splines::Isosurface& surface, const Viewpoint& viewpoint);
 
 }  // namespace crest::io

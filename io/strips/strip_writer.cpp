@@ -2,6 +2,7 @@
 #include "io/strips/strip_writer.hpp"
 
 #include "io/formats/files.hpp"
+#include "io/page/scene.hpp"
 #include "io/picture/patches.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/write/atomic_file.hpp"
@@ -70,6 +71,29 @@ void write_strip_picture(const std::string& path, const kernel::TriangleMesh& me
   Canvas canvas(camera.width, camera.height);
   draw_patches(canvas, camera, mesh, strip_of_faces(mesh, strips));
   write_drawing(path, camera, canvas, Drawing{}, false);
+}
+
+Scene strip_scene(const kernel::TriangleMesh& mesh, const strips::Strips& strips,
+                  const Viewpoint& viewpoint) {
+  Scene scene{"Triangle strips"};
+  scene.camera = make_camera(mesh, viewpoint, 1200);
+  SceneSurface surface = scene_surface("surface", mesh);
+  SceneField field{"strip", {}, true, ColourMap::labels};
+  for (const Index s : strip_of_faces(mesh, strips)) field.values.push_back(s);
+  surface.fields.push_back(std::move(field));
+  scene.surfaces.push_back(std::move(surface));
+  SceneLayer layer{"Strips", {{"through the faces", {50, 54, 64}, 0.5}}, {{"faces", "faces"}}};
+  for (std::size_t s = 0; s < strips.count(); ++s) {
+    std::vector<kernel::Vec3> middles;
+    for (const auto& t : strips::triangles_of(strips, s)) {
+      const auto& p = mesh.points();
+      middles.push_back(combine(1.0 / 3, combine(1, p[t[0]], 1, p[t[1]]), 1.0 / 3, p[t[2]]));
+    }
+    layer.add_item().add("faces", static_cast<int>(middles.size()));
+    layer.add_line(middles, false, [](std::size_t) { return 0; });
+  }
+  scene.layers.push_back(std::move(layer));
+  return scene;
 }
 
 }  // namespace crest::io

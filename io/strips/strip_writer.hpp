@@ -36,4 +36,10 @@ void write_index_buffer(const std::string& path, const strips::Strips& strips);
 void write_strip_picture(const std::string& path, const kernel::TriangleMesh& mesh,
                          const strips::Strips& strips, const Viewpoint& viewpoint = {});
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page: each strip in a tint, and the way through its faces as a line.
+Scene strip_scene(const kernel::TriangleMesh& mesh, const strips::Strips& strips,
+                  const Viewpoint& viewpoint);
+
 }  // namespace crest::io

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
 #include "io/vector_fields/convolution.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
@@ -98,6 +99,84 @@ void add_dots(const Camera& camera, const Skeleton& s, Drawing& drawing) {
     drawing.legend.push_back({"switch point", kYellow, true, Mark::diamond});
 }
 
+kernel::Vec3 at(const Vec2& p) {
+  return {p[0], p[1], 0};
+}
+
+std::vector<kernel::Vec3> at(const std::vector<Vec2>& line) {
+  std::vector<kernel::Vec3> points;
+  for (const Vec2& p : line) points.push_back(at(p));
+  return points;
+}
+
+SceneLayer boundary_layer(const Skeleton& s) {
+  SceneLayer layer{
+      "Boundary",
+      {{"outflow", kRed, 1.2}, {"no flow across", kGrey, 1.2}, {"inflow", kGreen, 1.2}}};
+  for (const BoundaryPiece& p : s.boundary) {
+    layer.add_item();
+    layer.add_run(static_cast<std::uint32_t>(p.flow + 1), std::array{at(p.from), at(p.to)});
+  }
+  return layer;
+}
+
+SceneLayer separatrix_layer(const Skeleton& s) {
+  SceneLayer layer{"Separatrices", {{"separatrix", kBlack, 0.7}, {"undecided", kViolet, 0.7}}};
+  layer.words = {{"direction", {"backward", "forward"}},
+                 {"from", {"a saddle", "a switch point"}},
+                 {"ends at",
+                  {"a critical point", "the boundary", "a closed orbit", "zero flow",
+                   "a switch point", "undecided"}}};
+  for (const Separatrix& l : s.separatrices) {
+    Columns& row = layer.add_item();
+    row.add("direction", l.forward ? 1 : 0);
+    row.add("from", l.from_switch_point ? 1 : 0);
+    row.add("origin", static_cast<int>(l.origin));
+    row.add("ends at", static_cast<int>(l.end));
+    row.add("bits", l.bits);
+    row.add("crossings", static_cast<int>(l.crossings));
+    const int kind = l.end == EndKind::undecided ? 1 : 0;
+    layer.add_line(at(l.line), false, [kind](std::size_t) { return kind; });
+  }
+  return layer;
+}
+
+SceneLayer orbit_layer(const Skeleton& s) {
+  SceneLayer layer{"Closed orbits", {{"attracting", kViolet, 1.4}, {"repelling", kBlue, 1.4}}};
+  for (const ClosedOrbit& o : s.orbits) {
+    layer.add_item();
+    const int kind = o.attracting ? 0 : 1;
+    layer.add_line(at(o.line), true, [kind](std::size_t) { return kind; });
+  }
+  return layer;
+}
+
+SceneLayer zero_layer(const Skeleton& s) {
+  SceneLayer layer{
+      "Critical points",
+      {{"saddle", kBlue}, {"source", kRed}, {"sink", kGreen}, {"other zero", kViolet}}};
+  layer.words = {{"focus", {"no", "yes"}}};
+  for (const CriticalPoint& c : s.critical_points) {
+    if (c.where == ZeroPlace::region || c.where == ZeroPlace::line) continue;
+    Columns& row = layer.add_item();
+    row.add("index", c.index ? std::to_string(*c.index) : std::string("none, at the boundary"));
+    row.add("focus", c.focus ? 1 : 0);
+    const kernel::Vec3 place = at(c.point);
+    layer.add_run(std::min<std::uint32_t>(static_cast<std::uint32_t>(c.kind), 3), {&place, 1});
+  }
+  return layer;
+}
+
+SceneLayer switch_layer(const Skeleton& s) {
+  SceneLayer layer{"Switch points", {{"inside", kYellow}, {"outside", kYellow, 0.7}}};
+  for (const SwitchPoint& p : s.switch_points) {
+    layer.add_item().add("loop", static_cast<int>(p.loop));
+    const kernel::Vec3 place = at(p.point);
+    layer.add_run(p.inside ? 0 : 1, {&place, 1});
+  }
+  return layer;
+}
+
 }  // namespace
 
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene) {
@@ -118,6 +197,24 @@ void write_skeleton_picture(const std::string& path, const SkeletonScene& scene)
   set_sizes(camera, drawing);
   add_class_legend(drawing);
   write_drawing(path, camera, canvas, drawing, true);
+}
+
+Scene skeleton_page_scene(const SkeletonScene& scene) {
+  const PlanarField& field = *scene.field;
+  Scene page{"Skeleton"};
+  page.flat = true;
+  page.camera = plane_camera(field);
+  page.data_digest = scene.data_digest;
+  SceneSurface surface{"domain", {}, field.triangles};
+  for (const Vec2& p : field.points) surface.points.push_back(at(p));
+  std::vector<double> speed;
+  for (const Vec2& v : field.vectors) speed.push_back(std::hypot(v[0], v[1]));
+  surface.fields.push_back({"speed", speed, false, ColourMap::pale});
+  page.surfaces.push_back(std::move(surface));
+  page.layers = {boundary_layer(*scene.skeleton), separatrix_layer(*scene.skeleton),
+                 orbit_layer(*scene.skeleton), zero_layer(*scene.skeleton),
+                 switch_layer(*scene.skeleton)};
+  return page;
 }
 
 }  // namespace crest::io

@@ -34,4 +34,9 @@ vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene);
 /// written.
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene);
 
+struct Scene;  // io/page/scene.hpp
+
+/// The same for a page, over the field's speed.
+Scene skeleton_page_scene(const SkeletonScene& scene);
+
 }  // namespace crest::io

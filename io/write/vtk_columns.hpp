@@ -40,6 +40,7 @@ class Columns {
   void move_to(vtkFieldData& data) {
     for (const auto& array : order_) data.AddArray(array);
   }
+  const std::vector<vtkSmartPointer<vtkAbstractArray>>& arrays() const { return order_; }
 
  private:
   vtkAbstractArray* find(std::string_view name) {
