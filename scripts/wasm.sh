@@ -110,6 +110,9 @@ try() {
   env -u NODE_OPTIONS node tests/verify_page/try.js "$build/crest-verify.js" "$cli/crest-verify" "$folder"
 }
 
+for program in clang++-14 wasm-ld-14 llvm-ar-14 emcc wasm-opt node cmake ninja dpkg-source; do
+  command -v $program >/dev/null || { say "$program is missing; install the packages that $0 names"; exit 3; }
+done
 if [ -n "${CREST_SOURCES:-}" ]; then
   cp -u "$CREST_SOURCES"/gmp_* "$CREST_SOURCES"/mpfr4_* "$build/sources"
 fi
