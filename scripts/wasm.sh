@@ -86,7 +86,7 @@ build_checker() {
 }
 
 pack() {
-  wasm-opt -Oz --enable-exception-handling --enable-simd --enable-bulk-memory --enable-sign-ext \
+  wasm-opt -O1 --enable-exception-handling --enable-simd --enable-bulk-memory --enable-sign-ext \
     --enable-nontrapping-float-to-int "$build/checker/crest-verify.wasm" -o "$build/crest-verify.wasm"
   version=$(sed -n 's/^project(Crest VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   gzip -9 -n -c "$build/crest-verify.wasm" | base64 -w 0 >"$build/packed"
