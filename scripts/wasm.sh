@@ -86,7 +86,7 @@ build_checker() {
 }
 
 pack() {
-  wasm-opt -Oz --enable-exception-handling --enable-simd --enable-bulk-memory --enable-sign-ext \
+  wasm-opt -O1 --enable-exception-handling --enable-simd --enable-bulk-memory --enable-sign-ext \
     --enable-nontrapping-float-to-int "$build/checker/crest-verify.wasm" -o "$build/crest-verify.wasm"
   version=$(sed -n 's/^project(Crest VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   gzip -9 -n -c "$build/crest-verify.wasm" | base64 -w 0 >"$build/packed"
@@ -110,6 +110,9 @@ try() {
   env -u NODE_OPTIONS node tests/verify_page/try.js "$build/crest-verify.js" "$cli/crest-verify" "$folder"
 }
 
+for program in clang++-14 wasm-ld-14 llvm-ar-14 emcc wasm-opt node cmake ninja dpkg-source; do
+  command -v $program >/dev/null || { say "$program is missing; install the packages that $0 names"; exit 3; }
+done
 if [ -n "${CREST_SOURCES:-}" ]; then
   cp -u "$CREST_SOURCES"/gmp_* "$CREST_SOURCES"/mpfr4_* "$build/sources"
 fi

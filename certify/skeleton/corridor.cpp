@@ -65,8 +65,9 @@ void Corridor<Number>::note(const Start& left, const Start& right) {
   // A path may start inside the triangle, but not both.
   const bool inside = left.point.a > Number(0.0) && left.point.b > Number(0.0);
   const Start& start = inside ? right : left;
-  passages_.push_back(
-      {cells_, start.corner, {to_rational(start.point.a), to_rational(start.point.b)}});
+  passages_.push_back({static_cast<std::size_t>(cells_),
+                       start.corner,
+                       {to_rational(start.point.a), to_rational(start.point.b)}});
 }
 
 template <class Number>

@@ -77,7 +77,8 @@ int winding_around_middle(const std::vector<Side>& sides, const Side& at, SignLa
     if (tail == head) continue;
     // Does the ray to the right pass it? Twice the middle against the side.
     const Sign place = sign([&](const auto& lift) {
-      const auto p = lifted(lift, s.p), d = lifted(lift, s.q) - p;
+      const auto p = lifted(lift, s.p);
+      const auto d = lifted(lift, s.q) - p;
       return det(d, (lifted(lift, at.p) - p) + (lifted(lift, at.q) - p));
     });
     if (place == (tail ? Sign::positive : Sign::negative)) winding += tail ? 1 : -1;

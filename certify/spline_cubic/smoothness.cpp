@@ -94,7 +94,7 @@ class Residuals {
 
 void check_smoothness(const SplineCubicCertificate& c, const Domain& domain) {
   const Residuals residuals(c);
-  const auto [nx, ny, nz] = c.data.cubes;
+  const std::uint32_t nx = c.data.cubes[0], ny = c.data.cubes[1], nz = c.data.cubes[2];
   parallel_for(
       std::size_t{ny} * nz, [] { return 0; },
       [&](int, std::size_t row) {

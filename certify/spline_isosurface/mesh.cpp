@@ -12,7 +12,7 @@ namespace {
 struct Occurrence {
   Point twice_middle;
   std::uint32_t number;
-  friend auto operator<=>(const Occurrence&, const Occurrence&) = default;
+  friend std::strong_ordering operator<=>(const Occurrence&, const Occurrence&) = default;
 };
 
 constexpr std::array<std::array<std::uint8_t, 2>, 6> kEdges = {
