@@ -57,6 +57,7 @@ echo "The plugin: $plugin"
 
 # ParaView's Debian build draws in X only. -noreset: a server that starts anew whenever its last
 # client leaves refuses the next one for a moment, and ParaView aborts.
+rm -f "$out/display"
 Xvfb -displayfd 3 -screen 0 1400x1000x24 -nolisten tcp -noreset 3>"$out/display" 2>/dev/null &
 server=$!
 trap 'kill $server' EXIT
