@@ -124,6 +124,17 @@ RidgeType arc_type(int sign, std::size_t j) {
   return (sign < 0) == (j == 0) ? RidgeType::elliptic : RidgeType::hyperbolic;
 }
 
+/// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.
+bool apart(const Extremalities<1>& x) {
+  std::array<double, 2> slope;
+  for (std::size_t j = 0; j < 2; ++j)
+    slope[j] = std::hypot(x.e[j].coefficient(1, 0).c[0], x.e[j].coefficient(0, 1).c[0]);
+  const double along = x.e[0].coefficient(1, 0).c[0] * x.e[1].coefficient(1, 0).c[0] +
+                       x.e[0].coefficient(0, 1).c[0] * x.e[1].coefficient(0, 1).c[0];
+  const Model combined = x.e[0][0] * slope[1] - x.e[1][0] * (along > 0 ? slope[0] : -slope[0]);
+  return !holds_zero(combined.range());
+}
+
 }  // namespace
 
 struct FaceTest::State {
@@ -352,17 +363,6 @@ struct FaceTest::State {
     colour.type = sum == 0 ? RidgeType::turning : arc_type(sum, j);
     return true;
   }
-  /// Two arcs nearly parallel: a combination of E1 and E2 nearly without slope has no zero.
-  static bool apart(const Extremalities<1>& x) {
-    std::array<double, 2> slope;
-    for (std::size_t j = 0; j < 2; ++j)
-      slope[j] = std::hypot(x.e[j].coefficient(1, 0).c[0], x.e[j].coefficient(0, 1).c[0]);
-    const double along = x.e[0].coefficient(1, 0).c[0] * x.e[1].coefficient(1, 0).c[0] +
-                         x.e[0].coefficient(0, 1).c[0] * x.e[1].coefficient(0, 1).c[0];
-    const Model combined = x.e[0][0] * slope[1] - x.e[1][0] * (along > 0 ? slope[0] : -slope[0]);
-    return !holds_zero(combined.range());
-  }
-
   /// Whether the two arcs cross; false if that is not decided.
   static bool purple(const Extremalities<1>& x, FaceResult& r) {
     const Model det = x.e[0].coefficient(1, 0) * x.e[1].coefficient(0, 1) -

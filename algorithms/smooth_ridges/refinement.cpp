@@ -67,6 +67,19 @@ SurfacePoint middle(const Surface& surface, const std::array<Vertex, 3>& c) {
   return p;
 }
 
+/// No test: the time is over.
+void test_group(const Triangulation& mesh, std::span<const Index> group, FaceTest* test,
+                std::vector<FaceResult>& all) {
+  std::vector<std::array<Vertex, 3>> faces;
+  for (const Index f : group) faces.push_back(mesh.corners(f));
+  std::vector<FaceResult> results(group.size());
+  if (test != nullptr) (*test)(faces, results);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    all[group[i]] = results[i];
+    if (test == nullptr) all[group[i]].status = FaceStatus::untested;
+  }
+}
+
 class Refinement {
  public:
   Refinement(const Surface& surface, Triangulation start, const RefinementOptions& options,
@@ -116,22 +129,12 @@ class Refinement {
     const std::size_t groups = (fresh.size() + kTogether - 1) / kTogether;
     tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
       const std::size_t begin = g * kTogether, count = std::min(kTogether, fresh.size() - begin);
-      test_group(std::span(fresh).subspan(begin, count), tests_.local());
+      const auto group = std::span(fresh).subspan(begin, count);
+      test_group(out_.mesh, group, is_over(stop_) ? nullptr : &tests_.local(), out_.faces);
     });
     for (const Index f : fresh) known_[f] = out_.mesh.ids()[f];
     out_.tests += fresh.size();
     fresh_ = std::move(fresh);
-  }
-
-  void test_group(std::span<const Index> group, FaceTest& test) {
-    std::vector<std::array<Vertex, 3>> faces;
-    std::vector<FaceResult> results(group.size());
-    for (const Index f : group) faces.push_back(out_.mesh.corners(f));
-    if (!is_over(stop_))
-      test(faces, results);
-    else
-      for (FaceResult& r : results) r.status = FaceStatus::untested;
-    for (std::size_t i = 0; i < group.size(); ++i) out_.faces[group[i]] = results[i];
   }
 
   /// Newton's method from the new faces that are not regular; a new umbilic is proven at once.

@@ -54,6 +54,18 @@ Local<kernel::TaylorModel<Order>, K> lane_of(const Local<kernel::TaylorLanes<Ord
   return Result(std::move(c));
 }
 
+/// Lane l: the frame of record(l).
+template <class Record>
+std::array<std::array<kernel::Lanes, 3>, 3> frames_of(const Record& record) {
+  std::array<std::array<kernel::Lanes, 3>, 3> frames;
+  for (std::size_t l = 0; l < kernel::Lanes::count; ++l) {
+    const Frame own = frame_of(record(l));
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i) frames[k][i].x[l] = own[k][i];
+  }
+  return frames;
+}
+
 template <int Order, int K>
 struct FaceLanes<Order, K>::State {
   using M = kernel::TaylorLanes<Order>;
@@ -121,13 +133,8 @@ struct FaceLanes<Order, K>::State {
       }
       if (live == 0) return values;
       revive(live, x[0], x[1], x[2]);
-      std::array<std::array<Lanes, 3>, 3> frame;
-      for (std::size_t l = 0; l < kCount; ++l) {
-        const Frame own = frame_of(record(l));
-        for (std::size_t k = 0; k < 3; ++k)
-          for (std::size_t i = 0; i < 3; ++i) frame[k][i].x[l] = own[k][i];
-      }
-      auto f = in_frame(surface_.template implicit<3 + K>(x), frame);
+      auto f = in_frame(surface_.template implicit<3 + K>(x),
+                        frames_of([&](std::size_t l) -> auto& { return record(l); }));
       if (!is_defined(f)) return {};
       const Vector3 slopes = gradient(f);
       live &= positive(slopes[2].range());
