@@ -148,7 +148,8 @@ Outcome work(Run& run, const ModesOptions& o) {
   io::TensorFile file = read_input(run, o);
   modes::ModeField field{std::move(file.mesh), std::move(file.tensors)};
   io::ModeScene scene;
-  if (run.wanted("--picture") || run.wanted("--page")) scene.outline = io::domain_outline(field.mesh);
+  if (run.wanted("--picture") || run.wanted("--page"))
+    scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool of_curves = wanted.empty() && run.wanted("--certificate");
   const bool curves_decided =

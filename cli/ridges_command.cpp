@@ -184,6 +184,16 @@ void draw(const Show& show, const ridges::RidgeGraph& graph, const RidgesRun& re
   show(significant, picture);
 }
 
+io::Scene page_scene(const kernel::TriangleMesh& mesh, const ridges::RidgeGraph& graph,
+                     const RidgesRun& result, const RidgesOptions& o) {
+  io::Scene scene;
+  draw([&](const auto& shown,
+           const auto& picture) { scene = io::ridge_scene(mesh, result.fit, shown, picture); },
+       graph, result, o);
+  scene.data_digest = result.data_digest;
+  return scene;
+}
+
 Outcome work(Run& run, const RidgesOptions& o) {
   const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
@@ -241,14 +251,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
     });
     run.write_certificate("ridges-mesh", certified.certificate);
   });
-  run.show_page([&] {
-    io::Scene scene;
-    draw([&](const auto& shown,
-             const auto& picture) { scene = io::ridge_scene(mesh, fit, shown, picture); },
-         graph, result, o);
-    scene.data_digest = result.data_digest;
-    return scene;
-  });
+  run.show_page([&] { return page_scene(mesh, graph, result, o); });
   fill_report(run.report(), result);
   return {summary_text(result), used_references(o)};
 }
