@@ -151,13 +151,8 @@ struct WrittenGraph {
   std::vector<std::string> simplified_by;  ///< the options that took something away
 };
 
-void label(const ReebOptions& o, const reeb::TileComplex& tiles, WrittenGraph& w) {
-  const reeb::OrderedComplex complex = reeb::ordered(tiles);
-  if (!o.segmentation) {
-    w.arc_of_node = reeb::arc_of_vertices(complex, w.graph);
-    return;
-  }
-  reeb::Segmentation segmentation = reeb::segmentation(complex, w.graph);
+void label_tiles(const reeb::TileComplex& tiles, WrittenGraph& w) {
+  reeb::Segmentation segmentation = reeb::segmentation(reeb::ordered(tiles), w.graph);
   w.arc_of_node = std::move(segmentation.arc_of_vertex);
   for (const reeb::TriangleArcs& arcs : segmentation.triangles)
     w.arc_of_tile.push_back(arcs.middle);
@@ -209,20 +204,30 @@ struct Extraction {
   reeb::PredicateReport predicates;
   reeb::TileComplex tiles;
   reeb::ReebGraph graph;
+  std::vector<Index> arc_of_node;  ///< if arcs are drawn, unless the segmentation has them
   std::string digest;
 };
 
-Extraction extract(Run& run, const io::FunctionSource& source) {
+Extraction extract(Run& run, const io::FunctionSource& source, bool labelled) {
   Extraction x{
       run.read([&](const std::string& path) { return io::read_quadratic_mesh(path, source); }),
+      {},
       {},
       {},
       {},
       {}};
   x.tiles = run.step("tessellate", "tessellating",
                      [&] { return reeb::tessellate(x.file.mesh, &x.predicates); });
-  x.graph = run.step("graph", "joining contours into the graph",
-                     [&] { return reeb::reeb_graph(reeb::ordered(x.tiles)); });
+  run.step("graph", "joining contours into the graph", [&] {
+    const reeb::OrderedComplex complex = reeb::ordered(x.tiles);
+    if (!labelled) {
+      x.graph = reeb::reeb_graph(complex);
+      return;
+    }
+    reeb::LabelledGraph result = reeb::labelled_reeb_graph(complex);
+    x.graph = std::move(result.graph);
+    x.arc_of_node = std::move(result.arc_of_vertex);
+  });
   if (!run.wanted("--certificate")) return x;
   const certify::Bytes bytes = run.step("certificate", "composing the certificate", [&] {
     return certify::encode(reeb::make_certificate(x.file.mesh, x.tiles, x.graph));
@@ -264,18 +269,20 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   });
 }
 
-Shown compute_shown(Run& run, const ReebOptions& o, const Extraction& x, bool drawn) {
+Shown compute_shown(Run& run, const ReebOptions& o, Extraction& x, bool drawn) {
   Shown shown;
   shown.trees = run.step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
   shown.levels = run.step("levels", "drawing level lines",
                           [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
   if (!drawn && !to_simplify(o)) return shown;
   shown.written.graph = x.graph;
+  shown.written.arc_of_node = std::move(x.arc_of_node);
   if (drawn || o.persistence_given->count() > 0) {
     shown.places = run.step("places", "placing nodes",
                             [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
-  if (drawn) run.step("labels", "labelling", [&] { label(o, x.tiles, shown.written); });
+  if (drawn && o.segmentation)
+    run.step("labels", "labelling", [&] { label_tiles(x.tiles, shown.written); });
   if (to_simplify(o))
     run.step("simplify", "simplifying", [&] { simplify(o, x.tiles, shown.places, shown.written); });
   return shown;
@@ -288,8 +295,8 @@ void check_options(const ReebOptions& o) {
 }
 
 Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
-  const Extraction x = extract(run, source);
   const bool drawn = run.wanted("-o") || run.wanted("--picture");
+  Extraction x = extract(run, source, drawn && !o.segmentation);
   const Shown shown = compute_shown(run, o, x, drawn);
   if (drawn) run.step("write", "writing", [&] { write_scenes(run, x, shown); });
   const std::vector<LevelCount> counts = count_lines(shown.levels);
