@@ -85,9 +85,9 @@ CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
   certify::EncodedData data;
   tbb::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
                        [&] {
-                         data = certify::encode_data(
-                             mesh.faces(), mesh.points(),
-                             [&](std::size_t v) { return row_of(forms[v]); });
+                         data =
+                             certify::encode_data(mesh.faces(), mesh.points(),
+                                                  [&](std::size_t v) { return row_of(forms[v]); });
                        });
   result.data_digest = data.digest;
   result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));

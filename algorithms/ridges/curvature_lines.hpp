@@ -30,7 +30,7 @@ class CurvatureLines {
   };
 
   const kernel::TriangleMesh& mesh() const { return mesh_; }
-  Field field(Index f, Colour c) const;  ///< some 150 operations
+  Field field(Index f, Colour c) const;                     ///< some 150 operations
   Velocity velocity(Index f, const Vec3& direction) const;  ///< of a direction, projected
   Vec3 direction(Index f, const Velocity& v) const;
   /// The principal direction at the point (1 - weight) p + weight q of edge (p, q); 0 if those of
@@ -81,8 +81,8 @@ class LineWalk {
   double straight_;
   Index face_ = kernel::kNone;
   CurvatureLines::Field field_;  ///< of that face
-  std::array<double, 3> at_{};  ///< barycentric
-  std::size_t from_ = 0;        ///< the corner opposite the side of entry
+  std::array<double, 3> at_{};   ///< barycentric
+  std::size_t from_ = 0;         ///< the corner opposite the side of entry
   int sign_ =
       0;  ///< of the field at corner 0, as the line uses it; 0: not known, take direction_'s
   Vec3 direction_{}, point_{};

@@ -31,8 +31,7 @@ enum class Forms : std::uint8_t { none, exact };
 /// Cost: about 10 microseconds a vertex and thread.
 SurfaceSample sample(const std::string& name, const std::vector<double>& parameters, int vertices,
                      bool rotate, Forms forms = Forms::exact);
-SurfaceSample sample(const Surface& surface, int vertices, bool rotate,
-                     Forms forms = Forms::exact);
+SurfaceSample sample(const Surface& surface, int vertices, bool rotate, Forms forms = Forms::exact);
 
 /// Mean length of the edges of the faces.
 double mean_edge_length(const std::vector<Vec3>& points,

@@ -28,8 +28,8 @@ std::vector<Triangle> triangles_of(const Soup& soup) {
     if (soup.cells.type(c) != CellType::triangle || nodes.size() != 3) return {};
     for (const Cells::Node v : nodes)
       if (v < 0 || v >= points) return {};
-    faces.push_back({static_cast<Index>(nodes[0]), static_cast<Index>(nodes[1]),
-                     static_cast<Index>(nodes[2])});
+    faces.push_back(
+        {static_cast<Index>(nodes[0]), static_cast<Index>(nodes[1]), static_cast<Index>(nodes[2])});
   }
   return faces;
 }

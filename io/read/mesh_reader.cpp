@@ -49,8 +49,7 @@ MeshFile mesh_of_soup(const Soup& soup, const MeshRequest& request) {
   }
   if (request.normals) file.normals = point_normals(soup, surface.point_of);
   file.numbers = file_numbers(soup, surface);
-  if (!sound)
-    file.mesh = kernel::TriangleMesh(std::move(surface.points), std::move(surface.faces));
+  if (!sound) file.mesh = kernel::TriangleMesh(std::move(surface.points), std::move(surface.faces));
   if (const auto rounded = coarse_grid(file.mesh)) file.warnings.push_back(*rounded);
   return file;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What needs no cleaning is told from what does, and gets the same mesh and the same counts.
+#include "io/clean/sound_mesh.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
 
-#include "io/clean/sound_mesh.hpp"
 #include "tests/io/clean_soups.hpp"
 #include "tests/support/random.hpp"
 
@@ -112,8 +113,8 @@ TEST_CASE("what options would change is not sound, nor are polygons, strips and 
   CHECK(sound_mesh(soup, {.split = true}, done));
   CHECK_FALSE(sound_mesh(soup, {.weld = 0}, done));
   CHECK_FALSE(sound_mesh(soup, {.outward = true}, done));
-  CHECK_FALSE(sound_mesh(soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}), {},
-                         done));
+  CHECK_FALSE(
+      sound_mesh(soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}), {}, done));
   CHECK_FALSE(sound_mesh(soup_of(kTetrahedronPoints, {{0, 1, 4}}), {}, done));
   CHECK_FALSE(sound_mesh(soup_of(kTetrahedronPoints, {{0, 1, -1}}), {}, done));
   CHECK_FALSE(sound_mesh(Soup{}, {}, done));
