@@ -2,8 +2,8 @@
 #include "algorithms/ridges/umbilics.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <span>
@@ -74,7 +74,9 @@ class Finder {
   UmbilicPatches run() {
     constexpr std::size_t batch = 512, few = 64;
     const std::vector<Index> order = seeds();
-    if (order.size() < few || tbb::this_task_arena::max_concurrency() == 1) {
+    const bool alone =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
+    if (order.size() < few || alone) {
       for (Index seed : order)
         if (result_.owner[seed] == kernel::kNone) add(attempt(seed, own_));
     } else {
