@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -14,6 +15,7 @@
 #include "cli/run.hpp"
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
+#include "io/formats/files.hpp"
 
 namespace crest::cli {
 namespace {
@@ -27,7 +29,7 @@ struct CurvatureOptions {
   curvature::Options estimate;
   std::string method = "ne", normals, colour = "H", focal, focal_picture, reference;
   double focal_share = 0.1;
-  bool focal_averaged = false, rotate = false;
+  bool focal_averaged = false, rotate = false, corners = false;
   std::vector<double> parameters;
 };
 
@@ -61,6 +63,8 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
                "focal surfaces of the vertex means, not of independent triangles (np, ne)");
   app.add_option("--picture", o.common.picture, "the mesh in colours of a curvature (.svg .png)")
       ->type_name("FILE");
+  app.add_flag("--corners", o.corners,
+               "the tensors at the corners of each triangle, too (np, ne; .vtp .vtu)");
   add_view_options(app, o.common.viewpoint);
   add_page_option(app, o.common);
   app.add_option("--colour", o.colour, "what the picture shows (default H)")
@@ -89,6 +93,14 @@ std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
+}
+
+void check_corners(const CurvatureOptions& o) {
+  if (!o.corners) return;
+  if (o.estimate.method != Method::np && o.estimate.method != Method::ne)
+    throw UsageError("--corners belongs to --method np and ne");
+  if (io::lower_extension(o.common.output) == ".ply")
+    throw UsageError("--corners: .ply has no place for them, write .vtp or .vtu");
 }
 
 /// The normals option, its default by the method, against what is there.
@@ -144,29 +156,41 @@ struct Spread {
 
 Spread spread_of(const std::vector<PointCurvature>& vertices, double PointCurvature::*member) {
   std::vector<double> values;
+  values.reserve(vertices.size());
   for (const PointCurvature& c : vertices) values.push_back(c.*member);
-  std::sort(values.begin(), values.end());
-  return {values.front(), values[(values.size() - 1) / 2], values.back()};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return {*std::min_element(values.begin(), middle + 1), *middle,
+          *std::max_element(middle, values.end())};
 }
 
 constexpr std::pair<const char*, double PointCurvature::*> kQuantities[] = {
     {"k1", &PointCurvature::k1},
     {"k2", &PointCurvature::k2},
     {"K", &PointCurvature::K},
-    {"H", &PointCurvature::H}};
+    {"H", &PointCurvature::H},
+    {"asymmetry", &PointCurvature::asymmetry}};
+
+using Spreads = std::array<Spread, std::size(kQuantities)>;
+
+Spreads spreads_of(const std::vector<PointCurvature>& vertices) {
+  Spreads spreads{};
+  for (std::size_t i = 0; i < spreads.size(); ++i)
+    spreads[i] = spread_of(vertices, kQuantities[i].second);
+  return spreads;
+}
 
 void fill_report(Report& report, const CurvatureOptions& o, const TriangleMesh& mesh,
-                 const curvature::Result& result, const std::string& source) {
-  const auto add = [&](const char* name, double PointCurvature::*member) {
-    const Spread s = spread_of(result.vertices, member);
-    report[name] = {{"min", s.min}, {"median", s.median}, {"max", s.max}};
-  };
+                 const curvature::Result& result, const Spreads& spreads,
+                 const std::string& source) {
   report["vertices"] = mesh.vertex_count();
   report["faces"] = mesh.face_count();
   report["method"] = o.method;
   report["normals"] = source;
-  for (const auto& [name, member] : kQuantities) add(name, member);
-  add("asymmetry", &PointCurvature::asymmetry);
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    const auto& [min, median, max] = spreads[i];
+    report[kQuantities[i].first] = {{"min", min}, {"median", median}, {"max", max}};
+  }
   report["lowered"] = result.lowered;
   report["complex"] = result.complex;
   report["undetermined"] = result.undetermined;
@@ -210,12 +234,13 @@ void write_picture(const std::string& path, const CurvatureOptions& o, const Tri
 }
 
 std::string summary_text(const CurvatureOptions& o, const TriangleMesh& mesh,
-                         const curvature::Result& result) {
+                         const Spreads& spreads) {
   std::string text =
       fmt::format("{}: {} vertices, {} faces\n", o.method, mesh.vertex_count(), mesh.face_count());
-  for (const auto& [name, member] : kQuantities) {
-    const Spread s = spread_of(result.vertices, member);
-    text += fmt::format("{}: {:.6g} to {:.6g}, median {:.6g}\n", name, s.min, s.max, s.median);
+  for (std::size_t i = 0; i + 1 < spreads.size(); ++i) {  // all but the asymmetry
+    const auto& [min, median, max] = spreads[i];
+    text += fmt::format("{}: {:.6g} to {:.6g}, median {:.6g}\n", kQuantities[i].first, min, max,
+                        median);
   }
   return text;
 }
@@ -237,10 +262,9 @@ void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file
                    const curvature::Result& result) {
   const TriangleMesh& mesh = file.mesh;
   run.write("-o", [&](const std::string& path) {
-    const bool corners = o.estimate.method == Method::np || o.estimate.method == Method::ne;
     io::write_curvature(path, mesh, result,
-                        corners ? curvature::corner_curvatures(mesh, result.normals)
-                                : std::vector<curvature::CornerCurvatures>{});
+                        o.corners ? curvature::corner_curvatures(mesh, result.normals)
+                                  : std::vector<curvature::CornerCurvatures>{});
   });
   std::vector<curvature::FocalSurface> focal;
   if (run.wanted("--focal") || run.wanted("--focal-picture")) {
@@ -272,8 +296,9 @@ Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
   const curvature::Result result = run.step("estimate", "estimating curvatures", [&] {
     return run.with_input([&] { return curvature::estimate(mesh, o.estimate); });
   });
-  fill_report(run.report(), o, mesh, result, source);
-  std::string summary = summary_text(o, mesh, result);
+  const Spreads spreads = spreads_of(result.vertices);
+  fill_report(run.report(), o, mesh, result, spreads, source);
+  std::string summary = summary_text(o, mesh, spreads);
   if (surface) summary += compare(run, o, mesh, result, *surface);
   run.step("write", "writing", [&] { write_results(run, o, file, result); });
   std::vector<std::string> references = {"roessl2005surfaces"};
@@ -283,6 +308,7 @@ Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
 
 int run(CurvatureOptions& o) {
   o.estimate.method = *curvature::method_of(o.method);
+  check_corners(o);
   const std::string source = normals_source(o);
   const std::optional<sampling::Surface> surface = reference_of(o);
   return run_command(

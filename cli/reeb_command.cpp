@@ -168,20 +168,30 @@ struct Extraction {
   reeb::PredicateReport predicates;
   reeb::TileComplex tiles;
   reeb::ReebGraph graph;
+  std::vector<Index> arc_of_node;  ///< if arcs are drawn, unless the segmentation has them
   std::string digest;
 };
 
-Extraction extract(Run& run, const io::FunctionSource& source) {
+Extraction extract(Run& run, const io::FunctionSource& source, bool labelled) {
   Extraction x{
       run.read([&](const std::string& path) { return io::read_quadratic_mesh(path, source); }),
+      {},
       {},
       {},
       {},
       {}};
   x.tiles = run.step("tessellate", "tessellating",
                      [&] { return reeb::tessellate(x.file.mesh, &x.predicates); });
-  x.graph = run.step("graph", "joining contours into the graph",
-                     [&] { return reeb::reeb_graph(reeb::ordered(x.tiles)); });
+  run.step("graph", "joining contours into the graph", [&] {
+    const reeb::OrderedComplex complex = reeb::ordered(x.tiles);
+    if (!labelled) {
+      x.graph = reeb::reeb_graph(complex);
+      return;
+    }
+    reeb::LabelledGraph result = reeb::reeb_graph_and_arcs(complex);
+    x.graph = std::move(result.graph);
+    x.arc_of_node = std::move(result.arc_of_vertex);
+  });
   if (!run.wanted("--certificate")) return x;
   const certify::Bytes bytes = run.step("certificate", "composing the certificate", [&] {
     return certify::encode(reeb::make_certificate(x.file.mesh, x.tiles, x.graph));
@@ -243,7 +253,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
   });
 }
 
-Shown compute_shown(Run& run, const ReebOptions& o, const Extraction& x, bool drawn) {
+Shown compute_shown(Run& run, const ReebOptions& o, Extraction& x, bool drawn) {
   Shown shown;
   shown.trees = run.step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
   shown.levels = run.step("levels", "drawing level lines",
@@ -251,12 +261,13 @@ Shown compute_shown(Run& run, const ReebOptions& o, const Extraction& x, bool dr
   const reeb::Simplification simpler = simplification_of(o);
   if (!drawn && !simpler.wanted()) return shown;
   shown.written.graph = x.graph;
+  shown.written.arc_of_node = std::move(x.arc_of_node);
   if (drawn || simpler.persistence) {
     shown.places = run.step("places", "placing nodes",
                             [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
-  if (drawn)
-    run.step("labels", "labelling", [&] { reeb::label(x.tiles, o.segmentation, shown.written); });
+  if (drawn && o.segmentation)
+    run.step("labels", "labelling", [&] { reeb::label(x.tiles, true, shown.written); });
   if (simpler.wanted()) {
     run.step("simplify", "simplifying",
              [&] { simplify(simpler, x.tiles, shown.places, shown.written); });
@@ -271,8 +282,8 @@ void check_options(const ReebOptions& o) {
 }
 
 Outcome work(Run& run, const ReebOptions& o, const io::FunctionSource& source) {
-  const Extraction x = extract(run, source);
   const bool drawn = run.wanted("-o") || run.wanted("--picture") || run.wanted("--page");
+  Extraction x = extract(run, source, drawn && !o.segmentation);
   const Shown shown = compute_shown(run, o, x, drawn);
   if (drawn) run.step("write", "writing", [&] { write_scenes(run, x, shown); });
   const std::vector<LevelCount> counts = count_lines(shown.levels);

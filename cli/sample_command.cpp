@@ -77,7 +77,10 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
 
 sampling::SurfaceSample make_sample(const SampleOptions& o) {
   try {
-    return sampling::sample(o.common.input, o.parameters, o.vertices.value_or(10000), o.rotate);
+    // Noise goes along the forms' normals.
+    const auto forms = o.noise > 0 ? sampling::Forms::exact : sampling::Forms::none;
+    return sampling::sample(o.common.input, o.parameters, o.vertices.value_or(10000), o.rotate,
+                            forms);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -7,8 +7,9 @@
 
 namespace crest::reeb {
 
-/// Labels of the vertices of a complex (arc_of_vertices) for the graph `before`, and then for the
-/// graph made of it. Vertices that contracting put into a node have kNone there, like the nodes.
+/// Labels of the vertices of a complex (reeb_graph_and_arcs) for the graph `before`, and then for
+/// the graph made of it. Vertices that contracting put into a node have kNone there, like the
+/// nodes.
 std::vector<Index> relabel_vertices(const std::vector<Index>& arc_of_vertex,
                                     const ReebGraph& before, const ContractedGraph& after);
 std::vector<Index> relabel_vertices(const std::vector<Index>& arc_of_vertex,

@@ -18,14 +18,11 @@ constexpr int kFront = 0, kBack = 1;
 
 }  // namespace
 
-ContourSweep::ContourSweep(const StrandLists& strands, bool record_runs)
-    : strands_(strands),
-      record_runs_(record_runs),
+ContourSweep::ContourSweep(const StrandLists& strands)
+    : arc_of_lower_run(strands.strand_above.size(), kNone),
+      arc_of_upper_run(strands.upper.size() - 1, kNone),
+      strands_(strands),
       sequences_(static_cast<Index>(strands.turned.size())) {
-  if (record_runs) {
-    arc_of_lower_run.assign(strands.strand_above.size(), kNone);
-    arc_of_upper_run.assign(strands.upper.size() - 1, kNone);
-  }
   for (Index s = 0; s < strands.turned.size(); ++s)
     if (strands.turned[s]) sequences_.set_sense(s, true);
 }
@@ -165,7 +162,7 @@ void ContourSweep::pass_node(Index stop, Index node) {
   touched_.clear();
   const Stop& s = strands_.stops[stop];
   const Index lower_end = strands_.stops[stop + 1].lower_begin;
-  for (Index i = s.lower_begin; record_runs_ && i < lower_end; ++i)
+  for (Index i = s.lower_begin; i < lower_end; ++i)
     arc_of_lower_run[i] = pieces_[find_piece(strands_.strand_above[i])].arc;
   for (Index i = s.lower_begin; i < lower_end; ++i) {
     const Index piece = find_piece(strands_.strand_above[i]);
@@ -187,7 +184,7 @@ void ContourSweep::pass_node(Index stop, Index node) {
     arcs.push_back({node, kNone, p.least, open, open});
     p.least = kNone;
   }
-  if (record_runs_) record_upper_runs(stop);
+  record_upper_runs(stop);
 }
 
 void ContourSweep::record_upper_runs(Index stop) {
@@ -207,10 +204,8 @@ Index ContourSweep::pass_regular(Index stop) {
   touched_.clear();
   const Index old = find_piece(strands_.strand_above[strands_.stops[stop].lower_begin]);
   const Index arc = pieces_[old].arc;
-  if (record_runs_) {
-    arc_of_lower_run[strands_.stops[stop].lower_begin] = arc;
-    arc_of_upper_run[strands_.stops[stop].upper_begin] = arc;
-  }
+  arc_of_lower_run[strands_.stops[stop].lower_begin] = arc;
+  arc_of_upper_run[strands_.stops[stop].upper_begin] = arc;
   touched_.push_back(old);
   cut_lower_runs(stop);
   join_upper_runs(stop);

@@ -17,8 +17,7 @@ namespace crest::reeb {
 /// contours above v.
 class ContourSweep {
  public:
-  /// With `record_runs` it keeps the arcs of all runs (below).
-  explicit ContourSweep(const StrandLists& strands, bool record_runs = false);
+  explicit ContourSweep(const StrandLists& strands);
 
   /// Fetches what the stops soon after place i will need: they lie anywhere in memory.
   void announce(const std::vector<Index>& stops, std::size_t i) const;
@@ -54,7 +53,6 @@ class ContourSweep {
   void record_upper_runs(Index stop);
 
   const StrandLists& strands_;
-  bool record_runs_;
   ContourSequences sequences_;
   std::vector<Piece> pieces_;
   std::vector<Index> free_pieces_;

@@ -48,7 +48,8 @@ void require_no_loops(const OrderedComplex& complex, const MergeTree& join) {
     node_of[join.vertices[i]] = static_cast<Index>(i);
   }
   std::vector<std::int64_t> euler(n, 0);
-  const StrandLists strands = find_strands(complex, false);
+  VertexStars stars(complex.triangles, static_cast<Index>(complex.rank.size()));
+  const StrandLists strands = find_strands(complex, stars, {});
   for (Index s = 0; s + 1 < strands.stops.size(); ++s) {
     const bool disk = strands.upper_count(s) == 0 && strands.stops[s].closed;
     const std::int64_t lower = strands.lower_count(s);

@@ -12,7 +12,7 @@ namespace crest::reeb {
 void label(const TileComplex& tiles, bool segmentation, LabelledGraph& labelled) {
   const OrderedComplex complex = ordered(tiles);
   if (!segmentation) {
-    labelled.arc_of_node = arc_of_vertices(complex, labelled.graph);
+    labelled.arc_of_node = reeb_graph_and_arcs(complex).arc_of_vertex;
     return;
   }
   Segmentation parts = reeb::segmentation(complex, labelled.graph);

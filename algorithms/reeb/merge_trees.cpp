@@ -55,7 +55,8 @@ MergeTree tree_of_graph(const ReebGraph& graph, bool join) {
 }  // namespace
 
 MergeTree augmented_join_tree(const OrderedComplex& complex) {
-  const StrandLists strands = find_strands(complex, false);
+  VertexStars stars(complex.triangles, static_cast<Index>(complex.rank.size()));
+  const StrandLists strands = find_strands(complex, stars, {});
   const auto count = static_cast<Index>(strands.stops.size() - 1);
   MergeTree tree;
   std::vector<Index> node_of_stop(count), stop_at(complex.rank.size(), kNone);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 #include <tuple>
 
+#include "algorithms/reeb/arc_flood.hpp"
 #include "algorithms/reeb/contour_sweep.hpp"
 #include "algorithms/reeb/swept_graph.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
@@ -61,11 +61,12 @@ std::vector<Index> sorted_arcs(const std::vector<ReebArc>& arcs, std::span<const
 
 }  // namespace
 
-SweptGraph sweep(const OrderedComplex& complex, bool all_vertices) {
+SweptGraph sweep(const OrderedComplex& complex, VertexStars& stars,
+                 std::span<const std::uint8_t> asked) {
   SweptGraph out;
-  out.strands = find_strands(complex, all_vertices);
-  if (all_vertices) out.arc_of_vertex.assign(complex.rank.size(), kNone);
-  ContourSweep contours(out.strands, all_vertices);
+  out.strands = find_strands(complex, stars, asked);
+  out.arc_of_vertex.assign(asked.size(), kNone);
+  ContourSweep contours(out.strands);
   ReebGraph& graph = out.graph;
   const std::vector<Index> stops = stops_in_order(complex, out.strands);
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -82,7 +83,6 @@ SweptGraph sweep(const OrderedComplex& complex, bool all_vertices) {
   graph.arcs.reserve(order.size());
   for (const Index a : order) graph.arcs.push_back(contours.arcs[a]);
   graph.components = count_components(graph);
-  if (!all_vertices) return out;
   std::vector<Index> place(order.size());
   for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
   out.arc_of_lower_run = std::move(contours.arc_of_lower_run);
@@ -95,15 +95,22 @@ SweptGraph sweep(const OrderedComplex& complex, bool all_vertices) {
 }
 
 ReebGraph reeb_graph(const OrderedComplex& complex) {
-  return sweep(complex, false).graph;
+  VertexStars stars(complex.triangles, static_cast<Index>(complex.rank.size()));
+  return sweep(complex, stars, {}).graph;
 }
 
-std::vector<Index> arc_of_vertices(const OrderedComplex& complex, const ReebGraph& graph) {
-  SweptGraph swept = sweep(complex, true);
-  if (swept.graph.arcs.size() != graph.arcs.size() ||
-      swept.graph.nodes.size() != graph.nodes.size())
-    throw std::invalid_argument("the graph is not that of the complex");
-  return std::move(swept.arc_of_vertex);
+GraphAndArcs reeb_graph_and_arcs(const OrderedComplex& complex) {
+  VertexStars stars(complex.triangles, static_cast<Index>(complex.rank.size()));
+  SweptGraph swept = sweep(complex, stars, {});
+  ArcFlood flood(complex, stars, swept);
+  std::vector<Index> labels = flood.labels();
+  const std::vector<std::uint8_t> rest = flood.unlabelled();
+  if (!rest.empty()) {
+    const SweptGraph again = sweep(complex, stars, rest);
+    for (std::size_t v = 0; v < rest.size(); ++v)
+      if (rest[v] != 0) labels[v] = again.arc_of_vertex[v];
+  }
+  return {std::move(swept.graph), std::move(labels)};
 }
 
 }  // namespace crest::reeb

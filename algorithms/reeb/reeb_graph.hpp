@@ -57,8 +57,12 @@ struct ReebGraph {
 ///   memory.
 ReebGraph reeb_graph(const OrderedComplex& complex);
 
-/// For every vertex the arc it lies on, or kNone at nodes. Cost: O(n log n) time, O(n) memory.
-/// Throws: std::invalid_argument if the graph has other numbers of nodes or arcs.
-std::vector<Index> arc_of_vertices(const OrderedComplex& complex, const ReebGraph& graph);
+/// The same graph, and for every vertex the arc it lies on, or kNone at nodes.
+/// Cost: the graph's and O(n) where critical vertices are few; O(n log n) time, O(n) memory.
+struct GraphAndArcs {
+  ReebGraph graph;
+  std::vector<Index> arc_of_vertex;
+};
+GraphAndArcs reeb_graph_and_arcs(const OrderedComplex& complex);
 
 }  // namespace crest::reeb

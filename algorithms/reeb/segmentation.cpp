@@ -29,7 +29,9 @@ struct TrianglesAtNodes {
 }  // namespace
 
 Segmentation segmentation(const OrderedComplex& complex, const ReebGraph& graph) {
-  SweptGraph swept = sweep(complex, true);
+  VertexStars stars(complex.triangles, static_cast<Index>(complex.rank.size()));
+  const std::vector<std::uint8_t> everywhere(complex.rank.size(), 1);
+  SweptGraph swept = sweep(complex, stars, everywhere);
   if (swept.graph.arcs.size() != graph.arcs.size() ||
       swept.graph.nodes.size() != graph.nodes.size())
     throw std::invalid_argument("the graph is not that of the complex");
@@ -44,7 +46,6 @@ Segmentation segmentation(const OrderedComplex& complex, const ReebGraph& graph)
         {out.arc_of_vertex[t[0]], out.arc_of_vertex[t[1]], out.arc_of_vertex[t[2]]});
   }
   // At nodes the arc depends on the run.
-  VertexStars stars(complex.triangles, static_cast<Index>(rank.size()));
   const TrianglesAtNodes at(complex, swept.strands);
   std::vector<Index> arc_towards(rank.size(), kNone);
   Link link;

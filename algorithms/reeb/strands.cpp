@@ -8,11 +8,8 @@ namespace {
 
 class Builder {
  public:
-  Builder(const OrderedComplex& complex, bool stop_everywhere)
-      : rank_(complex.rank),
-        order_of_ranks_(complex.order),
-        stars_(complex.triangles, static_cast<Index>(complex.rank.size())),
-        stop_everywhere_(stop_everywhere) {}
+  Builder(const OrderedComplex& complex, VertexStars& stars, std::span<const std::uint8_t> asked)
+      : rank_(complex.rank), order_of_ranks_(complex.order), stars_(stars), asked_(asked) {}
 
   StrandLists build() {
     classify();
@@ -36,8 +33,8 @@ class Builder {
   }
 
   std::span<const Index> rank_, order_of_ranks_;
-  VertexStars stars_;
-  bool stop_everywhere_;
+  VertexStars& stars_;
+  std::span<const std::uint8_t> asked_;
   StrandLists out_;
   std::vector<Index> down_;        ///< designated lower neighbour, kNone for stops
   std::vector<Index> strand_top_;  ///< by lower run: its vertex
@@ -69,7 +66,7 @@ void Builder::classify() {
     }
     // Every vertex of a cycle occurs twice, the two ends of a path once.
     const bool regular = changes == (ends == 0 ? 2u : 1u);
-    if (regular && !stop_everywhere_)
+    if (regular && (asked_.empty() || asked_[v] == 0))
       down_[v] = order_of_ranks_[lowest];
     else
       add_stop(v, !regular);
@@ -220,8 +217,9 @@ void rotate_to_lower_run(Link& link, std::span<const Index> rank, Index v) {
   }
 }
 
-StrandLists find_strands(const OrderedComplex& complex, bool stop_everywhere) {
-  return Builder(complex, stop_everywhere).build();
+StrandLists find_strands(const OrderedComplex& complex, VertexStars& stars,
+                         std::span<const std::uint8_t> asked) {
+  return Builder(complex, stars, asked).build();
 }
 
 }  // namespace crest::reeb

@@ -5,7 +5,7 @@
 // Reeb graph follows from them alone.
 //
 // Every vertex designates, in each lower run of its link, the edge to the lowest vertex. A strand
-// starts at a stop (a critical vertex; on demand every vertex), goes down the designated edge of
+// starts at a stop (a critical vertex; on demand others, too), goes down the designated edge of
 // one lower run and on through vertices that are no stops, by their designated edges, to the next
 // stop. Strands may meet on the way and then go on together.
 // Every contour is crossed by a strand: between two stops the paths from the upper one stay inside
@@ -56,7 +56,9 @@ struct StrandLists {
 /// the runs are then met in the order in which its stop has them.
 void rotate_to_lower_run(Link& link, std::span<const Index> rank, Index v);
 
+/// Stops: the critical vertices and those `asked` for (a mark a vertex; empty: none).
 /// Cost: O(n) time (plus sorting the strands that meet in one vertex), O(n) memory.
-StrandLists find_strands(const OrderedComplex& complex, bool stop_everywhere);
+StrandLists find_strands(const OrderedComplex& complex, VertexStars& stars,
+                         std::span<const std::uint8_t> asked);
 
 }  // namespace crest::reeb

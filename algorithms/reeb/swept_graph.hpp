@@ -10,12 +10,13 @@ namespace crest::reeb {
 
 struct SweptGraph {
   ReebGraph graph;
-  /// Only after a sweep with all vertices as stops:
-  std::vector<Index> arc_of_vertex;                       ///< kNone at nodes
-  StrandLists strands;                                    ///< its stops are all vertices by number
+  StrandLists strands;
+  std::vector<Index> arc_of_vertex;                       ///< of stops; kNone at nodes and others
   std::vector<Index> arc_of_lower_run, arc_of_upper_run;  ///< by the runs of the stops
 };
 
-SweptGraph sweep(const OrderedComplex& complex, bool all_vertices);
+/// Stops at the critical vertices and those `asked` for (a mark a vertex; empty: none).
+SweptGraph sweep(const OrderedComplex& complex, VertexStars& stars,
+                 std::span<const std::uint8_t> asked);
 
 }  // namespace crest::reeb

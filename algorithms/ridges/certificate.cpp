@@ -6,20 +6,22 @@
 namespace crest::ridges {
 namespace {
 
+/// As a certificate has it, with one form of zero.
+std::array<double, 14> row_of(const kernel::MongeForm& m) {
+  std::array<double, 14> row = {m.d1[0], m.d1[1], m.d1[2], m.n[0], m.n[1], m.n[2], m.k1,
+                                m.k2,    m.b0,    m.b1,    m.b2,   m.b3,   m.c0,   m.c4};
+  for (double& x : row) x += 0.0;
+  return row;
+}
+
 certify::MeshData data_of(const kernel::TriangleMesh& mesh,
                           const std::vector<kernel::MongeForm>& forms) {
   certify::MeshData data;
   data.faces = mesh.faces();
   data.positions = mesh.points();
   for (Vec3& p : data.positions)
-    for (double& x : p) x += 0.0;  // one form of zero
-  data.monge.resize(forms.size());
-  for (std::size_t v = 0; v < forms.size(); ++v) {
-    const kernel::MongeForm& m = forms[v];
-    data.monge[v] = {m.d1[0], m.d1[1], m.d1[2], m.n[0], m.n[1], m.n[2], m.k1,
-                     m.k2,    m.b0,    m.b1,    m.b2,   m.b3,   m.c0,   m.c4};
-    for (double& x : data.monge[v]) x += 0.0;
-  }
+    for (double& x : p) x += 0.0;
+  for (const kernel::MongeForm& form : forms) data.monge.push_back(row_of(form));
   return data;
 }
 
@@ -82,7 +84,11 @@ CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
   CertifiedRidges result;
   certify::EncodedData data;
   tbb::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
-                       [&] { data = certify::encode_data(data_of(mesh, forms)); });
+                       [&] {
+                         data =
+                             certify::encode_data(mesh.faces(), mesh.points(),
+                                                  [&](std::size_t v) { return row_of(forms[v]); });
+                       });
   result.data_digest = data.digest;
   result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));
   return result;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/curvature_lines.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <limits>
 
 namespace crest::ridges {
@@ -24,35 +21,15 @@ double component(const CurvatureLines::Velocity& v, std::size_t corner) {
 
 }  // namespace
 
-CurvatureLines::CurvatureLines(const kernel::TriangleMesh& mesh,
-                               const std::vector<kernel::MongeForm>& forms)
-    : mesh_(mesh) {
-  for (std::vector<Vec3>& v : vectors_) v.resize(forms.size());
-  for (std::size_t v = 0; v < forms.size(); ++v) {
-    vectors_[0][v] = forms[v].d1;
-    vectors_[1][v] = kernel::minimal_direction(forms[v]);
-  }
-  for (const Colour c : {Colour::blue, Colour::red}) {
-    std::vector<Field>& fields = fields_[static_cast<std::size_t>(c)];
-    fields.resize(mesh.face_count());
-    tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.face_count(), 4096),
-                      [&](const auto& range) {
-                        for (Index f = range.begin(); f != range.end(); ++f)
-                          fields[f] = field_of(f, c);
-                      });
-  }
-}
-
-CurvatureLines::Field CurvatureLines::field_of(Index f, Colour c) const {
+CurvatureLines::Field CurvatureLines::field(Index f, Colour c) const {
   const kernel::Triangle& t = mesh_.faces()[f];
-  const std::array<const Vec3*, 3> d = {&principal(t[0], c), &principal(t[1], c),
-                                        &principal(t[2], c)};
-  const int first = sign_of(dot(*d[0], *d[1])), last = sign_of(dot(*d[0], *d[2]));
+  const std::array<Vec3, 3> d = {principal(t[0], c), principal(t[1], c), principal(t[2], c)};
+  const int first = sign_of(dot(d[0], d[1])), last = sign_of(dot(d[0], d[2]));
   Field field;
-  if (first * sign_of(dot(*d[1], *d[2])) * last <= 0) return field;
+  if (first * sign_of(dot(d[1], d[2])) * last <= 0) return field;
   field.sign = {1, static_cast<std::int8_t>(first), static_cast<std::int8_t>(last)};
   for (std::size_t k = 0; k < 3; ++k) {
-    field.corner[k] = velocity(f, *d[k]);
+    field.corner[k] = velocity(f, d[k]);
     for (double& x : field.corner[k]) x *= field.sign[k];
   }
   return field;
@@ -74,7 +51,7 @@ Vec3 CurvatureLines::direction(Index f, const Velocity& v) const {
 
 Vec3 CurvatureLines::direction_on(Index edge, double weight, Colour c) const {
   const kernel::Edge& e = mesh_.edges()[edge];
-  const Vec3 &p = principal(e.v0, c), &q = principal(e.v1, c);
+  const Vec3 p = principal(e.v0, c), q = principal(e.v1, c);
   const int sign = sign_of(dot(p, q));
   return sign == 0 ? Vec3{} : (1 - weight) * p + sign * weight * q;
 }
@@ -105,6 +82,7 @@ LineWalk::LineWalk(const CurvatureLines& lines, Index edge, double weight, Colou
 
 void LineWalk::enter(Index face, Index p, Index q) {
   face_ = face;
+  field_ = lines_.field(face, colour_);
   const kernel::Triangle& t = lines_.mesh().faces()[face];
   for (std::size_t k = 0; k < 3; ++k) {
     at_[k] = t[k] == p ? 1 - weight_ : t[k] == q ? weight_ : 0;
@@ -133,15 +111,15 @@ void LineWalk::enter_at(Index vertex) {
     at_[k] = 1;
     from_ = i > j ? (k + 1) % 3 : (k + 2) % 3;
   }
+  if (face_ != kernel::kNone) field_ = lines_.field(face_, colour_);
 }
 
 // The line's velocity at at_, into the triangle if it can.
 LineWalk::Lead LineWalk::velocity_here(Velocity& v) {
-  const CurvatureLines::Field& field = lines_.field(face_, colour_);
-  if (field.coherent()) {
+  if (field_.coherent()) {
     for (std::size_t i = 0; i < 2; ++i) {
-      v[i] =
-          at_[0] * field.corner[0][i] + at_[1] * field.corner[1][i] + at_[2] * field.corner[2][i];
+      v[i] = at_[0] * field_.corner[0][i] + at_[1] * field_.corner[1][i] +
+             at_[2] * field_.corner[2][i];
     }
     if (sign_ == 0) sign_ = dot(lines_.direction(face_, v), direction_) < 0 ? -1 : 1;
     for (double& x : v) x *= sign_;
@@ -194,9 +172,8 @@ bool LineWalk::step() {
     const std::array<double, 3> start = at_;
     for (std::size_t k = 0; k < 3; ++k) at_[k] += out.time / 2 * component(v, k);
     Velocity middle{};
-    const CurvatureLines::Field& field = lines_.field(face_, colour_);
     for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t k = 0; k < 3; ++k) middle[i] += sign_ * at_[k] * field.corner[k][i];
+      for (std::size_t k = 0; k < 3; ++k) middle[i] += sign_ * at_[k] * field_.corner[k][i];
     at_ = start;
     if (component(middle, from_) > 0) {
       v = middle;
@@ -219,8 +196,7 @@ void LineWalk::move(const Velocity& v, const Exit& out) {
   go_to((1 - weight_) * points[t[i]] + weight_ * points[t[j]]);
 
   // The field's sign is carried over by the vector at an end of the side.
-  const CurvatureLines::Field& old = lines_.field(face_, colour_);
-  const int at_vertex = sign_ * old.sign[i];
+  const int at_vertex = sign_ * field_.sign[i];
   const Index other = lines_.mesh().neighbour(face_, static_cast<int>(i));
   const Index vertex = t[i];
   face_ = kernel::kNone;
@@ -228,7 +204,7 @@ void LineWalk::move(const Velocity& v, const Exit& out) {
   enter(other, ends_[0], ends_[1]);
   const kernel::Triangle& u = lines_.mesh().faces()[other];
   const std::size_t k = u[0] == vertex ? 0 : u[1] == vertex ? 1 : 2;
-  sign_ = at_vertex * lines_.field(other, colour_).sign[k];
+  sign_ = at_vertex * field_.sign[k];
 }
 
 }  // namespace crest::ridges

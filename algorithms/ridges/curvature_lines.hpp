@@ -14,11 +14,12 @@
 
 namespace crest::ridges {
 
-/// The direction fields of both colours, prepared for walking. Cost: some 300 operations and 112
-/// bytes a face.
+/// The direction fields of both colours, made where they are asked for: lines visit few of the
+/// faces, and all of them would be 112 bytes a face. Requires: mesh and forms stay.
 class CurvatureLines {
  public:
-  CurvatureLines(const kernel::TriangleMesh& mesh, const std::vector<kernel::MongeForm>& forms);
+  CurvatureLines(const kernel::TriangleMesh& mesh, const std::vector<kernel::MongeForm>& forms)
+      : mesh_(mesh), forms_(forms) {}
 
   /// Velocities of barycentric coordinates 1 and 2 (that of 0 is minus their sum).
   using Velocity = std::array<double, 2>;
@@ -29,21 +30,19 @@ class CurvatureLines {
   };
 
   const kernel::TriangleMesh& mesh() const { return mesh_; }
-  const Field& field(Index f, Colour c) const { return fields_[static_cast<std::size_t>(c)][f]; }
+  Field field(Index f, Colour c) const;                     ///< some 150 operations
   Velocity velocity(Index f, const Vec3& direction) const;  ///< of a direction, projected
   Vec3 direction(Index f, const Velocity& v) const;
   /// The principal direction at the point (1 - weight) p + weight q of edge (p, q); 0 if those of
   /// its ends are perpendicular.
   Vec3 direction_on(Index edge, double weight, Colour c) const;
-  const Vec3& principal(Index v, Colour c) const {
-    return vectors_[static_cast<std::size_t>(c)][v];
+  Vec3 principal(Index v, Colour c) const {
+    return c == Colour::blue ? forms_[v].d1 : kernel::minimal_direction(forms_[v]);
   }
 
  private:
-  Field field_of(Index f, Colour c) const;
   const kernel::TriangleMesh& mesh_;
-  std::array<std::vector<Vec3>, 2> vectors_;
-  std::array<std::vector<Field>, 2> fields_;
+  const std::vector<kernel::MongeForm>& forms_;
 };
 
 /// A walk along a line of curvature from a point on an edge.
@@ -81,8 +80,9 @@ class LineWalk {
   Colour colour_;
   double straight_;
   Index face_ = kernel::kNone;
-  std::array<double, 3> at_{};  ///< barycentric
-  std::size_t from_ = 0;        ///< the corner opposite the side of entry
+  CurvatureLines::Field field_;  ///< of that face
+  std::array<double, 3> at_{};   ///< barycentric
+  std::size_t from_ = 0;         ///< the corner opposite the side of entry
   int sign_ =
       0;  ///< of the field at corner 0, as the line uses it; 0: not known, take direction_'s
   Vec3 direction_{}, point_{};

@@ -7,21 +7,31 @@
 
 namespace crest::ridges {
 
-PatchGrower::PatchGrower(const kernel::TriangleMesh& mesh)
-    : mesh_(mesh),
-      centroid_(mesh.face_count(), Vec3{}),
-      face_mark_(mesh.face_count(), 0),
-      queued_mark_(mesh.face_count(), 0),
-      vertex_mark_(mesh.vertex_count(), 0) {
-  for (Index f = 0; f < mesh.face_count(); ++f)
+namespace {
+
+std::shared_ptr<const std::vector<Vec3>> centroids_of(const kernel::TriangleMesh& mesh) {
+  auto centroids = std::make_shared<std::vector<Vec3>>(mesh.face_count(), Vec3{});
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Vec3& centroid = (*centroids)[f];
     for (std::size_t k = 0; k < 3; ++k) {
-      for (Index v : mesh.faces()[f]) centroid_[f][k] += mesh.points()[v][k];
-      centroid_[f][k] /= 3;
+      for (Index v : mesh.faces()[f]) centroid[k] += mesh.points()[v][k];
+      centroid[k] /= 3;
     }
+  }
+  return centroids;
 }
 
+}  // namespace
+
+PatchGrower::PatchGrower(const kernel::TriangleMesh& mesh)
+    : mesh_(mesh),
+      centroids_(centroids_of(mesh)),
+      face_mark_(mesh.face_count(), 0),
+      queued_mark_(mesh.face_count(), 0),
+      vertex_mark_(mesh.vertex_count(), 0) {}
+
 double PatchGrower::distance(Index f, Index g) const {
-  return kernel::norm(kernel::operator-(centroid_[f], centroid_[g]));
+  return kernel::norm(kernel::operator-(centroid(f), centroid(g)));
 }
 
 double PatchGrower::one_ring_reach(Index seed) const {
@@ -56,6 +66,7 @@ const std::vector<Index>& PatchGrower::grow(Index seed, double size,
                                             const std::vector<Index>& owner) {
   ++stamp_;
   faces_.clear();
+  asked_.clear();
   join(seed);
   queued_mark_[seed] = stamp_;
   if (size <= 0) return faces_;
@@ -70,6 +81,7 @@ const std::vector<Index>& PatchGrower::grow(Index seed, double size,
       const double d = distance(g, seed);
       if (d > limit) continue;
       queued_mark_[g] = stamp_;
+      asked_.push_back(g);
       queue_.push_back({d, g});
       std::push_heap(queue_.begin(), queue_.end(), later);
     }

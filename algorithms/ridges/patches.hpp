@@ -2,13 +2,16 @@
 #pragma once
 
 // Patches around umbilics: topological disks grown by a priority queue (paper 002, section 8.1).
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "algorithms/ridges/edge_states.hpp"
 
 namespace crest::ridges {
 
-/// Grows disks of triangles; keeps its marks between calls.
+/// Grows disks of triangles; keeps its marks between calls. Copies share what does not change, for
+/// use in several threads.
 class PatchGrower {
  public:
   explicit PatchGrower(const kernel::TriangleMesh& mesh);
@@ -18,9 +21,11 @@ class PatchGrower {
   /// seed's one-ring (the triangles that share a vertex with it). Triangles with owner[f] != kNone
   /// do not join. Guarantees: the faces in order of joining, each prefix a disk that contains seed.
   const std::vector<Index>& grow(Index seed, double size, const std::vector<Index>& owner);
+  /// The triangles without an owner on which that disk depends, besides the seed; some twice.
+  const std::vector<Index>& asked() const { return asked_; }
 
   bool contains(Index f) const { return face_mark_[f] == stamp_; }
-  const Vec3& centroid(Index f) const { return centroid_[f]; }
+  const Vec3& centroid(Index f) const { return (*centroids_)[f]; }
 
  private:
   bool stays_disk(Index f) const;
@@ -29,10 +34,10 @@ class PatchGrower {
   double distance(Index f, Index g) const;
 
   const kernel::TriangleMesh& mesh_;
-  std::vector<Vec3> centroid_;
+  std::shared_ptr<const std::vector<Vec3>> centroids_;
   std::vector<std::uint32_t> face_mark_, queued_mark_, vertex_mark_;
   std::uint32_t stamp_ = 0;
-  std::vector<Index> faces_;
+  std::vector<Index> faces_, asked_;
   std::vector<std::pair<double, Index>> queue_;  // a heap: distance, then face number
 };
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/umbilics.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <span>
 
 #include "kernel/predicates/umbilic_kind.hpp"
 
@@ -43,6 +48,16 @@ bool coherent(int twice_index, const std::array<Index, 2>& crossings) {
          (crossings[0] == 1 || crossings[0] == 3);
 }
 
+/// An umbilic of a seed, as long as none of the faces it depends on has got an owner since.
+struct Attempt {
+  Umbilic umbilic;
+  std::vector<Index> asked;
+  StageCounts counts;
+};
+
+/// The patches go to the seeds one after the other, each of what the earlier ones have left: a
+/// greedy order, which does not depend on threads. They are tried side by side, and those that turn
+/// out to depend on a patch of the same batch once more.
 class Finder {
  public:
   Finder(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
@@ -52,14 +67,22 @@ class Finder {
         states_(states),
         indices_(indices),
         size_(size),
-        grower_(mesh),
-        rank_(mesh.face_count(), kernel::kNone) {
+        own_{PatchGrower(mesh), std::vector<Index>(mesh.face_count(), kernel::kNone)} {
     result_.owner.assign(mesh.face_count(), kernel::kNone);
   }
 
   UmbilicPatches run() {
-    for (Index seed : seeds())
-      if (result_.owner[seed] == kernel::kNone) add(seed);
+    constexpr std::size_t batch = 512, few = 64;
+    const std::vector<Index> order = seeds();
+    const bool alone =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
+    if (order.size() < few || alone) {
+      for (Index seed : order)
+        if (result_.owner[seed] == kernel::kNone) add(attempt(seed, own_));
+    } else {
+      for (std::size_t i = 0; i < order.size(); i += batch)
+        add_batch(std::span(order).subspan(i, std::min(batch, order.size() - i)));
+    }
     renumber();
     return std::move(result_);
   }
@@ -75,16 +98,45 @@ class Finder {
     return faces;
   }
 
-  void add(Index seed) {
-    Umbilic u;
-    const std::vector<Index>& faces = grower_.grow(seed, size_, result_.owner);
-    u.patch.assign(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(choose(faces, u)));
+  /// What a thread works with.
+  struct Workspace {
+    PatchGrower grower;
+    std::vector<Index> rank;  ///< of the faces of the patch in hand
+  };
+
+  Attempt attempt(Index seed, Workspace& work) const {
+    Attempt a;
+    Umbilic& u = a.umbilic;
+    const std::vector<Index>& faces = work.grower.grow(seed, size_, result_.owner);
+    a.asked = work.grower.asked();
+    u.patch.assign(faces.begin(),
+                   faces.begin() + static_cast<std::ptrdiff_t>(choose(faces, work, u)));
     std::sort(u.patch.begin(), u.patch.end());
-    for (Index f : u.patch) result_.owner[f] = static_cast<Index>(result_.umbilics.size());
     u.face = central_face(u.patch);
-    u.point = grower_.centroid(u.face);
-    u.kind = kind_of(mesh_, forms_, u.face, result_.kind_counts);
-    result_.umbilics.push_back(std::move(u));
+    u.point = work.grower.centroid(u.face);
+    u.kind = kind_of(mesh_, forms_, u.face, a.counts);
+    return a;
+  }
+
+  bool owned(Index f) const { return result_.owner[f] != kernel::kNone; }
+
+  void add(Attempt a) {
+    for (Index f : a.umbilic.patch) result_.owner[f] = static_cast<Index>(result_.umbilics.size());
+    result_.kind_counts += a.counts;
+    result_.umbilics.push_back(std::move(a.umbilic));
+  }
+
+  void add_batch(std::span<const Index> seeds) {
+    std::vector<Attempt> attempts(seeds.size());
+    tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
+      if (!owned(seeds[i])) attempts[i] = attempt(seeds[i], of_threads_.local());
+    });
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      if (owned(seeds[i])) continue;
+      const std::vector<Index>& asked = attempts[i].asked;
+      const bool stale = std::any_of(asked.begin(), asked.end(), [&](Index f) { return owned(f); });
+      add(stale ? attempt(seeds[i], own_) : std::move(attempts[i]));
+    }
   }
 
   // Of non-zero index, with the least k1 - k2 at a corner; ties: the least number.
@@ -102,17 +154,17 @@ class Finder {
 
   // Every prefix of the faces in order of joining is a disk: takes the longest coherent one, else
   // the seed alone. Returns its length and fills the umbilic's numbers.
-  std::size_t choose(const std::vector<Index>& faces, Umbilic& u) {
+  std::size_t choose(const std::vector<Index>& faces, Workspace& work, Umbilic& u) const {
     std::size_t best = 0;
     int twice_index = 0;
     std::array<Index, 2> crossings{};
-    for (std::size_t i = 0; i < faces.size(); ++i) rank_[faces[i]] = static_cast<Index>(i);
+    for (std::size_t i = 0; i < faces.size(); ++i) work.rank[faces[i]] = static_cast<Index>(i);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Index f = faces[i];
       twice_index += indices_.twice[f];
       for (int k = 0; k < 3; ++k) {
         const Index g = mesh_.neighbour(f, k);
-        const bool inner = g != kernel::kNone && grower_.contains(g) && rank_[g] < i;
+        const bool inner = g != kernel::kNone && work.grower.contains(g) && work.rank[g] < i;
         const Index e = mesh_.face_edges()[f][static_cast<std::size_t>(k)];
         for (Colour c : {Colour::blue, Colour::red})
           if (states_.is_crossed(e, c)) crossings[static_cast<std::size_t>(c)] += inner ? -1u : 1u;
@@ -140,8 +192,8 @@ class Finder {
   const EdgeStates& states_;
   const FaceIndices& indices_;
   double size_;
-  PatchGrower grower_;
-  std::vector<Index> rank_;  // of the faces of the patch in hand
+  Workspace own_;
+  tbb::enumerable_thread_specific<Workspace> of_threads_{[this] { return own_; }};
   UmbilicPatches result_;
 };
 

@@ -210,7 +210,7 @@ void smooth(const Surface& s, Grid& grid) {
 
 }  // namespace
 
-SurfaceSample sample(const Surface& surface, int vertices, bool rotate) {
+SurfaceSample sample(const Surface& surface, int vertices, bool rotate, Forms forms) {
   if (vertices < 12 || vertices > 100000000)
     throw std::invalid_argument("sample: the number of vertices must be from 12 to 10^8");
   Grid grid;
@@ -233,16 +233,16 @@ SurfaceSample sample(const Surface& surface, int vertices, bool rotate) {
   out.known = surface.known;
   out.faces = std::move(grid.faces);
   out.points.resize(grid.points.size());
-  out.forms.resize(grid.points.size());
+  out.forms.resize(forms == Forms::exact ? grid.points.size() : 0);
   for_each_index(out.points.size(), [&](std::size_t v) {
     out.points[v] = to_vec3(surface.to_world(grid.points[v]));
-    out.forms[v] = surface.monge_form(out.points[v]);
+    if (forms == Forms::exact) out.forms[v] = surface.monge_form(out.points[v]);
   });
   return out;
 }
 
 SurfaceSample sample(const std::string& name, const std::vector<double>& parameters, int vertices,
-                     bool rotate) {
+                     bool rotate, Forms forms) {
   if (name == "handles") {
     if (parameters.size() > 1 ||
         (!parameters.empty() && parameters[0] != std::floor(parameters[0])))
@@ -250,7 +250,7 @@ SurfaceSample sample(const std::string& name, const std::vector<double>& paramet
     return sample_handles(parameters.empty() ? 2 : static_cast<int>(parameters[0]), vertices,
                           rotate);
   }
-  return sample(make_surface(name, parameters, rotate), vertices, rotate);
+  return sample(make_surface(name, parameters, rotate), vertices, rotate, forms);
 }
 
 double mean_edge_length(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {

@@ -10,13 +10,16 @@
 namespace crest::sampling {
 
 /// V points on the surface (to rounding), F outward faces ready for kernel::TriangleMesh, and the
-/// exact Monge form at each point (none for "handles").
+/// exact Monge form at each point (none for "handles", and where none is asked for).
 struct SurfaceSample {
   std::vector<Vec3> points;
   std::vector<kernel::Triangle> faces;
   std::vector<kernel::MongeForm> forms;
   KnownFacts known;
 };
+
+/// Three quarters of the time of a sample.
+enum class Forms : std::uint8_t { none, exact };
 
 /// A mesh of about the given number of vertices: an icosahedron of frequency n (10 n^2 + 2
 /// vertices) projected along rays, or a jittered grid with alternating diagonals (tori, patches);
@@ -27,8 +30,8 @@ struct SurfaceSample {
 /// Throws: std::invalid_argument for an unknown name, bad parameters, or a bad number.
 /// Cost: about 10 microseconds a vertex and thread.
 SurfaceSample sample(const std::string& name, const std::vector<double>& parameters, int vertices,
-                     bool rotate);
-SurfaceSample sample(const Surface& surface, int vertices, bool rotate);
+                     bool rotate, Forms forms = Forms::exact);
+SurfaceSample sample(const Surface& surface, int vertices, bool rotate, Forms forms = Forms::exact);
 
 /// Mean length of the edges of the faces.
 double mean_edge_length(const std::vector<Vec3>& points,

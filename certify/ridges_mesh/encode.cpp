@@ -8,16 +8,6 @@
 namespace crest::certify {
 namespace {
 
-void write_data(ByteWriter& out, const MeshData& data) {
-  if (data.monge.size() != data.positions.size())
-    throw std::invalid_argument("certificate: as many Monge forms as vertices are needed");
-  out.count(data.positions.size());
-  out.count(data.faces.size());
-  out.rows(data.faces);
-  out.rows(data.positions);
-  out.rows(data.monge);
-}
-
 void write_ridge(ByteWriter& out, const RidgeRecord& ridge) {
   out.integer(ridge.flags);
   out.count(ridge.nodes.size());
@@ -61,9 +51,22 @@ void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
 }  // namespace
 
 EncodedData encode_data(const MeshData& data) {
-  const std::size_t size = 8 + data.faces.size() * kFaceSize + data.positions.size() * kVertexSize;
-  return begin({kRidgesMesh, kRidgesMeshVersion}, size,
-               [&](ByteWriter& out) { write_data(out, data); });
+  if (data.monge.size() != data.positions.size())
+    throw std::invalid_argument("certificate: as many Monge forms as vertices are needed");
+  return encode_data(data.faces, data.positions, [&](std::size_t v) { return data.monge[v]; });
+}
+
+EncodedData encode_data(const std::vector<std::array<std::uint32_t, 3>>& faces,
+                        const std::vector<std::array<double, 3>>& positions,
+                        const std::function<std::array<double, 14>(std::size_t)>& monge) {
+  const std::size_t size = 8 + faces.size() * kFaceSize + positions.size() * kVertexSize;
+  return begin({kRidgesMesh, kRidgesMeshVersion}, size, [&](ByteWriter& out) {
+    out.count(positions.size());
+    out.count(faces.size());
+    out.rows(faces);
+    out.rows(positions);
+    for (std::size_t v = 0; v < positions.size(); ++v) out.numbers(monge(v));
+  });
 }
 
 Bytes encode_as_is(const RidgesMeshCertificate& certificate) {

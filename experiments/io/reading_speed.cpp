@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How fast each format is read: a torus of a million faces from a file to a soup, processor time of
-// one thread, medians.
+// How fast each format is read: a torus of a million faces from a file to a soup and to a mesh,
+// processor time of one thread, medians.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -13,6 +13,7 @@
 #include "experiments/program.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/read/mesh_reader.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "kernel/geometry/triangle_mesh.hpp"
 
@@ -169,7 +170,7 @@ double processor_seconds() {
 }
 
 void measure(const char* what, const std::string& path, std::size_t faces, int runs) {
-  std::vector<double> whole, reading;
+  std::vector<double> whole, reading, mesh;
   for (int run = 0; run < runs; ++run) {
     const double start = processor_seconds();
     const io::FileBytes bytes = io::load(path);
@@ -180,12 +181,18 @@ void measure(const char* what, const std::string& path, std::size_t faces, int r
     whole.push_back(end - start);
     reading.push_back(end - loaded);
   }
-  for (auto* times : {&whole, &reading})
+  for (int run = 0; run < runs; ++run) {
+    const double start = processor_seconds();
+    if (io::read_mesh(path).mesh.face_count() != faces)
+      throw std::runtime_error("faces are missing");
+    mesh.push_back(processor_seconds() - start);
+  }
+  for (auto* times : {&whole, &reading, &mesh})
     std::nth_element(times->begin(), times->begin() + runs / 2, times->end());
   const auto middle = static_cast<std::size_t>(runs / 2);
   const double megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
-  fmt::print("| {} | {:.0f} | {:.3f} | {:.3f} | {:.0f} |\n", what, megabytes, whole[middle],
-             reading[middle], megabytes / reading[middle]);
+  fmt::print("| {} | {:.0f} | {:.3f} | {:.3f} | {:.0f} | {:.3f} |\n", what, megabytes,
+             whole[middle], reading[middle], megabytes / reading[middle], mesh[middle]);
   std::fflush(stdout);
 }
 
@@ -205,7 +212,8 @@ int main(int argc, char** argv) {
     const Mesh mesh = torus(side);
     fmt::print("\n{} vertices, {} faces\n\n", mesh.points.size(), mesh.faces.size());
     fmt::print(
-        "| format | MB | file to soup, s | bytes to soup, s | MB/s |\n|---|---|---|---|---|\n");
+        "| format | MB | file to soup, s | bytes to soup, s | MB/s | file to mesh, s |\n"
+        "|---|---|---|---|---|---|\n");
     const std::string path = folder + "/reading_speed.";
     const auto one = [&](const char* what, const char* extension, const std::string& bytes) {
       if (!bytes.empty()) std::ofstream(path + extension, std::ios::binary) << bytes;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/clean/equal_points.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 namespace crest::io {
@@ -18,20 +20,55 @@ std::uint64_t hash_of(const kernel::Vec3& p) {
   return h;
 }
 
+/// A hash table of points with open addressing. Points come in batches, so that their places come
+/// from memory side by side.
+class EqualPoints {
+ public:
+  explicit EqualPoints(const std::vector<kernel::Vec3>& points)
+      : points_(points), table_(std::bit_ceil(2 * points.size() + 1), kernel::kNone) {}
+
+  /// Calls `use` with every point and the first one that equals it.
+  template <class Use>
+  void for_each(const Use& use) {
+    constexpr std::size_t batch = 32;
+    std::array<std::size_t, batch> places{};
+    for (std::size_t begin = 0; begin < points_.size(); begin += batch) {
+      const std::size_t count = std::min(batch, points_.size() - begin);
+      for (std::size_t i = 0; i < count; ++i) {
+        places[i] = hash_of(points_[begin + i]) & (table_.size() - 1);
+        __builtin_prefetch(&table_[places[i]]);
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto v = static_cast<kernel::Index>(begin + i);
+        use(v, first(v, places[i]));
+      }
+    }
+  }
+
+ private:
+  kernel::Index first(kernel::Index v, std::size_t at) {
+    while (table_[at] != kernel::kNone && points_[table_[at]] != points_[v])
+      at = (at + 1) & (table_.size() - 1);
+    if (table_[at] == kernel::kNone) table_[at] = v;
+    return table_[at];
+  }
+
+  const std::vector<kernel::Vec3>& points_;
+  std::vector<kernel::Index> table_;
+};
+
 }  // namespace
 
 std::vector<kernel::Index> first_equal(const std::vector<kernel::Vec3>& points) {
-  using kernel::Index;
-  using kernel::kNone;
-  const std::size_t places = std::bit_ceil(2 * points.size() + 1);
-  std::vector<Index> table(places, kNone), first(points.size());
-  for (Index v = 0; v < points.size(); ++v) {
-    std::size_t at = hash_of(points[v]) & (places - 1);
-    while (table[at] != kNone && points[table[at]] != points[v]) at = (at + 1) & (places - 1);
-    if (table[at] == kNone) table[at] = v;
-    first[v] = table[at];
-  }
+  std::vector<kernel::Index> first(points.size());
+  EqualPoints(points).for_each([&](kernel::Index v, kernel::Index of) { first[v] = of; });
   return first;
+}
+
+std::size_t count_equal(const std::vector<kernel::Vec3>& points) {
+  std::size_t count = 0;
+  EqualPoints(points).for_each([&](kernel::Index v, kernel::Index of) { count += v != of; });
+  return count;
 }
 
 }  // namespace crest::io

@@ -13,4 +13,7 @@ namespace crest::io {
 /// Cost: O(V) expected.
 std::vector<kernel::Index> first_equal(const std::vector<kernel::Vec3>& points);
 
+/// How many points equal one before them. Requires and cost: as above.
+std::size_t count_equal(const std::vector<kernel::Vec3>& points);
+
 }  // namespace crest::io

@@ -14,6 +14,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <array>
+#include <cstring>
+#include <utility>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
@@ -108,24 +110,57 @@ vtkSmartPointer<vtkCellArray> vtk_triangles(const std::vector<kernel::Triangle>&
   return cells;
 }
 
-std::string ply_of(const kernel::TriangleMesh& mesh, const curvature::Result& result) {
+/// Numbers in a file's bytes, handed on in pieces.
+class BinaryNumbers {
+ public:
+  explicit BinaryNumbers(const Sink& sink) : sink_(sink) {}
+  template <class T>
+  void add(T number) {
+    if (used_ + sizeof number > buffer_.size()) flush();
+    std::memcpy(buffer_.data() + used_, &number, sizeof number);
+    used_ += sizeof number;
+  }
+  void add(const Vec3& v) {
+    for (const double x : v) add(x);
+  }
+  void flush() { sink_({buffer_.data(), std::exchange(used_, 0)}); }
+
+ private:
+  const Sink& sink_;
+  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 16);
+  std::size_t used_ = 0;
+};
+
+std::string ply_header(const kernel::TriangleMesh& mesh) {
   Text text;
-  text.add("ply\nformat ascii 1.0\nelement vertex {}\n", mesh.vertex_count());
+  text.add("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.vertex_count());
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) text.add("property double {}\n", name);
   for (const Scalar& s : kScalars) text.add("property double {}\n", s.name);
   for (const Direction& d : kDirections)
     for (const char axis : {'x', 'y', 'z'}) text.add("property double {}{}\n", d.name, axis);
   text.add("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
            mesh.face_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const PointCurvature& c = result.vertices[v];
-    text.add("{} {}", fmt::join(mesh.points()[v], " "), fmt::join(result.normals[v], " "));
-    for (const Scalar& s : kScalars) text.add(" {}", c.*s.member);
-    for (const Direction& d : kDirections) text.add(" {}", fmt::join(c.*d.member, " "));
-    text.add("\n");
-  }
-  for (const auto& f : mesh.faces()) text.add("3 {} {} {}\n", f[0], f[1], f[2]);
   return text.text();
+}
+
+void write_ply(const std::string& path, const kernel::TriangleMesh& mesh,
+               const curvature::Result& result) {
+  write_atomically(path, [&](const Sink& sink) {
+    sink(ply_header(mesh));
+    BinaryNumbers numbers(sink);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const PointCurvature& c = result.vertices[v];
+      numbers.add(mesh.points()[v]);
+      numbers.add(result.normals[v]);
+      for (const Scalar& s : kScalars) numbers.add(c.*s.member);
+      for (const Direction& d : kDirections) numbers.add(c.*d.member);
+    }
+    for (const kernel::Triangle& f : mesh.faces()) {
+      numbers.add(std::uint8_t{3});
+      for (const Index v : f) numbers.add(static_cast<std::int32_t>(v));
+    }
+    numbers.flush();
+  });
 }
 
 std::array<unsigned char, 3> focal_colour(double q) {
@@ -187,7 +222,7 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
     add_cell_data(*grid->GetCellData(), corners);
     bytes = vtu_bytes(*grid);
   } else if (extension == ".ply") {
-    bytes = ply_of(mesh, result);
+    return write_ply(path, mesh, result);
   } else {
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .vtu .ply");
   }

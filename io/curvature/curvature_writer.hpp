@@ -19,7 +19,7 @@ namespace crest::io {
 ///   cells, if corners is not empty (.vtp and .vtu): corner_k1, corner_k2, corner_K, corner_H,
 ///     corner_asymmetry with 3 components, one a corner of the face, corner_d1 and corner_d2
 ///     with 9.
-/// .ply is text: points as above (d1x .. d2z, nx ny nz), then the faces.
+/// .ply is binary (little-endian): points as above (d1x .. d2z, nx ny nz), then the faces.
 /// Guarantees: the same bytes for the same data; no half-written file; .vtp and .ply read back by
 ///   read_mesh and read_normals.
 /// Throws: kernel::InputError for another extension or a place that cannot be written.

@@ -20,7 +20,12 @@ constexpr std::size_t kHeader = 84, kFacet = 50;
 /// Corners are added in batches, so that their slots and points come from memory side by side.
 class Corners {
  public:
-  explicit Corners(Soup& soup) : soup_(soup), slots_(1024, kFree) {}
+  /// Room for as many facets; most surfaces have half as many points.
+  Corners(Soup& soup, std::size_t facets)
+      : soup_(soup), slots_(std::bit_ceil(1024 + facets + facets / 4), kFree) {
+    soup.cells.reserve(facets, 3 * facets);
+    soup.points.reserve(facets / 2);
+  }
 
   /// A facet. Adds what is pending, now and then.
   void add_facet(std::span<const kernel::Vec3> corners) {
@@ -102,8 +107,7 @@ bool is_finite(const kernel::Vec3& p) {
 
 Soup read_binary(std::string_view bytes, std::size_t facets) {
   Soup soup;
-  Corners corners(soup);
-  soup.cells.reserve(facets, 3 * facets);
+  Corners corners(soup, facets);
   for (std::size_t f = 0; f < facets; ++f) {
     const char* at = bytes.data() + kHeader + f * kFacet + 12;
     std::array<kernel::Vec3, 3> facet;
@@ -127,10 +131,8 @@ Soup read_binary(std::string_view bytes, std::size_t facets) {
 /// Keywords in any case, lines broken anywhere, any number of solids.
 class TextStl {
  public:
-  explicit TextStl(std::string_view text) : scan_(text) {
-    // A facet has at least "facet vertex 0 0 0" with two more vertices and "endfacet".
-    soup_.cells.reserve(text.size() / 200, 3 * (text.size() / 200));
-  }
+  /// A facet of a usual file has 200 bytes or more.
+  explicit TextStl(std::string_view text) : scan_(text), facets_(soup_, text.size() / 200) {}
 
   Soup read() {
     bool solid = false;  // open
@@ -221,7 +223,7 @@ class TextStl {
 
   TextScan scan_;
   Soup soup_;
-  Corners facets_{soup_};
+  Corners facets_;
   bool open_ = false;
   std::vector<kernel::Vec3> corners_;  ///< of the open facet
 };

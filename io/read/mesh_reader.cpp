@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read/mesh_reader.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "io/clean/clean.hpp"
+#include "io/clean/sound_mesh.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
 #include "io/read/coarse_grid.hpp"
@@ -16,11 +18,26 @@ FieldRequest fields(const MeshRequest& request) {
   return {request.field.has_value(), request.field.value_or(""), request.normals, request.step};
 }
 
+/// The mesh of a soup that needs no cleaning, in which vertices are points and faces cells.
+bool take_sound_mesh(const Soup& soup, const MeshRequest& request, MeshFile& file,
+                     Surface& surface) {
+  std::optional<kernel::TriangleMesh> mesh = sound_mesh(soup, request.clean, file.cleanup);
+  if (!mesh) return false;
+  file.mesh = std::move(*mesh);
+  surface.point_of.resize(file.mesh.vertex_count());
+  surface.cell_of.resize(file.mesh.face_count());
+  std::iota(surface.point_of.begin(), surface.point_of.end(), kernel::Index{0});
+  std::iota(surface.cell_of.begin(), surface.cell_of.end(), kernel::Index{0});
+  return true;
+}
+
 }  // namespace
 
 MeshFile mesh_of_soup(const Soup& soup, const MeshRequest& request) {
   MeshFile file;
-  Surface surface = clean(soup, request.clean, Purpose::geometry, file.cleanup);
+  Surface surface;
+  const bool sound = take_sound_mesh(soup, request, file, surface);
+  if (!sound) surface = clean(soup, request.clean, Purpose::geometry, file.cleanup);
   file.warnings = soup.warnings;
   const std::vector<std::string> lines = words(file.cleanup);
   file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
@@ -32,7 +49,7 @@ MeshFile mesh_of_soup(const Soup& soup, const MeshRequest& request) {
   }
   if (request.normals) file.normals = point_normals(soup, surface.point_of);
   file.numbers = file_numbers(soup, surface);
-  file.mesh = kernel::TriangleMesh(std::move(surface.points), std::move(surface.faces));
+  if (!sound) file.mesh = kernel::TriangleMesh(std::move(surface.points), std::move(surface.faces));
   if (const auto rounded = coarse_grid(file.mesh)) file.warnings.push_back(*rounded);
   return file;
 }

@@ -43,13 +43,23 @@ mode_t ordinary_mode() {
   return 0666 & ~mask;
 }
 
-void write_directly(const std::string& path, std::string_view bytes) {
+using Writing = std::function<void(const Sink&)>;
+
+/// Of the pieces written to a descriptor, the error of the first that failed; 0: none did.
+int write_pieces(int descriptor, const Writing& write) {
+  int error = 0;
+  write([&](std::string_view piece) {
+    if (error == 0 && !write_all(descriptor, piece)) error = errno;
+  });
+  return error;
+}
+
+void write_directly(const std::string& path, const Writing& write) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) fail(path, errno);
-  const bool written = write_all(descriptor, bytes);
-  const int error = errno;
-  const bool closed = ::close(descriptor) == 0;
-  if (!written || !closed) fail(path, written ? errno : error);
+  int error = write_pieces(descriptor, write);
+  if (::close(descriptor) != 0 && error == 0) error = errno;
+  if (error != 0) fail(path, error);
 }
 
 /// The file that a symbolic link names, else the path itself.
@@ -117,12 +127,12 @@ PendingFiles* current = nullptr;
 /// One held file: an open descriptor without a name, or (descriptor_ < 0) the bytes.
 class PendingFiles::File {
  public:
-  File(const std::string& path, const std::string& target, std::string_view bytes)
+  File(const std::string& path, const std::string& target, const Writing& write)
       : path_(path), target_(target), descriptor_(open_unnamed(path, target)) {
     if (descriptor_ < 0)
-      bytes_ = bytes;
-    else if (!write_all(descriptor_, bytes))
-      fail_and_close();
+      write([&](std::string_view piece) { bytes_ += piece; });
+    else if (const int error = write_pieces(descriptor_, write))
+      fail_and_close(error);
   }
   ~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -166,8 +176,7 @@ class PendingFiles::File {
         fail(path_, errno);
     }
   }
-  [[noreturn]] void fail_and_close() {
-    const int error = errno;
+  [[noreturn]] void fail_and_close(int error) {
     ::close(descriptor_);
     fail(path_, error);
   }
@@ -200,14 +209,18 @@ void PendingFiles::commit() {
 }
 
 void write_atomically(const std::string& path, std::string_view bytes) {
+  write_atomically(path, [&](const Sink& sink) { sink(bytes); });
+}
+
+void write_atomically(const std::string& path, const std::function<void(const Sink&)>& write) {
   const std::string target = target_of(path);
-  if (is_special(path, target)) return write_directly(path, bytes);
+  if (is_special(path, target)) return write_directly(path, write);
   if (current) {
-    current->files_.emplace_back(path, target, bytes);
+    current->files_.emplace_back(path, target, write);
     return;
   }
   PendingFiles alone;
-  alone.files_.emplace_back(path, target, bytes);
+  alone.files_.emplace_back(path, target, write);
   alone.commit();
 }
 

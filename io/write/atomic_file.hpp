@@ -2,6 +2,7 @@
 #pragma once
 
 // Output files appear whole or not at all, one by one or several together.
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,10 @@ namespace crest::io {
 ///   replaced).
 /// Throws: kernel::InputError, one line naming the file.
 void write_atomically(const std::string& path, std::string_view bytes);
+
+/// The same for a file of pieces, which `write` hands to its argument one after the other.
+using Sink = std::function<void(std::string_view)>;
+void write_atomically(const std::string& path, const std::function<void(const Sink&)>& write);
 
 /// Throws kernel::InputError as write_atomically() would if no file can be made at `path`.
 void require_writable(const std::string& path);
@@ -34,7 +39,8 @@ class PendingFiles {
   void commit();
 
  private:
-  friend void write_atomically(const std::string& path, std::string_view bytes);
+  friend void write_atomically(const std::string& path,
+                               const std::function<void(const Sink&)>& write);
   class File;
   std::vector<File> files_;
   PendingFiles* outer_;

@@ -11,6 +11,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -22,6 +23,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "io/formats/vtk_quiet.hpp"
 
@@ -127,13 +129,21 @@ std::string with_finite_ranges(std::string xml) {
   return xml;
 }
 
+/// VTK's getter copies the file.
+template <class Writer>
+class TakenFrom : public Writer {
+ public:
+  static TakenFrom* New() { VTK_STANDARD_NEW_BODY(TakenFrom); }
+  std::string take() { return std::move(this->OutputString); }
+};
+
 template <class Writer, class Data>
 std::string bytes_of(Data& data) {
   require_sound(data);  // first: VTK crashes on some of what is not
   const VtkQuiet quiet;
   // In several threads it depends on them which of 0 and -0 is the least number of an array.
   vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
-  vtkNew<Writer> writer;
+  vtkNew<TakenFrom<Writer>> writer;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
   // Never appended data: ParaView 5.11 with Debian 12's libexpat 2.5.0-1+deb12u5 reads none of it.
@@ -142,7 +152,7 @@ std::string bytes_of(Data& data) {
   writer->SetByteOrderToLittleEndian();
   if (writer->Write() != 1 || !quiet.complaint().empty())
     throw std::runtime_error("VTK cannot write the data: " + quiet.complaint());
-  return with_finite_ranges(writer->GetOutputString());
+  return with_finite_ranges(writer->take());
 }
 
 }  // namespace

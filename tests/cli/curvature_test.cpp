@@ -68,7 +68,11 @@ TEST_CASE("what curvature writes it reads back: the mesh and its normals, vtp an
       CHECK(read_json(folder / "a.json")[name] == read_json(folder / "b.json")[name]);
   }
   CHECK(run_crest(np + " -o n.vtu", folder.path()).exit_code == 0);
+  CHECK(read_text(folder / "n.vtu").find("corner_K") == std::string::npos);
+  CHECK(run_crest(np + " --corners -o n.vtu", folder.path()).exit_code == 0);
   CHECK(read_text(folder / "n.vtu").find("corner_K") != std::string::npos);
+  check_refused("crest curvature t.off --method jet --corners -o n.vtu", folder.path(), 2, "np");
+  check_refused(np + " --corners -o n.ply", folder.path(), 2, ".vtu");
 }
 
 TEST_CASE("curvature says what is wrong in one line") {

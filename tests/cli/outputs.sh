@@ -50,7 +50,7 @@ run 0 crest spline moebius.nrrd --isovalue 0.4 --picture q1.png --size 96 --cert
 run 0 crest spline q1.vti --isovalue 0.4 --picture q2.svg --size 64 --mesh q2.vtp --report q2.json
 run 0 crest spline shell.vti --border extend --isovalue 0.31 --mesh q3.ply --certificate q3.crest --report q3.json
 
-run 0 crest curvature ellipsoid.off -o c1.vtp --focal c1-focal.vtp --picture c1.svg --report c1.json --cite
+run 0 crest curvature ellipsoid.off --corners -o c1.vtp --focal c1-focal.vtp --picture c1.svg --report c1.json --cite
 run 0 crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 --rotate \
   -o c2.ply --focal-picture c2.svg --report c2.json
 run 0 crest curvature torus.vtp --method normal-cycle -o c3.vtu --picture c3.png --colour K --report c3.json

@@ -67,7 +67,7 @@ TEST_CASE("crest reeb: outputs, report and an accepted certificate, the same byt
   }
   CHECK(report["predicates"]["line_critical"]["calls"] > 0);
   for (const char* phase :
-       {"read", "tessellate", "graph", "certificate", "places", "labels", "write", "total"})
+       {"read", "tessellate", "graph", "certificate", "places", "write", "total"})
     CHECK(report["seconds"].contains(phase));
   CHECK_FALSE(report["seconds"].contains("simplify"));
   CHECK(report["function"] == "T");

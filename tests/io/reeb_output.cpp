@@ -27,8 +27,10 @@ struct Stage {
   crest::kernel::QuadraticMesh mesh;
   crest::reeb::TileComplex tiles = crest::reeb::tessellate(mesh);
   std::vector<crest::reeb::NodePlace> places = crest::reeb::node_places(mesh, tiles);
-  ReebGraph graph = crest::reeb::reeb_graph(crest::reeb::ordered(tiles));
-  std::vector<Index> arc_of_node = crest::reeb::arc_of_vertices(crest::reeb::ordered(tiles), graph);
+  crest::reeb::LabelledGraph labelled =
+      crest::reeb::reeb_graph_and_arcs(crest::reeb::ordered(tiles));
+  ReebGraph graph = labelled.graph;
+  std::vector<Index> arc_of_node = labelled.arc_of_vertex;
   std::vector<Index> no_tiles = {}, arc_of_tile = std::vector<Index>(tiles.tiles.size(), 0);
   std::vector<crest::io::TreeLines> trees = {{3, {{0, 1}, {1, 2}}}};
   std::vector<crest::io::LevelLines> levels = {{0.3, crest::reeb::contours(mesh, tiles, 0.3)}};

@@ -20,15 +20,16 @@ constexpr int kSeeds = 40;
 void check(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const OracleGraph truth = slab_oracle(c.complex());
-  const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
-  const OracleGraph ours = named(c.complex(), graph, reeb::arc_of_vertices(c.complex(), graph));
+  const reeb::LabelledGraph labelled = reeb::reeb_graph_and_arcs(c.complex());
+  const reeb::ReebGraph& graph = labelled.graph;
+  const OracleGraph ours = named(c.complex(), graph, labelled.arc_of_vertex);
   CHECK(ours.nodes == truth.nodes);
   std::vector<OracleArc> arcs = ours.arcs;
   CHECK(std::is_sorted(arcs.begin(), arcs.end()));
   CHECK(arcs == truth.arcs);
   CHECK(ours.arc_of_vertex == truth.arc_of_vertex);
   const reeb::Segmentation parts = reeb::segmentation(c.complex(), graph);
-  CHECK(parts.arc_of_vertex == reeb::arc_of_vertices(c.complex(), graph));
+  CHECK(parts.arc_of_vertex == labelled.arc_of_vertex);
   std::vector<std::array<OracleArc, 3>> triangles;
   for (const auto& t : parts.triangles) {
     const auto name = [&](kernel::Index a) { return named(c.complex(), graph, a); };
@@ -104,9 +105,11 @@ TEST_CASE("Reeb graphs do not depend on the triangles' order or direction") {
       INFO(r.name << ", trial " << trial);
       const std::vector<double> values = noise_values(s, random());
       const OrderedCase c(s, values), d(turned_at_random(s, random), values);
-      const reeb::ReebGraph g = reeb::reeb_graph(c.complex()), h = reeb::reeb_graph(d.complex());
-      CHECK(same_graph(g, h));
-      CHECK(reeb::arc_of_vertices(c.complex(), g) == reeb::arc_of_vertices(d.complex(), h));
+      const reeb::LabelledGraph g = reeb::reeb_graph_and_arcs(c.complex());
+      const reeb::LabelledGraph h = reeb::reeb_graph_and_arcs(d.complex());
+      CHECK(same_graph(g.graph, h.graph));
+      CHECK(same_graph(g.graph, reeb::reeb_graph(c.complex())));
+      CHECK(g.arc_of_vertex == h.arc_of_vertex);
     }
   }
 }

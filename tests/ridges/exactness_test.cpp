@@ -109,6 +109,21 @@ TEST_CASE("certificates do not depend on the number of threads") {
   CHECK(run(4) == one);
 }
 
+TEST_CASE("patches of many umbilics do not depend on the number of threads") {
+  RidgeCase c = exact_case("ellipsoid", {1, 1.5, 2}, 2500, true);
+  for (std::uint64_t seed = 0; seed < scaled(4); ++seed) {
+    c.forms = random_forms(c.forms.size(), Family::generic, seed);
+    auto run = [&](std::size_t threads) {
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      return certificate_of(c);
+    };
+    CHECK(ridges::extract_ridge_graph(c.mesh, c.forms).umbilics.size() > 500);
+    const certify::Bytes one = run(1);
+    CHECK(run(2) == one);
+    CHECK(run(4) == one);
+  }
+}
+
 TEST_CASE("the checker accepts what is extracted, under both arithmetics") {
   for (const char* name : {"ellipsoid", "blend", "perturbed-torus"}) {
     const RidgeCase c = fitted_case(name, {}, 2500, true);
