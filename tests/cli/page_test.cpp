@@ -37,7 +37,7 @@ TEST_CASE("crest --page: every command with a picture, the same bytes with one t
         "extremal m.nrrd --ridge --min-value 0.4", "spline m.nrrd --isovalue 0.4", "skeleton l.vtu",
         "compress l.vtu",
         "ridges --param 'u; v; u^2 + 0.5*v^2 + 0.2*u^3 + 0.3*u*v^2 + 0.1*v^3' --domain "
-        "'-0.5,0.6,-0.5,0.6'"}) {
+        "-0.5,0.6,-0.5,0.6"}) {
     INFO(line);
     std::string pages[2];
     for (const int threads : {1, 2}) {

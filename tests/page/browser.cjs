@@ -71,6 +71,10 @@ async function compare(page, name) {
     fs.writeFileSync(file, now);
     return;
   }
+  if (!fs.existsSync(file)) {
+    console.log(`SKIPPED: no stored screenshot ${file} (--update)`);
+    return;
+  }
   const share = await difference(page, now.toString("base64"), fs.readFileSync(file).toString("base64"));
   check(share < 0.03, `${name}: ${(100 * share).toFixed(2)} % of the pixels differ from ${file}`);
   if (share >= 0.03) fs.writeFileSync(path.join(options.pages, `${name}-now.png`), now);
