@@ -141,7 +141,9 @@ class BarrierMaker {
                              const std::array<Real, 2>& p, const std::array<Real, 2>& q);
   std::pair<int, Real> exit_of(const Piece& piece, const std::array<Real, 2>& end, int entry) const;
   bool one_way(Piece& piece) const;
-  bool control_points(Piece& piece, int entry, int exit);
+  bool surely_one_way(Piece& piece) const;
+  bool surely_inside(const Piece& piece, int entry, int exit) const;
+  bool inside(const Piece& piece, int entry, int exit);
   Real root(const Piece& piece, int corner, bool divided) const;
   Real coefficient(const Piece& piece, int corner, int k) const;
   std::optional<ArcEnd<Real>> leave(const TriangleFrame<Real>& frame, const Real& x, const Real& y,
@@ -151,8 +153,9 @@ class BarrierMaker {
   BarrierSetting setting_;
   Real unit_, theta_;
   bool exhausted_ = false, quick_ = false;
-  std::vector<Real> inverse_binomial_;           ///< of degree over k
-  std::vector<std::array<Real, 2>> c_, points_;  ///< of the piece at hand
+  std::vector<Real> inverse_binomial_;                  ///< of degree over k
+  std::vector<std::array<Real, 2>> c_, points_;         ///< of the piece at hand
+  mutable std::vector<std::array<double, 2>> doubles_;  ///< nearly c_
 };
 
 }  // namespace crest::vector_fields

@@ -29,8 +29,8 @@ double from_tail(const Real& t) {
 template <class Real>
 class Follower {
  public:
-  Follower(const Surroundings& around, const BarrierSetting& setting, std::vector<Annulus>& annuli)
-      : around_(around), maker_(around.domain, setting), search_(around, annuli) {}
+  Follower(const Surroundings& around, const BarrierSetting& setting, AnnulusNotes& notes)
+      : around_(around), maker_(around.domain, setting), search_(around, notes) {}
 
   /// Whether it ends by name.
   bool follow(const Start& line, Trace& trace) {
@@ -59,6 +59,9 @@ class Follower {
       triangle = gate.side / 3;
       trace.line.push_back(middle(gate));
       trace.width = width(gate);
+      trace.gates.push_back({gate.side, static_cast<Index>(trace.turns.size()),
+                             static_cast<double>(gate.left), static_cast<double>(gate.right),
+                             trace.width});
       if (in_annulus(trace, gate) || at_wall(trace, gate)) return true;
       if (trace.turns.size() > most_crossings(trace.setting.bits)) {
         trace.reason = OpenReason::budget;
@@ -156,43 +159,48 @@ class Follower {
 
 }  // namespace
 
-/// At one precision after the other, until one suffices. `straight`: the line's first part, or
-/// none.
+/// `straight`: the line's first part, or none.
 template <class Real>
 bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
-               const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
-  Follower<Real> follower(around, setting, annuli);
+               const Trace& straight, AnnulusNotes& notes, Trace& result) {
+  Follower<Real> follower(around, setting, notes);
   if (!straight.straight) return follower.follow(start, result);
   result = straight;
   return follower.follow_leg(result);
 }
 
-Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli) {
-  Trace result, straight;
-  result.start = start;
-  result.reason = OpenReason::vertex_hit;
+std::vector<Trace> trace(const Surroundings& around, const Start& start, AnnulusNotes& notes) {
+  std::vector<Trace> attempts(1);
+  attempts.back().start = start;
+  attempts.back().reason = OpenReason::vertex_hit;
   // Lines that do not settle down, or return to where they were, do so at any precision.
   const auto final = [&](bool found) {
-    return found || result.creeps || result.reason == OpenReason::budget ||
-           result.reason == OpenReason::weak_focus;
+    const Trace& t = attempts.back();
+    return found || t.creeps || t.reason == OpenReason::budget ||
+           t.reason == OpenReason::weak_focus;
   };
   if (start.kind != StartKind::none &&
-      final(Follower<double>(around, kDoubles, annuli).follow(start, result)))
-    return result;
+      final(Follower<double>(around, kDoubles, notes).follow(start, attempts.back())))
+    return attempts;
   Start exact_start = start;
+  Trace straight;
   if (start.kind == StartKind::ray) exact_start.direction = exact_direction(around.domain, start);
   if (exact_start.direction) {
     walk_straight(around, exact_start, straight);
-    if (straight.end != EndKind::undecided) return straight;
+    if (straight.end != EndKind::undecided) {
+      attempts.push_back(std::move(straight));
+      return attempts;
+    }
     if (straight.leg.kind == StartKind::none) straight.straight.reset();
   }
-  if (start.kind == StartKind::none && !straight.straight) return result;
+  if (start.kind == StartKind::none && !straight.straight) return attempts;
+  // At one precision after the other, until one suffices.
   const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
-    return final(follow_at<Real>(around, setting, start, straight, annuli, result));
+    return final(follow_at<Real>(around, setting, start, straight, notes, attempts.emplace_back()));
   };
   (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
       at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});
-  return result;
+  return attempts;
 }
 
 std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& f, bool attracting) {

@@ -2,6 +2,7 @@
 #pragma once
 
 // Separatrices: where each starts, the triangles it crosses, its proven end.
+#include <span>
 #include <unordered_map>
 
 #include "algorithms/vector_fields/barrier.hpp"
@@ -44,6 +45,15 @@ struct StraightPart {
 /// Of corridors in doubles.
 inline constexpr BarrierSetting kDoubles{53, 36, 12, 0};
 
+/// A gate that a line went through: its ends in doubles, which are strictly inside a segment of
+/// doubles only if they are so before rounding.
+struct PassedGate {
+  HalfEdge side = kNone;
+  Index turns = 0;  ///< before it
+  double left = 0, right = 0;
+  double width = 0;
+};
+
 /// One separatrix as it was proven.
 struct Trace {
   Start start;
@@ -61,6 +71,7 @@ struct Trace {
   bool creeps = false;  ///< undecided next to a zero corner, where it may end
   double width = 0;
   std::vector<Vec2> line;
+  std::vector<PassedGate> gates;  ///< a point of the line each, the last ones
 };
 
 /// An annulus that lines enter through a gate and return to.
@@ -108,7 +119,24 @@ struct Surroundings {
   }
 };
 
-/// Follows a start at rising precision; annuli that are found join the others.
-Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli);
+/// Annuli while one line is followed.
+struct AnnulusNotes {
+  std::span<const Annulus> known;
+  std::vector<Annulus> found = {};
+  std::vector<PassedGate> asked = {};  ///< where a known one would have stopped the search
+
+  std::size_t size() const { return known.size() + found.size(); }
+  const Annulus& operator[](std::size_t i) const {
+    return i < known.size() ? known[i] : found[i - known.size()];
+  }
+};
+
+/// Follows a start at rising precision: all attempts, of which the last one counts.
+std::vector<Trace> trace(const Surroundings& around, const Start& start, AnnulusNotes& notes);
+
+/// Follows all starts, on several threads; annuli that are found join the others. Each line ends
+/// where it first enters one of them. Guarantees: the same result for any number of threads.
+std::vector<Trace> trace_all(const Surroundings& around, const std::vector<Start>& starts,
+                             std::vector<Annulus>& annuli);
 
 }  // namespace crest::vector_fields
