@@ -48,19 +48,35 @@ void report_compression(Report& report, const PlanarField& field, const Compress
   report["ordered_by_inheritance"] = c.inherited;
   report["rounds"] = c.rounds;
   report["pinned"] = c.pinned;
-  report["same_skeleton"] = r.same_skeleton;
+  report["same_skeleton"] = r.importance ? Json() : Json(r.same_skeleton);
+  if (r.importance) {
+    Json simplify = importance_in_words(*r.importance, *options.simplify, options.laplacian);
+    simplify["important_same"] = r.same_skeleton;
+    simplify["cancelled"] = c.cancelled;
+    simplify["left_below"] = c.left_below;
+    report["simplify"] = simplify;
+  }
   report["skeleton"] = skeleton_in_words(r.field, r.after);
 }
 
 std::string compression_summary(const PlanarField& field, const Compression& r) {
+  const std::string open =
+      r.counts.undecided == 0
+          ? ""
+          : fmt::format(", but for {} undecided separatrices", r.counts.undecided);
+  if (r.importance)
+    return fmt::format(
+               "{} triangles of {}: {:.1f} % saved, {} collapses in {} passes\n"
+               "{} critical points are gone, {} unimportant ones left; what is important is the "
+               "same in both proven skeletons{}, which no certificate states:\n",
+               r.field.triangles.size(), field.triangles.size(), saved(field, r.field),
+               r.counts.collapses, r.counts.passes, r.counts.cancelled, r.counts.left_below, open) +
+           skeleton_summary(r.after);
   return fmt::format(
              "{} triangles of {}: {:.1f} % saved, {} collapses in {} passes\n"
              "the same skeleton, proven for both fields{}:\n",
              r.field.triangles.size(), field.triangles.size(), saved(field, r.field),
-             r.counts.collapses, r.counts.passes,
-             r.counts.undecided == 0
-                 ? ""
-                 : fmt::format(", but for {} undecided separatrices", r.counts.undecided)) +
+             r.counts.collapses, r.counts.passes, open) +
          skeleton_summary(r.after);
 }
 

@@ -28,7 +28,8 @@ void add_vector_options(CLI::App& app, io::VectorRequest& request) {
   app.add_flag("--all", request.all, "keep points that the file flags as bad");
 }
 
-void add_simplify_options(CLI::App& app, SimplifyOptions& options, const std::string& help) {
+CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options,
+                                  const std::string& help) {
   using vector_fields::Laplacian;
   auto* simplify = app.add_option("--simplify", options.threshold, help)
                        ->check(finite_number(0) & CLI::Range(0.0, 1.0))
@@ -44,6 +45,7 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options, const std::st
                  "the field at time W of its way to the smoothed one (.vtu)")
       ->needs(simplify)
       ->type_name("FILE");
+  return simplify;
 }
 
 }  // namespace crest::cli

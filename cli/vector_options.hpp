@@ -10,7 +10,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace crest::cli {
 
@@ -26,6 +27,7 @@ struct SimplifyOptions {
   std::string smoothed;  ///< --smoothed
 };
 
-void add_simplify_options(CLI::App& app, SimplifyOptions& options, const std::string& help);
+/// Returns --simplify itself.
+CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options, const std::string& help);
 
 }  // namespace crest::cli

@@ -213,6 +213,7 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
       [&](const Analysis& input, const Analysis& output, const SkeletonMatch& match) {
         record.input = record_of(input);
         record.output = record_of(output);
+        if (options.simplify) return;  // two skeletons
         record.zeros = match.zeros;
         record.orbits = match.orbits;
         record.separatrices = match.separatrices;

@@ -170,7 +170,7 @@ std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
                    1 - (orbit.low.back() + orbit.high.back()) / 2, orbit.exits.size());
   std::vector<Index> result;
   for (Index z = 0; z < zeros.size(); ++z)
-    if (inside(polygon, place_of(z))) result.push_back(z);
+    if (zeros[z].kept && inside(polygon, place_of(z))) result.push_back(z);
   for (Index i = 0; i < loop_points_.size(); ++i)
     if (inside(polygon, loop_points_[i])) result.push_back(static_cast<Index>(zeros.size()) + i);
   return result;
