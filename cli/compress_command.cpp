@@ -66,7 +66,7 @@ Outcome work(Run& run, const CompressOptions& o) {
                              result.field.vectors);
     });
     run.write("--picture", [&](const std::string& path) {
-      io::write_skeleton_picture(path, {&result.field, &result.after});
+      io::write_comparison_picture(path, {&field, &result.before}, {&result.field, &result.after});
     });
     run.write("--smoothed", [&](const std::string& path) {
       const auto at = vector_fields::blended(

@@ -2,6 +2,10 @@
 #include "cli/compression_report.hpp"
 
 #include <fmt/format.h>
+#include <lzma.h>
+
+#include <stdexcept>
+#include <vector>
 
 #include "cli/skeleton_report.hpp"
 
@@ -15,9 +19,27 @@ double saved(const PlanarField& before, const PlanarField& after) {
                    static_cast<double>(before.triangles.size());
 }
 
-/// Of positions, vectors and triangles.
-std::size_t bytes(const PlanarField& field) {
-  return 32 * field.points.size() + 12 * field.triangles.size();
+/// Positions, vectors and triangles.
+std::vector<std::uint8_t> bytes(const PlanarField& field) {
+  std::vector<std::uint8_t> result;
+  const auto add = [&](const auto& items) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(items.data());
+    result.insert(result.end(), first, first + items.size() * sizeof items[0]);
+  };
+  add(field.points);
+  add(field.vectors);
+  add(field.triangles);
+  return result;
+}
+
+/// Bytes of that as an .xz file.
+std::size_t packed(const std::vector<std::uint8_t>& raw) {
+  std::vector<std::uint8_t> result(lzma_stream_buffer_bound(raw.size()));
+  std::size_t size = 0;
+  if (lzma_easy_buffer_encode(LZMA_PRESET_DEFAULT, LZMA_CHECK_CRC64, nullptr, raw.data(),
+                              raw.size(), result.data(), &size, result.size()) != LZMA_OK)
+    throw std::runtime_error("xz: the arrays cannot be packed");
+  return size;
 }
 
 }  // namespace
@@ -32,7 +54,11 @@ void report_compression(Report& report, const PlanarField& field, const Compress
   report["ratio"] = saved(field, r.field);
   report["vertices_before"] = field.points.size();
   report["vertices_after"] = r.field.points.size();
-  report["bytes"] = {{"before", bytes(field)}, {"after", bytes(r.field)}};
+  const auto before = bytes(field), after = bytes(r.field);
+  report["bytes"] = {{"before", before.size()},
+                     {"after", after.size()},
+                     {"xz_before", packed(before)},
+                     {"xz_after", packed(after)}};
   const CompressionCounts& c = r.counts;
   report["passes"] = c.passes;
   report["collapses"] = c.collapses;

@@ -27,4 +27,9 @@ void write_skeleton(const std::string& path, const SkeletonScene& scene);
 /// written.
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene);
 
+/// Two fields on one domain side by side: above their meshes, below what write_skeleton_picture()
+/// shows. The same otherwise.
+void write_comparison_picture(const std::string& path, const SkeletonScene& before,
+                              const SkeletonScene& after);
+
 }  // namespace crest::io
