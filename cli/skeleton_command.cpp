@@ -23,6 +23,7 @@ struct SkeletonOptions {
   CommonOptions common;
   io::VectorRequest vectors;
   SimplifyOptions simplify;
+  std::string paths;
 };
 
 /// Weights with the field that they come from.
@@ -81,6 +82,9 @@ Outcome work(Run& run, const SkeletonOptions& o) {
       const auto at = vector_fields::blended(field, simpler->smooth, *o.simplify.threshold);
       io::write_planar_field(path, at.points, at.triangles, file.field, at.vectors);
     });
+    run.write("--paths", [&](const std::string& path) {
+      io::write_paths(path, skeleton, simpler->importance);
+    });
   });
   std::string summary = skeleton_summary(skeleton);
   if (simpler) summary += importance_summary(simpler->importance, *o.simplify.threshold);
@@ -92,14 +96,20 @@ std::function<int()> add(CLI::App& app) {
   SkeletonOptions& o = *options;
   add_common_options(app, o.common, kVectorFormats, "the skeleton (.vtp)");
   add_vector_options(app, o.vectors);
-  add_simplify_options(app, o.simplify,
-                       "weigh critical points and separatrices from 0 to 1; -o and --picture show "
-                       "those of weight W or more; weights are not certified");
+  CLI::Option* simplify = add_simplify_options(
+      app, o.simplify,
+      "weigh critical points and separatrices from 0 to 1; -o and --picture show "
+      "those of weight W or more; weights are not certified");
+  app.add_option("--paths", o.paths,
+                 "the ways of critical points to the smoothed field, the time as z (.vtp)")
+      ->needs(simplify)
+      ->type_name("FILE");
   return [options] {
     return run_command({"skeleton",
                         options->common,
                         {".vtp"},
-                        {{"--smoothed", options->simplify.smoothed, {".vtu"}}}},
+                        {{"--smoothed", options->simplify.smoothed, {".vtu"}},
+                         {"--paths", options->paths, {".vtp"}}}},
                        [&](Run& run) { return work(run, *options); });
   };
 }

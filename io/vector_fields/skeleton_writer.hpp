@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/vector_fields/importance.hpp"
 #include "algorithms/vector_fields/skeleton_result.hpp"
 
 namespace crest::io {
@@ -20,6 +21,11 @@ struct SkeletonScene {
 /// Guarantees: no half-written file. Throws: kernel::InputError for another extension or a place
 /// that cannot be written.
 void write_skeleton(const std::string& path, const SkeletonScene& scene);
+
+/// .vtp: the ways of critical points to the smoothed field, the time as z; two partners share one.
+/// Arrays zero, partner (-1: none), first, weight. The same otherwise.
+void write_paths(const std::string& path, const vector_fields::Skeleton& skeleton,
+                 const vector_fields::Importance& importance);
 
 /// The field by line integral convolution with the skeleton on top: saddles blue, sources red,
 /// sinks green, switch points yellow, outflow red, inflow green, separatrices black.
