@@ -301,7 +301,7 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::leave(const TriangleFrame<Real>&
 template <class Real>
 std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& frame, const Real& x,
                                                     const Real& y, bool left, int entry,
-                                                    const Ellipse* trap) {
+                                                    const TrapShape* trap) {
   using std::fabs;
   const Real turn = left ? theta_ : Real(-theta_);
   const auto turned = [&](const Real& u, const Real& v) {

@@ -46,7 +46,7 @@ struct SearchZero {
   Index triangle = kNone;  ///< kNone: gone, or not inside a triangle
   bool moved = false;
   bool kept = true;
-  std::optional<Ellipse> trap = {};
+  std::optional<TrapShape> trap = {};
 };
 
 /// The separatrices on a mesh that changes.
@@ -93,7 +93,7 @@ class SearchState {
   void freeze_way(const Trace& trace);
   void note_passing();
   void note_arrivals();
-  const Ellipse* trap_in(Index t, bool forward) const;
+  const TrapShape* trap_in(Index t, bool forward) const;
   std::optional<Index> orbit_entered(bool forward, const Step& step) const;
   std::optional<Index> wall_reached(bool forward, HalfEdge entry, double share) const;
   Index region_left(const Step& step, bool forward) const;

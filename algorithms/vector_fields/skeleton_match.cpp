@@ -66,6 +66,8 @@ class Named {
   std::optional<Index> side(Index line) const {
     const Trace& t = a_.traces[line];
     if (t.end == EndKind::undecided || t.straight) return std::nullopt;
+    if (t.end == EndKind::critical_point && a_.zeros[t.target].item.where == ZeroPlace::vertex)
+      return std::nullopt;
     if (t.end != EndKind::closed_orbit) return 0;
     // What comes from outside lies between the gate's end and its return.
     const Annulus& o = a_.annuli[t.target];

@@ -203,41 +203,4 @@ std::vector<Trace> trace(const Surroundings& around, const Start& start, Annulus
   return attempts;
 }
 
-std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& f, bool attracting) {
-  const double a = f.a[0][0], b = f.a[0][1], c = f.a[1][0], d = f.a[1][1];
-  const double det = a * d - b * c, trace = a + d;
-  // A^T P + P A = -I, up to a factor: P = (det I + adj(A)^T adj(A)) / (-2 trace det).
-  double p[3] = {det + d * d + c * c, -(a * c + b * d), det + a * a + b * b};
-  for (double& x : p) x /= -2 * trace * det;
-  const double z[2] = {(f.w[1] * b - f.w[0] * d) / det, (f.w[0] * c - f.w[1] * a) / det};
-  const double l[3] = {1 - z[0] - z[1], z[0], z[1]};
-  const double n[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
-  const double det_p = p[0] * p[2] - p[1] * p[1];
-  double level = HUGE_VAL;
-  for (int k = 0; k < 3; ++k) {
-    const double x = n[k][0], y = n[k][1];
-    const double reach = (p[2] * x * x - 2 * p[1] * x * y + p[0] * y * y) / det_p;
-    level = std::fmin(level, l[k] * l[k] / reach);
-  }
-  level *= 1 - 0x1p-20;
-  if (!(level > 0 && level < HUGE_VAL)) return std::nullopt;
-  return Ellipse{{p[0] / level, p[1] / level, p[2] / level}, {z[0], z[1]}, attracting};
-}
-
-std::unordered_map<Index, Trap> make_traps(const Domain& domain,
-                                           const std::vector<ZeroComponent>& zeros) {
-  std::unordered_map<Index, Trap> traps;
-  for (Index i = 0; i < zeros.size(); ++i) {
-    const CriticalPoint& item = zeros[i].item;
-    if (item.where != ZeroPlace::triangle ||
-        (item.kind != ZeroKind::sink && item.kind != ZeroKind::source))
-      continue;
-    const bool attracting = item.kind == ZeroKind::sink;
-    const TriangleFrame<double> f(domain, item.simplex, 0, attracting, 0x1p-53);
-    if (const auto ellipse = ellipse_in(f, attracting))
-      traps.emplace(item.simplex, Trap{i, *ellipse});
-  }
-  return traps;
-}
-
 }  // namespace crest::vector_fields

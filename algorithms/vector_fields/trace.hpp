@@ -95,13 +95,23 @@ struct AnnulusDoor {
 
 struct Trap {
   Index zero;
-  Ellipse ellipse;
+  TrapShape shape;
 };
 
 /// Around a sink (of the field turned round: a source) inside a triangle, in the frame of corner 0.
-std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& frame, bool attracting);
+std::optional<TrapShape> ellipse_in(const TriangleFrame<double>& frame, bool attracting);
 
-/// Ellipses in the triangles of sinks and sources, by triangle.
+/// A polygon around a zero at an inner vertex that lines enter only: shares of the fan's edges at
+/// which its corners lie. Nothing if there is none of this kind, or the triangles' traces have not
+/// one sign. Found in doubles; a certificate's checker proves it.
+struct TrapPolygon {
+  std::vector<HalfEdge> leaving;  ///< the vertex, counter-clockwise
+  std::vector<double> shares;
+  bool attracting = true;
+};
+std::optional<TrapPolygon> polygon_around(const Domain& domain, const ZeroComponent& zero);
+
+/// Around sinks and sources, by triangle.
 std::unordered_map<Index, Trap> make_traps(const Domain& domain,
                                            const std::vector<ZeroComponent>& zeros);
 
@@ -111,11 +121,11 @@ struct Surroundings {
   const std::vector<ZeroComponent>& zeros;
   const std::unordered_map<Index, Trap>& traps;
 
-  /// The ellipse in a triangle that lines forward, or backward, only enter; or none.
-  const Ellipse* trap_in(Index t, bool forward) const {
+  /// What lines forward, or backward, only enter in a triangle; or none.
+  const TrapShape* trap_in(Index t, bool forward) const {
     const auto at = traps.find(t);
-    return at != traps.end() && at->second.ellipse.attracting == forward ? &at->second.ellipse
-                                                                         : nullptr;
+    return at != traps.end() && at->second.shape.attracting == forward ? &at->second.shape
+                                                                       : nullptr;
   }
 };
 

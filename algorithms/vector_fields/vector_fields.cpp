@@ -84,8 +84,11 @@ Skeleton Analysis::skeleton() const {
     const Vec2 from = t.start.from_switch_point ? boundary.switch_points[t.start.origin].point
                                                 : zeros[t.start.origin].item.point;
     Separatrix& s = result.separatrices.emplace_back(separatrix_of(t, from));
-    if (s.end == EndKind::critical_point && zeros[s.target].item.where == ZeroPlace::triangle)
-      s.line.push_back(zeros[s.target].item.point);
+    if (s.end == EndKind::critical_point) {
+      const CriticalPoint& end = zeros[s.target].item;
+      if (end.where == ZeroPlace::triangle || (end.where == ZeroPlace::vertex && !t.straight))
+        s.line.push_back(end.point);
+    }
     result.counts.crossings += s.crossings;
     if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];
   }
