@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// When two moving plane vectors are opposite (paper 001, section 5.5.2): a = (1 - t) a0 + t a1 and
-// b alike, t from 0 to 1. A zero of a field that is linear on triangles crosses an edge then.
+// Opposite times: when two moving plane vectors are opposite (paper 001, section 5.5.2): a = (1 -
+// t) a0 + t a1 and b alike, t from 0 to 1. A zero of a field that is linear on triangles crosses an
+// edge then.
 //
 // With u = t / (1 - t), which grows with t from 0 to infinity, det(a, b) is a quadratic in u up to
 // a positive factor, without cancellation in its coefficients: det(a0, b0) + (det(a0, b1) + det(a1,
