@@ -355,6 +355,7 @@ CellResult<Real> begin(BarrierMaker<Real>& maker, const Start& start, Trace& tra
 template CellResult<double> begin(BarrierMaker<double>&, const Start&, Trace&, const TrapShape*);
 template CellResult<Real133> begin(BarrierMaker<Real133>&, const Start&, Trace&, const TrapShape*);
 template CellResult<Real332> begin(BarrierMaker<Real332>&, const Start&, Trace&, const TrapShape*);
-template CellResult<Real1000> begin(BarrierMaker<Real1000>&, const Start&, Trace&, const TrapShape*);
+template CellResult<Real1000> begin(BarrierMaker<Real1000>&, const Start&, Trace&,
+                                    const TrapShape*);
 
 }  // namespace crest::vector_fields

@@ -47,7 +47,8 @@ TEST_CASE("turn in time: opposite times agree with algebraic numbers") {
     bool tied = turn.c == 0 && DotInTime{p}.value<double>().c <= 0;
     tied = tied || (turn.a == 0 && DotInTime{p}.value<double>().a <= 0);
     for (const RealRoot& r : real_roots(as_polynomial(turn)).roots) {
-      if (sign_at(as_polynomial(QuadraticOf<double>{0, 1, 0}), r.value).sign != Sign::positive) continue;
+      if (sign_at(as_polynomial(QuadraticOf<double>{0, 1, 0}), r.value).sign != Sign::positive)
+        continue;
       const Sign s = sign_at(dot, r.value).sign;
       if (s == Sign::positive) continue;
       if (s == Sign::zero || r.multiplicity > 1)
