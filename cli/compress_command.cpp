@@ -24,7 +24,20 @@ struct CompressOptions {
   CommonOptions common;
   io::VectorRequest vectors;
   vector_fields::CompressionOptions compression;
+  SimplifyOptions simplify;
 };
+
+/// Of both skeletons; where these differ, of the output's alone.
+void write_certificate(Run& run, const certify::CompressionCertificate& record,
+                       const vector_fields::Compression& result) {
+  const bool simpler = result.importance.has_value();
+  const auto bytes = simpler ? certify::encode(record.output) : certify::encode(record);
+  // The checker shares no code with the compression: what it refuses is a bug on either side.
+  if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+    throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+  run.write_certificate(simpler ? "skeleton" : "compression", bytes,
+                        undecided_count(simpler ? result.after : result.before));
+}
 
 Outcome work(Run& run, const CompressOptions& o) {
   io::PlanarFieldFile file = run.step("read", "reading " + o.common.input, [&] {
@@ -45,27 +58,29 @@ Outcome work(Run& run, const CompressOptions& o) {
             {"roessl2005surfaces"},
             kNotCertified};
   if (run.wanted("--certificate"))
-    run.step("certificate", "writing the certificate", [&] {
-      const auto bytes = certify::encode(record);
-      // The checker shares no code with the compression: what it refuses is a bug on either
-      // side.
-      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
-        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
-      run.write_certificate("compression", bytes, undecided_count(result.before));
-    });
+    run.step("certificate", "writing the certificate",
+             [&] { write_certificate(run, record, result); });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_planar_field(path, result.field.points, result.field.triangles, file.field,
                              result.field.vectors);
     });
     run.write("--picture", [&](const std::string& path) {
-      io::write_skeleton_picture(path, {&result.field, &result.after});
+      io::write_comparison_picture(path, {&field, &result.before}, {&result.field, &result.after});
+    });
+    run.write("--smoothed", [&](const std::string& path) {
+      const auto at = vector_fields::blended(
+          field, vector_fields::smoothed(field, o.simplify.laplacian), *o.simplify.threshold);
+      io::write_planar_field(path, at.points, at.triangles, file.field, at.vectors);
     });
     run.show_page([&] { return io::skeleton_page_scene({&result.field, &result.after}); });
   });
-  return {compression_summary(field, result),
-          {"roessl2005surfaces"},
-          undecided_count(result.before) > 0 ? kNotCertified : kDone};
+  return {
+      compression_summary(field, result),
+      {"roessl2005surfaces"},
+      undecided_count(result.before) > 0 || (result.importance && undecided_count(result.after) > 0)
+          ? kNotCertified
+          : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {
@@ -77,15 +92,22 @@ std::function<int()> add(CLI::App& app) {
   const std::map<std::string, Equivalence> notions = {{"strong", Equivalence::strong},
                                                       {"original", Equivalence::original},
                                                       {"relaxed", Equivalence::relaxed}};
+  CLI::Option* simplify = add_simplify_options(
+      app, o.simplify,
+      "critical points that weigh less than W (0 to 1) may move and vanish in "
+      "pairs; what weighs more stays as in original. The certificate, then, is "
+      "of the output's skeleton alone");
   app.add_option("--equivalence", o.compression.equivalence,
                  "strong: all triangles that the skeleton meets stay; original: those of zeros "
                  "(default); relaxed: zeros may move")
+      ->excludes(simplify)
       ->transform(CLI::CheckedTransformer(notions, CLI::ignore_case))
       ->type_name("WORD");
   const std::map<std::string, CollapseTest> tests = {{"retrace", CollapseTest::retrace},
                                                      {"thesis", CollapseTest::thesis}};
   app.add_option("--test", o.compression.test,
                  "retrace (default), or thesis: also the order on rings, as printed")
+      ->excludes(simplify)
       ->transform(CLI::CheckedTransformer(tests, CLI::ignore_case))
       ->type_name("WORD");
   const std::map<std::string, CollapsePriority> priorities = {{"length", CollapsePriority::length},
@@ -95,7 +117,12 @@ std::function<int()> add(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(priorities, CLI::ignore_case))
       ->type_name("WORD");
   return [options] {
-    return run_command({"compress", options->common, {".vtu"}},
+    options->compression.simplify = options->simplify.threshold;
+    options->compression.laplacian = options->simplify.laplacian;
+    return run_command({"compress",
+                        options->common,
+                        {".vtu"},
+                        {{"--smoothed", options->simplify.smoothed, {".vtu"}}}},
                        [&](Run& run) { return work(run, *options); });
   };
 }

@@ -188,7 +188,7 @@ Extraction extract(Run& run, const io::FunctionSource& source, bool labelled) {
       x.graph = reeb::reeb_graph(complex);
       return;
     }
-    reeb::LabelledGraph result = reeb::reeb_graph_and_arcs(complex);
+    reeb::GraphAndArcs result = reeb::reeb_graph_and_arcs(complex);
     x.graph = std::move(result.graph);
     x.arc_of_node = std::move(result.arc_of_vertex);
   });

@@ -15,6 +15,7 @@
 #include "io/page/scene.hpp"
 #include "io/read/planar_field_reader.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
+#include "io/write/planar_field_writer.hpp"
 
 namespace crest::cli {
 namespace {
@@ -22,7 +23,25 @@ namespace {
 struct SkeletonOptions {
   CommonOptions common;
   io::VectorRequest vectors;
+  SimplifyOptions simplify;
+  std::string paths;
 };
+
+/// Weights with the field that they come from.
+struct Simplification {
+  std::vector<kernel::Vec2> smooth;
+  vector_fields::Importance importance;
+  vector_fields::Skeleton part;  ///< what is important
+};
+
+Simplification simplify(const vector_fields::PlanarField& field,
+                        const vector_fields::Skeleton& skeleton, const SimplifyOptions& o) {
+  Simplification s;
+  s.smooth = vector_fields::smoothed(field, o.laplacian);
+  s.importance = vector_fields::weigh(field, s.smooth, skeleton);
+  s.part = vector_fields::important_part(skeleton, s.importance, *o.threshold);
+  return s;
+}
 
 Outcome work(Run& run, const SkeletonOptions& o) {
   io::PlanarFieldFile file = run.step("read", "reading " + o.common.input, [&] {
@@ -36,9 +55,16 @@ Outcome work(Run& run, const SkeletonOptions& o) {
     return run.with_input([&] { return vector_fields::extract_skeleton(field, record); });
   });
   run.report()["vectors"] = file.field;
-  const Json words = skeleton_in_words(field, skeleton);
+  std::optional<Simplification> simpler;
+  if (o.simplify.threshold)
+    simpler = run.step("simplify", "weighing critical points",
+                       [&] { return simplify(field, skeleton, o.simplify); });
+  const Json words = skeleton_in_words(field, skeleton, simpler ? &simpler->importance : nullptr);
   for (const auto& [key, value] : std::get<Json::Members>(words.value())) run.report()[key] = value;
-  io::SkeletonScene scene{&field, &skeleton};
+  if (simpler)
+    run.report()["simplify"] =
+        importance_in_words(simpler->importance, *o.simplify.threshold, o.simplify.laplacian);
+  io::SkeletonScene scene{&field, simpler ? &simpler->part : &skeleton};
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
@@ -54,10 +80,17 @@ Outcome work(Run& run, const SkeletonOptions& o) {
     run.write("--picture",
               [&](const std::string& path) { io::write_skeleton_picture(path, scene); });
     run.show_page([&] { return io::skeleton_page_scene(scene); });
+    run.write("--smoothed", [&](const std::string& path) {
+      const auto at = vector_fields::blended(field, simpler->smooth, *o.simplify.threshold);
+      io::write_planar_field(path, at.points, at.triangles, file.field, at.vectors);
+    });
+    run.write("--paths", [&](const std::string& path) {
+      io::write_paths(path, skeleton, simpler->importance);
+    });
   });
-  return {skeleton_summary(skeleton),
-          {"roessl2005surfaces"},
-          undecided_count(skeleton) > 0 ? kNotCertified : kDone};
+  std::string summary = skeleton_summary(skeleton);
+  if (simpler) summary += importance_summary(simpler->importance, *o.simplify.threshold);
+  return {summary, {"roessl2005surfaces"}, undecided_count(skeleton) > 0 ? kNotCertified : kDone};
 }
 
 std::function<int()> add(CLI::App& app) {
@@ -65,8 +98,20 @@ std::function<int()> add(CLI::App& app) {
   SkeletonOptions& o = *options;
   add_common_options(app, o.common, kVectorFormats, "the skeleton (.vtp)");
   add_vector_options(app, o.vectors);
+  CLI::Option* simplify = add_simplify_options(
+      app, o.simplify,
+      "weigh critical points and separatrices from 0 to 1; -o and --picture show "
+      "those of weight W or more; weights are not certified");
+  app.add_option("--paths", o.paths,
+                 "the ways of critical points to the smoothed field, the time as z (.vtp)")
+      ->needs(simplify)
+      ->type_name("FILE");
   return [options] {
-    return run_command({"skeleton", options->common, {".vtp"}},
+    return run_command({"skeleton",
+                        options->common,
+                        {".vtp"},
+                        {{"--smoothed", options->simplify.smoothed, {".vtu"}},
+                         {"--paths", options->paths, {".vtp"}}}},
                        [&](Run& run) { return work(run, *options); });
   };
 }

@@ -39,7 +39,7 @@ std::size_t count(const Skeleton& s, EndKind end) {
                                                 [&](const Separatrix& l) { return l.end == end; }));
 }
 
-Json critical_points(const Skeleton& s) {
+Json critical_points(const Skeleton& s, const Importance* importance) {
   Json items = Json::array();
   std::size_t foci = 0;
   for (const CriticalPoint& c : s.critical_points) {
@@ -55,6 +55,11 @@ Json critical_points(const Skeleton& s) {
                                         {"elliptic", c.sectors->elliptic},
                                         {"parabolic", c.sectors->parabolic}})
                                 : Json();
+    if (importance != nullptr) {
+      const ZeroWeight& w = importance->zeros[static_cast<std::size_t>(&c - &s.critical_points[0])];
+      item["weight"] = w.weight;
+      item["partner"] = w.end == PathEnd::partner ? Json(w.partner) : Json();
+    }
     items.push_back(std::move(item));
   }
   return {{"count", s.critical_points.size()},
@@ -134,13 +139,46 @@ Json separatrices(const Skeleton& s) {
           {"undecided_items", undecided}};
 }
 
+/// Of weights between i/10 and (i + 1)/10, 1 among the last.
+template <class Items, class Weight>
+Json histogram(const Items& items, Weight&& weight) {
+  std::array<std::size_t, 10> bins{};
+  for (const auto& x : items) ++bins[static_cast<std::size_t>(std::min(9.0, 10 * weight(x)))];
+  return bins;
+}
+
+std::size_t count_important(const Importance& w, double threshold) {
+  return static_cast<std::size_t>(std::count_if(
+      w.zeros.begin(), w.zeros.end(), [&](const ZeroWeight& z) { return z.weight >= threshold; }));
+}
+
 }  // namespace
+
+Json importance_in_words(const Importance& w, double threshold, Laplacian laplacian) {
+  return {{"threshold", threshold},
+          {"laplacian", laplacian == Laplacian::uniform ? "uniform" : "cotan"},
+          {"pairs", w.pairs},
+          {"unpaired", w.staying + w.open},
+          {"undecided", w.open},
+          {"important", count_important(w, threshold)},
+          {"histograms",
+           {{"critical_points_first", histogram(w.zeros, [](const auto& z) { return z.first; })},
+            {"critical_points", histogram(w.zeros, [](const auto& z) { return z.weight; })},
+            {"separatrices", histogram(w.separatrices, [](double x) { return x; })}}},
+          {"certified", false}};
+}
+
+std::string importance_summary(const Importance& w, double threshold) {
+  return fmt::format(
+      "{} pairs of critical points, {} unpaired; {} weigh {} or more; weights are not certified\n",
+      w.pairs, w.staying + w.open, count_important(w, threshold), threshold);
+}
 
 std::size_t undecided_count(const Skeleton& skeleton) {
   return count(skeleton, EndKind::undecided);
 }
 
-Json skeleton_in_words(const PlanarField& field, const Skeleton& s) {
+Json skeleton_in_words(const PlanarField& field, const Skeleton& s, const Importance* importance) {
   Json report;
   report["vertices"] = field.points.size();
   report["triangles"] = field.triangles.size();
@@ -148,7 +186,7 @@ Json skeleton_in_words(const PlanarField& field, const Skeleton& s) {
   report["euler_characteristic"] = s.euler_characteristic;
   report["zero_flow"] = {
       {"triangles", s.zero_triangles}, {"regions", s.zero_regions}, {"edges", s.zero_edges}};
-  report["critical_points"] = critical_points(s);
+  report["critical_points"] = critical_points(s, importance);
   report["boundary_switch_points"] = switch_points(s);
   report["boundary_loops"] = loops(s);
   report["index_sum"] = s.index_sum;

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "cli/common_options.hpp"
+
 namespace crest::cli {
 
 const char* const kVectorFormats =
@@ -24,6 +26,26 @@ void add_vector_options(CLI::App& app, io::VectorRequest& request) {
       ->check(CLI::Range(0, 1'000'000'000))
       ->type_name("K");
   app.add_flag("--all", request.all, "keep points that the file flags as bad");
+}
+
+CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options,
+                                  const std::string& help) {
+  using vector_fields::Laplacian;
+  auto* simplify = app.add_option("--simplify", options.threshold, help)
+                       ->check(finite_number(0) & CLI::Range(0.0, 1.0))
+                       ->type_name("W");
+  const std::map<std::string, Laplacian> laplacians = {{"uniform", Laplacian::uniform},
+                                                       {"cotan", Laplacian::cotan}};
+  app.add_option("--laplacian", options.laplacian,
+                 "of the smoothed field that gives weights: uniform (default) or cotan")
+      ->transform(CLI::CheckedTransformer(laplacians, CLI::ignore_case))
+      ->needs(simplify)
+      ->type_name("WORD");
+  app.add_option("--smoothed", options.smoothed,
+                 "the field at time W of its way to the smoothed one (.vtu)")
+      ->needs(simplify)
+      ->type_name("FILE");
+  return simplify;
 }
 
 }  // namespace crest::cli

@@ -2,11 +2,16 @@
 #pragma once
 
 // The options of commands that read plane vector fields.
+#include <optional>
+#include <string>
+
+#include "algorithms/vector_fields/importance.hpp"
 #include "io/read/planar_field_reader.hpp"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace crest::cli {
 
@@ -14,5 +19,15 @@ namespace crest::cli {
 extern const char* const kVectorFormats;
 
 void add_vector_options(CLI::App& app, io::VectorRequest& request);
+
+/// --simplify and what belongs to it.
+struct SimplifyOptions {
+  std::optional<double> threshold;
+  vector_fields::Laplacian laplacian = vector_fields::Laplacian::uniform;
+  std::string smoothed;  ///< --smoothed
+};
+
+/// Returns --simplify itself.
+CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options, const std::string& help);
 
 }  // namespace crest::cli

@@ -17,6 +17,12 @@ bool overlaps(const Gate<double>& a, const Gate<double>& b) {
 
 }  // namespace
 
+bool overlaps(const Annulus& a, bool forward, const PassedGate& gate) {
+  return a.side == gate.side && a.forward == forward &&
+         overlaps(Gate<double>{gate.side, gate.left, gate.right},
+                  Gate<double>{a.side, a.left, a.right});
+}
+
 bool AnnulusSearch::hopeless() const {
   return fruitless_ > kMostFruitless;
 }
@@ -49,11 +55,11 @@ bool AnnulusSearch::visit(bool forward, HalfEdge side, double place, std::size_t
 }
 
 /// Whether the way through a gate leads into an annulus that was found, or around it.
-bool AnnulusSearch::known(bool forward, const Gate<double>& gate) const {
-  return std::any_of(annuli_.begin(), annuli_.end(), [&](const Annulus& a) {
-    return a.side == gate.side && a.forward == forward &&
-           overlaps(gate, Gate<double>{a.side, a.left, a.right});
-  });
+bool AnnulusSearch::known(bool forward, const Gate<double>& gate) {
+  notes_.asked.push_back({gate.side, 0, gate.left, gate.right, 0});
+  for (std::size_t i = 0; i < notes_.size(); ++i)
+    if (overlaps(notes_[i], forward, notes_.asked.back())) return true;
+  return false;
 }
 
 /// Between two shares of the side, once around.
@@ -81,7 +87,7 @@ bool AnnulusSearch::try_between(bool forward, HalfEdge side, double low, double 
     if (strictly_inside(at, door)) {
       found.back_left = at.left;
       found.back_right = at.right;
-      annuli_.push_back(std::move(found));
+      notes_.found.push_back(std::move(found));
       return true;
     }
     if (overlaps(at, door)) return false;

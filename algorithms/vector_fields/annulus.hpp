@@ -11,11 +11,14 @@
 
 namespace crest::vector_fields {
 
+/// Whether an annulus' gate overlaps this one.
+bool overlaps(const Annulus& annulus, bool forward, const PassedGate& gate);
+
 /// Along one line.
 class AnnulusSearch {
  public:
-  AnnulusSearch(const Surroundings& around, std::vector<Annulus>& annuli)
-      : around_(around), maker_(around.domain, kDoubles), annuli_(annuli) {
+  AnnulusSearch(const Surroundings& around, AnnulusNotes& notes)
+      : around_(around), maker_(around.domain, kDoubles), notes_(notes) {
     maker_.be_quick();
   }
 
@@ -36,8 +39,8 @@ class AnnulusSearch {
   /// The annulus whose gate holds this one.
   template <class Real>
   std::optional<Index> holding(bool forward, const Gate<Real>& gate) const {
-    for (Index i = 0; i < annuli_.size(); ++i) {
-      const Annulus& a = annuli_[i];
+    for (Index i = 0; i < notes_.size(); ++i) {
+      const Annulus& a = notes_[i];
       if (a.side == gate.side && a.forward == forward &&
           strictly_inside(gate, Gate<double>{a.side, a.left, a.right}))
         return i;
@@ -47,7 +50,7 @@ class AnnulusSearch {
 
  private:
   static constexpr std::size_t kMostTurns = 100'000;
-  bool known(bool forward, const Gate<double>& gate) const;
+  bool known(bool forward, const Gate<double>& gate);
   bool try_between(bool forward, HalfEdge side, double low, double high);
 
   struct Visit {
@@ -56,7 +59,7 @@ class AnnulusSearch {
   };
   const Surroundings& around_;
   BarrierMaker<double> maker_;  ///< annuli need no more
-  std::vector<Annulus>& annuli_;
+  AnnulusNotes& notes_;
   std::unordered_map<HalfEdge, std::vector<Visit>> visits_;
   std::size_t next_try_ = 0, fruitless_ = 0;
   std::size_t most_turns_ = 0;  ///< cells of a trial: twice around

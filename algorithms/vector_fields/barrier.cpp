@@ -10,7 +10,7 @@ namespace crest::vector_fields {
 namespace {
 
 constexpr int kFewPieces = 512, kMostPieces = 4000;
-constexpr int kMostNewton = 100;
+constexpr int kMostNewton = 100, kQuickNewton = 20;
 
 template <class Real>
 Real largest(const Real& x, const Real& y) {
@@ -52,6 +52,7 @@ BarrierMaker<Real>::BarrierMaker(const Domain& domain, const BarrierSetting& set
   }
   c_.resize(static_cast<std::size_t>(setting.degree) + 1);
   points_.resize(c_.size());
+  doubles_.resize(c_.size());
 }
 
 template <class Real>
@@ -68,9 +69,30 @@ Real BarrierMaker<Real>::rounding(const Piece& p) const {
   return 8 * setting_.degree * unit_ * (largest(p.x, p.y) + 2 * p.h * p.m);
 }
 
+/// one_way() in doubles, which do for a filter: what they leave open is looked at again.
+template <class Real>
+bool BarrierMaker<Real>::surely_one_way(Piece& p) const {
+  const auto in_double = [](const Real& x) { return static_cast<double>(x); };
+  double change = 0;
+  for (std::size_t k = 0; k < c_.size(); ++k) {
+    doubles_[k] = {in_double(c_[k][0]), in_double(c_[k][1])};
+    if (k > 1) change += static_cast<double>(k) * largest(doubles_[k][0], doubles_[k][1]);
+  }
+  const double h = in_double(p.h), m = in_double(p.m), error = in_double(p.error);
+  const double tail = in_double(p.norm) * largest(doubles_.back()[0], doubles_.back()[1]);
+  change = (change / h + tail) * 1.001;
+  const double least = (m - change) * 0.999, most = (m + change) * 1.001;
+  p.least = least;
+  p.most = most;
+  const double rest = h * tail + in_double(rounding(p));
+  const double left = in_double(theta_) * h * least * least;
+  return least > 0 && left > 1e-280 && left > 1.01 * (2 * least * rest + 2.5 * h * most * error);
+}
+
 /// Sets the bounds of |w|.
 template <class Real>
 bool BarrierMaker<Real>::one_way(Piece& p) const {
+  if (!std::is_same_v<Real, double> && surely_one_way(p)) return true;
   // w(x(s)) - w(x(0)) is what x' changes by, over h, but for the last term.
   Real change = 0;
   for (int k = 2; k <= setting_.degree; ++k) {
@@ -96,6 +118,27 @@ Real BarrierMaker<Real>::coefficient(const Piece& p, int corner, int k) const {
   return k == 0 ? Real(1 - p.x - p.y) : Real(-(c[0] + c[1]));
 }
 
+/// Where Newton's iteration starts: in doubles at the end, else at the root in doubles.
+template <class Real>
+double near_root(const std::vector<Real>& e) {
+  if constexpr (std::is_same_v<Real, double>) return 1;
+  std::vector<double> q;
+  for (const Real& x : e) q.push_back(static_cast<double>(x));
+  double s = 1;
+  for (int i = 0; i < kQuickNewton; ++i) {
+    double value = 0, slope = 0;
+    for (std::size_t k = q.size(); k-- > 0;) {
+      slope = slope * s + value;
+      value = value * s + q[k];
+    }
+    const double next = s - value / slope;
+    if (!(next > 0 && next <= 1)) return 1;
+    if (std::fabs(next - s) < 1e-14 * s) return next;
+    s = next;
+  }
+  return 1;
+}
+
 /// The root in (0, 1] of a corner's coordinate, which falls from a positive value to one that is
 /// not; `divided`: by s, for the coordinate that is 0 at the start.
 template <class Real>
@@ -103,7 +146,7 @@ Real BarrierMaker<Real>::root(const Piece& p, int corner, bool divided) const {
   const int d = setting_.degree, first = divided ? 1 : 0;
   std::vector<Real> e;
   for (int k = first; k <= d; ++k) e.push_back(coefficient(p, corner, k));
-  Real low = 0, high = 1, s = 1;
+  Real low = 0, high = 1, s = near_root(e);
   for (int i = 0; i < kMostNewton; ++i) {
     Real value = 0, slope = 0;
     for (std::size_t k = e.size(); k-- > 0;) {
@@ -121,9 +164,51 @@ Real BarrierMaker<Real>::root(const Piece& p, int corner, bool divided) const {
   return s;
 }
 
+/// inside() in doubles, where that is clear.
+template <class Real>
+bool BarrierMaker<Real>::surely_inside(const Piece& p, int entry, int exit) const {
+  const std::size_t d = c_.size() - 1;
+  auto& b = doubles_;
+  double size = 0;
+  for (std::size_t k = 1; k <= d; ++k)
+    for (std::size_t i = 0; i < 2; ++i) {
+      b[k][i] = static_cast<double>(c_[k][i]);
+      size += std::fabs(b[k][i]);
+      b[k][i] *= static_cast<double>(inverse_binomial_[k]);
+    }
+  const double x = static_cast<double>(p.x), y = static_cast<double>(p.y);
+  const double margin = 0x1p-42 * (size + std::fabs(x) + std::fabs(y));
+  b[0] = {0, 0};
+  for (std::size_t r = 1; r <= d; ++r)
+    for (std::size_t j = d; j >= r; --j) {
+      b[j][0] += b[j - 1][0];
+      b[j][1] += b[j - 1][1];
+    }
+  const int axis_in = entry < 0 || entry > 2 ? entry : (entry - p.origin + 3) % 3;
+  const int axis_out = exit < 0 ? -1 : (exit - p.origin + 3) % 3;
+  for (std::size_t j = 0; j <= d; ++j) {
+    const double u = b[j][0] + x, v = b[j][1] + y;
+    const double least[3] = {1 - u - v, u, v};
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool start = j == 0 && (axis == axis_in || (entry == 3 && axis != 0));
+      if (!(least[axis] > margin) && !start && !(j == d && axis == axis_out)) return false;
+    }
+  }
+  return true;
+}
+
 /// Control points, all strictly inside but for the start on the entry and the end on the exit.
 template <class Real>
-bool BarrierMaker<Real>::control_points(Piece& p, int entry, int exit) {
+bool BarrierMaker<Real>::inside(const Piece& p, int entry, int exit) {
+  const std::size_t last = c_.size() - 1;
+  if (!std::is_same_v<Real, double> && surely_inside(p, entry, exit)) {
+    points_[last] = {p.x, p.y};
+    for (std::size_t k = 1; k <= last; ++k) {
+      points_[last][0] += c_[k][0];
+      points_[last][1] += c_[k][1];
+    }
+    return true;
+  }
   const std::size_t d = c_.size() - 1;
   for (std::size_t k = 1; k <= d; ++k)
     points_[k] = {c_[k][0] * inverse_binomial_[k], c_[k][1] * inverse_binomial_[k]};
@@ -216,7 +301,7 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::leave(const TriangleFrame<Real>&
 template <class Real>
 std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& frame, const Real& x,
                                                     const Real& y, bool left, int entry,
-                                                    const Ellipse* trap) {
+                                                    const TrapShape* trap) {
   using std::fabs;
   const Real turn = left ? theta_ : Real(-theta_);
   const auto turned = [&](const Real& u, const Real& v) {
@@ -249,7 +334,7 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
         c_[static_cast<std::size_t>(k)][1] *= power;
       }
     }
-    if (!control_points(piece, pieces == 0 ? entry : -1, exit)) return std::nullopt;
+    if (!inside(piece, pieces == 0 ? entry : -1, exit)) return std::nullopt;
     const auto& end = points_.back();
     if (exit >= 0) {
       // What rounding changes must be little against the shorter piece, too.

@@ -92,13 +92,16 @@ struct TriangleFrame {
   }
 };
 
-/// An ellipse around the zero inside a triangle which lines enter only; in the frame of corner 0.
-struct Ellipse {
-  std::array<double, 3> p;  ///< aa, ab, bb
+/// What lines enter only, around a zero, as far as it lies in one triangle: an ellipse around a
+/// zero inside it, or what a line cuts off at a corner. In the frame of corner 0.
+struct TrapShape {
+  std::array<double, 3> p;  ///< aa, ab, bb; of a line a, b, 1
   std::array<double, 2> zero;
   bool attracting;
+  bool line = false;  ///< where p[0] a + p[1] b + p[2] is negative
   template <class Real>
   bool holds(const Real& a, const Real& b) const {
+    if (line) return p[0] * a + p[1] * b + p[2] < -0x1p-20;
     const Real x = a - zero[0], y = b - zero[1];
     return p[0] * x * x + 2 * p[1] * (x * y) + p[2] * y * y < 1 - 0x1p-20;
   }
@@ -130,7 +133,7 @@ class BarrierMaker {
   /// entry: the corner whose coordinate is 0 at the start (the one opposite the side that is
   /// entered), -1: none, 3: the start is the frame's origin. Nothing if a test fails.
   std::optional<ArcEnd<Real>> arc(const TriangleFrame<Real>& frame, const Real& x, const Real& y,
-                                  bool left, int entry, const Ellipse* trap);
+                                  bool left, int entry, const TrapShape* trap);
   const Domain& domain() const { return domain_; }
   const Real& unit() const { return unit_; }
 
@@ -141,7 +144,9 @@ class BarrierMaker {
                              const std::array<Real, 2>& p, const std::array<Real, 2>& q);
   std::pair<int, Real> exit_of(const Piece& piece, const std::array<Real, 2>& end, int entry) const;
   bool one_way(Piece& piece) const;
-  bool control_points(Piece& piece, int entry, int exit);
+  bool surely_one_way(Piece& piece) const;
+  bool surely_inside(const Piece& piece, int entry, int exit) const;
+  bool inside(const Piece& piece, int entry, int exit);
   Real root(const Piece& piece, int corner, bool divided) const;
   Real coefficient(const Piece& piece, int corner, int k) const;
   std::optional<ArcEnd<Real>> leave(const TriangleFrame<Real>& frame, const Real& x, const Real& y,
@@ -151,8 +156,9 @@ class BarrierMaker {
   BarrierSetting setting_;
   Real unit_, theta_;
   bool exhausted_ = false, quick_ = false;
-  std::vector<Real> inverse_binomial_;           ///< of degree over k
-  std::vector<std::array<Real, 2>> c_, points_;  ///< of the piece at hand
+  std::vector<Real> inverse_binomial_;                  ///< of degree over k
+  std::vector<std::array<Real, 2>> c_, points_;         ///< of the piece at hand
+  mutable std::vector<std::array<double, 2>> doubles_;  ///< nearly c_
 };
 
 }  // namespace crest::vector_fields

@@ -157,8 +157,17 @@ std::vector<certify::SkeletonTrap> traps_of(const Analysis& a) {
   std::vector<certify::SkeletonTrap> r;
   for (Index i = 0; i < a.zeros.size(); ++i) {
     if (!used[i]) continue;
+    if (a.zeros[i].item.where == ZeroPlace::vertex) {
+      const auto polygon = polygon_around(a.domain, a.zeros[i]);
+      if (!polygon) continue;
+      certify::SkeletonTrap& trap = r.emplace_back();
+      trap.zero = i;
+      for (std::size_t k = 0; k < polygon->leaving.size(); ++k)
+        trap.star.push_back({polygon->leaving[k], polygon->shares[k], 0});
+      continue;
+    }
     const auto trap = a.traps.find(a.zeros[i].triangles.front());
-    if (trap != a.traps.end()) r.push_back({i, trap->second.ellipse.p, {}});
+    if (trap != a.traps.end() && trap->second.zero == i) r.push_back({i, trap->second.shape.p, {}});
   }
   return r;
 }
@@ -213,6 +222,7 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
       [&](const Analysis& input, const Analysis& output, const SkeletonMatch& match) {
         record.input = record_of(input);
         record.output = record_of(output);
+        if (options.simplify) return;  // two skeletons
         record.zeros = match.zeros;
         record.orbits = match.orbits;
         record.separatrices = match.separatrices;

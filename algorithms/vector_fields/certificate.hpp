@@ -14,6 +14,7 @@ namespace crest::vector_fields {
 Skeleton extract_skeleton(const PlanarField& field, certify::SkeletonCertificate& record);
 
 /// compress(), with the record that proves it. Requires: the same skeleton, before it is written.
+/// With `simplify` the skeletons differ: only those of the input and of the output are there.
 Compression compress(const PlanarField& field, const CompressionOptions& options,
                      certify::CompressionCertificate& record);
 

@@ -65,6 +65,7 @@ Collapser::Answer Collapser::examine_zeros() {
     if (state_.frozen(t)) return Answer::critical;
     if (state_.zero_in[t] != kNone) old.push_back(state_.zero_in[t]);
   }
+  if (minor_ && !old.empty()) return examine_minor(old);
   if (!old.empty() && options_.equivalence != Equivalence::relaxed) return Answer::critical;
   std::vector<NewZero> fresh;
   if (!find_new_zeros(fresh) || fresh.size() != old.size()) return Answer::critical;
@@ -82,6 +83,21 @@ Collapser::Answer Collapser::examine_zeros() {
     const auto now =
         std::find_if(fresh.begin(), fresh.end(), [&](const NewZero& n) { return n.kind == kind; });
     moved_zeros_.push_back({z, state_.zeros[z], {kind, now->triangle, true}});
+  }
+  return Answer::yes;
+}
+
+/// Zeros of little weight may change into others, but into no more.
+Collapser::Answer Collapser::examine_minor(const std::vector<Index>& old) {
+  std::vector<NewZero> fresh;
+  if (std::any_of(old.begin(), old.end(), [&](Index z) { return state_.zeros[z].kept; }) ||
+      !find_new_zeros(fresh) || fresh.size() > old.size())
+    return Answer::critical;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const SearchZero& before = state_.zeros[old[i]];
+    SearchZero now{before.kind, kNone, true, false};
+    if (i < fresh.size()) now = {fresh[i].kind, fresh[i].triangle, true, false};
+    moved_zeros_.push_back({old[i], before, now});
   }
   return Answer::yes;
 }
@@ -320,7 +336,7 @@ Collapser::Answer Collapser::attempt(Index from, Index to) {
   if (options_.equivalence == Equivalence::strong && !lines_.empty()) return Answer::ends;
   if (options_.equivalence == Equivalence::strong && !chains_.empty()) return Answer::orbit;
   for (MovedZero& z : moved_zeros_)
-    if (z.old.kind == ZeroKind::saddle && !note_rays(z)) return Answer::open;
+    if (z.old.kept && z.old.kind == ZeroKind::saddle && !note_rays(z)) return Answer::open;
   std::optional<ThesisTest> thesis;
   if (options_.test == CollapseTest::thesis) thesis.emplace(state_, plan_, lines_);
   state_.mesh.apply(plan_);
@@ -345,10 +361,24 @@ double Collapser::priority(Index from, Index to) const {
   return dot(e, e);
 }
 
+/// Whether zeros of little weight would vanish.
+bool Collapser::cancels(Index from, Index to) {
+  std::vector<HalfEdge> fan;
+  state_.mesh.fan(from, fan);
+  const auto zeros = static_cast<std::size_t>(std::count_if(
+      fan.begin(), fan.end(), [&](HalfEdge h) { return state_.zero_in[h / 3] != kNone; }));
+  std::vector<NewZero> fresh;
+  return zeros > 1 && state_.mesh.plan(from, to, plan_) == CollapseRefusal::none &&
+         find_new_zeros(fresh) && fresh.size() < zeros;
+}
+
 bool Collapser::pass(CompressionCounts& counts) {
-  using Entry = std::tuple<double, Index, Index>;
+  // What cancels zeros comes first.
+  using Entry = std::tuple<bool, double, Index, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto add = [&](Index from, Index to) { queue.push({priority(from, to), from, to}); };
+  const auto add = [&](Index from, Index to) {
+    queue.push({!(minor_ && cancels(from, to)), priority(from, to), from, to});
+  };
   const CollapseMesh& mesh = state_.mesh;
   for (HalfEdge h = 0; h < 3 * mesh.triangle_count(); ++h) {
     if (!mesh.alive(h / 3)) continue;
@@ -358,7 +388,7 @@ bool Collapser::pass(CompressionCounts& counts) {
   bool any = false;
   std::vector<HalfEdge> fan;
   while (!queue.empty()) {
-    const auto [cost, from, to] = queue.top();
+    const auto [later, cost, from, to] = queue.top();
     queue.pop();
     if (!mesh.adjacent(from, to)) continue;
     ++counts.tests;

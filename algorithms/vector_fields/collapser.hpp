@@ -12,6 +12,8 @@ class Collapser {
   Collapser(SearchState& state, const CompressionOptions& options)
       : state_(state),
         options_(options),
+        minor_(std::any_of(state.zeros.begin(), state.zeros.end(),
+                           [](const SearchZero& z) { return !z.kept; })),
         in_star_(state.mesh.triangle_count(), 0),
         seen_(state.line_count() + state.orbits.size(), 0) {}
 
@@ -40,9 +42,11 @@ class Collapser {
   };
 
   bool pass(CompressionCounts& counts);
+  bool cancels(Index from, Index to);
   double priority(Index from, Index to) const;
   Answer attempt(Index from, Index to);
   Answer examine_zeros();
+  Answer examine_minor(const std::vector<Index>& old);
   bool find_new_zeros(std::vector<NewZero>& found) const;
   void collect();
   Answer examine_orbits();
@@ -58,6 +62,7 @@ class Collapser {
 
   SearchState& state_;
   const CompressionOptions& options_;
+  const bool minor_;  ///< there are zeros that may vanish
   // Of the attempt at hand.
   Collapse plan_;
   std::vector<std::uint8_t> in_star_;

@@ -28,6 +28,18 @@ std::vector<AnnulusDoor> doors_of(const SearchState& state) {
   return doors;
 }
 
+/// All, or what weighs as much as the threshold.
+Kept kept_of(const Analysis& input, const Compression& result, const CompressionOptions& options) {
+  Kept kept{std::vector<bool>(input.zeros.size(), true),
+            std::vector<bool>(input.traces.size(), true)};
+  if (!options.simplify) return kept;
+  for (std::size_t z = 0; z < kept.zeros.size(); ++z)
+    kept.zeros[z] = result.importance->zeros[z].weight >= *options.simplify;
+  for (std::size_t i = 0; i < kept.lines.size(); ++i)
+    kept.lines[i] = result.importance->separatrices[i] >= *options.simplify;
+  return kept;
+}
+
 }  // namespace
 
 Compression compress(const PlanarField& field, const CompressionOptions& options) {
@@ -39,17 +51,24 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
   const Analysis input(field);
   Compression result;
   result.before = input.skeleton();
+  if (options.simplify)
+    result.importance = weigh(field, smoothed(field, options.laplacian), result.before);
+  const Kept kept = kept_of(input, result, options);
+  const auto important =
+      static_cast<std::size_t>(std::count(kept.zeros.begin(), kept.zeros.end(), true));
   std::vector<bool> pinned(input.traces.size(), false);
   for (int round = 1; round <= kMostRounds; ++round) {
-    SearchState state(input, pinned);
+    SearchState state(input, pinned, kept);
     CompressionCounts counts;
     Collapser(state, options).run(counts);
     counts.rounds = round;
     counts.pinned = static_cast<std::size_t>(std::count(pinned.begin(), pinned.end(), true));
     result.field = state.mesh.field(result.vertex_of);
     const Analysis output(result.field, doors_of(state));
-    const SkeletonMatch match = match_skeletons(input, output, state);
+    const SkeletonMatch match = match_skeletons(input, output, state, kept);
     counts.inherited += match.inherited;
+    counts.left_below = output.zeros.size() - std::min(important, output.zeros.size());
+    counts.cancelled = input.zeros.size() - std::min(output.zeros.size(), input.zeros.size());
     result.counts = counts;
     result.after = output.skeleton();
     result.same_skeleton = match.same;

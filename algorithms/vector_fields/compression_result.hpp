@@ -4,7 +4,7 @@
 // What compress() returns: a field on fewer triangles with the same skeleton.
 #include <string>
 
-#include "algorithms/vector_fields/skeleton_result.hpp"
+#include "algorithms/vector_fields/importance.hpp"
 
 namespace crest::vector_fields {
 
@@ -19,6 +19,10 @@ struct CompressionOptions {
   CollapseTest test = CollapseTest::retrace;
   CollapsePriority priority = CollapsePriority::length;
   bool boundary = true;  ///< collapses along the boundary, too
+  /// Zeros that weigh less may move, change and vanish in pairs, with the separatrices that start
+  /// at them (section 5.5.4). Requires: Equivalence::original, the test retrace.
+  std::optional<double> simplify = {};
+  Laplacian laplacian = Laplacian::uniform;
 };
 
 /// Why collapses were refused.
@@ -34,14 +38,18 @@ struct CompressionCounts {
   int rounds = 1;             ///< searches, until the proven skeletons were equal
   std::size_t pinned = 0;     ///< separatrices whose triangles were kept for that
   std::size_t undecided = 0;  ///< separatrices of the input without a proven end
+  /// With `simplify`: zeros that vanished, and those left that are below the threshold.
+  std::size_t cancelled = 0, left_below = 0;
 };
 
 struct Compression {
   PlanarField field;
   std::vector<Index> vertex_of;  ///< the vertices' numbers in the input, ascending
   Skeleton before, after;
-  bool same_skeleton = false;  ///< proven but for the undecided separatrices
-  std::string difference;      ///< else the first one
+  /// Proven but for the undecided separatrices; with `simplify` of the important part.
+  bool same_skeleton = false;
+  std::string difference;                ///< else the first one
+  std::optional<Importance> importance;  ///< with `simplify`
   CompressionCounts counts;
 };
 

@@ -23,7 +23,7 @@ template <class Real>
 std::optional<std::array<ArcEnd<Real>, 2>> two_arcs(BarrierMaker<Real>& maker, bool forward,
                                                     Index t, const ArcStart<Real>& left,
                                                     const ArcStart<Real>& right,
-                                                    const Ellipse* trap) {
+                                                    const TrapShape* trap) {
   const TriangleFrame<Real> frame(maker.domain(), t, left.origin, forward, maker.unit());
   const auto l = maker.arc(frame, left.x, left.y, true, left.entry, trap);
   if (!l) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<std::array<ArcEnd<Real>, 2>> two_arcs(BarrierMaker<Real>& maker, b
 template <class Real>
 CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, Index t, int c,
                             const ArcStart<Real>& left, const ArcStart<Real>& right,
-                            const Ellipse* trap) {
+                            const TrapShape* trap) {
   CellResult<Real> result;
   const BarrierSetting own = maker.setting();
   std::span<const Variant> variants = kVariants;
@@ -89,15 +89,15 @@ CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, Index t, in
 
 template CellResult<double> cross_cell(BarrierMaker<double>&, bool, Index, int,
                                        const ArcStart<double>&, const ArcStart<double>&,
-                                       const Ellipse*);
+                                       const TrapShape*);
 template CellResult<Real133> cross_cell(BarrierMaker<Real133>&, bool, Index, int,
                                         const ArcStart<Real133>&, const ArcStart<Real133>&,
-                                        const Ellipse*);
+                                        const TrapShape*);
 template CellResult<Real332> cross_cell(BarrierMaker<Real332>&, bool, Index, int,
                                         const ArcStart<Real332>&, const ArcStart<Real332>&,
-                                        const Ellipse*);
+                                        const TrapShape*);
 template CellResult<Real1000> cross_cell(BarrierMaker<Real1000>&, bool, Index, int,
                                          const ArcStart<Real1000>&, const ArcStart<Real1000>&,
-                                         const Ellipse*);
+                                         const TrapShape*);
 
 }  // namespace crest::vector_fields

@@ -49,12 +49,12 @@ ArcStart<Real> start_on_side(HalfEdge side, const Real& t) {
 template <class Real>
 CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, Index t, int c,
                             const ArcStart<Real>& left, const ArcStart<Real>& right,
-                            const Ellipse* trap);
+                            const TrapShape* trap);
 
 /// Through the triangle behind a gate.
 template <class Real>
 CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, const Gate<Real>& gate,
-                            const Ellipse* trap) {
+                            const TrapShape* trap) {
   return cross_cell(maker, forward, gate.side / 3, static_cast<int>(gate.side % 3),
                     start_on_side(gate.side, gate.left), start_on_side(gate.side, gate.right),
                     trap);

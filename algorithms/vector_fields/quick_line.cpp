@@ -73,7 +73,7 @@ class Crossing {
   bool keep_points = false;
 
   /// From the point `share` of the side that leaves the corner. Sides: 0 is that one.
-  QuickEnd run(double share, const Ellipse* trap, int& side, double& exit) {
+  QuickEnd run(double share, const TrapShape* trap, int& side, double& exit) {
     double x = share, y = 0;
     if (trap) find_rays();
     for (piece = 0; piece < kMostPieces; ++piece) {
@@ -144,7 +144,7 @@ class Crossing {
     return true;
   }
   /// The ellipse is in the frame of corner 0.
-  bool holds(const Ellipse& trap, double x, double y) const {
+  bool holds(const TrapShape& trap, double x, double y) const {
     const double z = 1 - x - y;
     if (frame_.origin == 0) return trap.holds(x, y);
     return frame_.origin == 1 ? trap.holds(z, x) : trap.holds(y, z);
@@ -190,7 +190,7 @@ struct Part {
 }  // namespace
 
 bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
-              const Ellipse* trap) {
+              const TrapShape* trap) {
   const Part part(mesh, {entry / 3});
   BarrierMaker<double> maker(*part.domain, kDoubles);
   const auto on_side = [](double t) { return t <= 0.5 ? t : t - 1; };
@@ -253,7 +253,7 @@ bool closes(const CollapseMesh& mesh, const AnnulusDoor& door, const std::vector
 }
 
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
-                       const Ellipse* trap, Step& step) {
+                       const TrapShape* trap, Step& step) {
   const int corner = static_cast<int>(entry % 3);
   Crossing crossing(mesh.data(entry / 3), corner, forward);
   int side = 0;
@@ -264,7 +264,7 @@ QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, d
   return end;
 }
 
-QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const Ellipse* trap,
+QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const TrapShape* trap,
                        Step& step) {
   const bool whole_fan = start.from_switch_point && start.vertex != kNone;
   std::vector<Index> triangles;

@@ -23,7 +23,7 @@ enum class QuickEnd : std::uint8_t { crossed, trapped, lost };
 /// From a share of a side through its triangle; trap: an ellipse in it that lines only enter, or
 /// none.
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
-                       const Ellipse* trap, Step& step);
+                       const TrapShape* trap, Step& step);
 
 /// Points of the line that enters a side at a share, through so many triangles.
 std::vector<Vec2> points_along(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
@@ -33,13 +33,13 @@ bool inside(const std::vector<Vec2>& polygon, const Vec2& x);
 
 /// Whether a corridor around the line gets through the triangle, or into the trap.
 bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
-              const Ellipse* trap);
+              const TrapShape* trap);
 
 /// Whether a chain of corridors leads from a side's segment, in shares of it, back into it.
 bool closes(const CollapseMesh& mesh, const AnnulusDoor& door, const std::vector<HalfEdge>& exits);
 
 /// The first step of a separatrix; `start.place` and `start.vertex` are half-edges of the mesh.
-QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const Ellipse* trap,
+QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const TrapShape* trap,
                        Step& step);
 
 }  // namespace crest::vector_fields

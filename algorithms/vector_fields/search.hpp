@@ -3,6 +3,8 @@
 
 // Looks for half-edge collapses that keep the skeleton. Only separatrices through the collapsed
 // vertex' star can change: they are followed anew to their ends, in plain doubles.
+#include <algorithm>
+
 #include "algorithms/vector_fields/analysis.hpp"
 #include "algorithms/vector_fields/arrivals.hpp"
 #include "algorithms/vector_fields/collapse_mesh.hpp"
@@ -21,6 +23,15 @@ struct SearchLine {
   std::vector<Step> steps;
 };
 
+/// What of the input has to stay.
+struct Kept {
+  std::vector<bool> zeros, lines;
+  bool all() const {
+    return std::find(zeros.begin(), zeros.end(), false) == zeros.end() &&
+           std::find(lines.begin(), lines.end(), false) == lines.end();
+  }
+};
+
 /// A closed orbit: a chain of sides around it, in each a segment; the first one's lines return
 /// strictly inside it.
 struct SearchOrbit {
@@ -34,14 +45,16 @@ struct SearchZero {
   ZeroKind kind = ZeroKind::saddle;
   Index triangle = kNone;  ///< kNone: gone, or not inside a triangle
   bool moved = false;
-  std::optional<Ellipse> trap = {};
+  bool kept = true;
+  std::optional<TrapShape> trap = {};
 };
 
 /// The separatrices on a mesh that changes.
 class SearchState {
  public:
-  /// pinned: separatrices all of whose triangles stay. Requires: `input` outlives the state.
-  SearchState(const Analysis& input, const std::vector<bool>& pinned);
+  /// pinned: separatrices all of whose triangles stay. Requires: `input` and `kept` outlive the
+  /// state.
+  SearchState(const Analysis& input, const std::vector<bool>& pinned, const Kept& kept);
 
   bool frozen(Index t) const { return frozen_[t] != 0; }
   Index line_count() const { return static_cast<Index>(lines.size()); }
@@ -80,7 +93,7 @@ class SearchState {
   void freeze_way(const Trace& trace);
   void note_passing();
   void note_arrivals();
-  const Ellipse* trap_in(Index t, bool forward) const;
+  const TrapShape* trap_in(Index t, bool forward) const;
   std::optional<Index> orbit_entered(bool forward, const Step& step) const;
   std::optional<Index> wall_reached(bool forward, HalfEdge entry, double share) const;
   Index region_left(const Step& step, bool forward) const;
@@ -88,6 +101,7 @@ class SearchState {
   bool cyclic(Index end) const;
 
   const Analysis& input_;
+  const Kept& kept_;
   RegionSlots slots_;
   std::vector<std::uint8_t> frozen_;  ///< triangles that stay; 2: with a wall
   std::vector<Vec2> loop_points_;     ///< one of each loop of the boundary

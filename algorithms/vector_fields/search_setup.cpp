@@ -39,11 +39,12 @@ std::vector<Step> steps_of(const Domain& domain, const Trace& trace) {
   return steps;
 }
 
-SearchState::SearchState(const Analysis& input, const std::vector<bool>& pinned)
+SearchState::SearchState(const Analysis& input, const std::vector<bool>& pinned, const Kept& kept)
     : mesh(input.domain, input.boundary),
       zero_in(input.domain.triangle_count(), kNone),
       passing(input.domain.triangle_count()),
       input_(input),
+      kept_(kept),
       slots_(input.boundary),
       frozen_(input.domain.triangle_count(), 0) {
   for (const auto& loop : input.boundary.half_edges)
@@ -61,7 +62,7 @@ void SearchState::take_zeros() {
   for (Index z = 0; z < zeros.size(); ++z) {
     const CriticalPoint& item = input_.zeros[z].item;
     if (item.where == ZeroPlace::triangle) {
-      place_zero(z, {item.kind, item.simplex, false});
+      place_zero(z, {item.kind, item.simplex, false, kept_.zeros[z]});
       continue;
     }
     for (const Index t : input_.zeros[z].triangles) frozen_[t] = 1;
@@ -74,7 +75,16 @@ void SearchState::take_zeros() {
 }
 
 void SearchState::take_orbits() {
+  // Those at which nothing ends that has to stay may go.
+  std::vector<bool> used(input_.annuli.size(), kept_.all());
+  for (std::size_t i = 0; i < input_.traces.size(); ++i)
+    if (const Trace& t = input_.traces[i]; t.end == EndKind::closed_orbit && kept_.lines[i])
+      used[t.target] = true;
   for (const Annulus& a : input_.annuli) {
+    if (!used[orbits.size()]) {
+      orbits.emplace_back().forward = a.forward;
+      continue;
+    }
     SearchOrbit gate{
         a.forward, {mesh.twin(a.side)}, {1 - from_tail(a.right)}, {1 - from_tail(a.left)}};
     gate.exits.resize(a.turns.size(), kNone);
@@ -118,7 +128,8 @@ void SearchState::take_lines(const std::vector<bool>& pinned) {
       const HalfEdge edge = trace.start.vertex == kNone ? trace.start.place : trace.start.vertex;
       line.ordinal = mesh.boundary_edge(edge).ordinal;
     }
-    if (trace.end == EndKind::undecided) continue;
+    if (!kept_.lines[i]) line.end = EndKind::undecided;
+    if (line.end == EndKind::undecided) continue;
     if (const auto steps = steps_of(input_.domain, trace); !trace.straight && !steps.empty())
       line.first = steps.front();
     EndKind end = EndKind::undecided;

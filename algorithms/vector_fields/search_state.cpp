@@ -16,7 +16,7 @@ Index SearchState::triangle_of(const SearchLine& line, std::size_t step) const {
   return line.end == EndKind::critical_point ? zeros[line.target].triangle : kNone;
 }
 
-const Ellipse* SearchState::trap_in(Index t, bool forward) const {
+const TrapShape* SearchState::trap_in(Index t, bool forward) const {
   const Index z = zero_in[t];
   if (z == kNone || !zeros[z].trap) return nullptr;
   return zeros[z].trap->attracting == forward ? &*zeros[z].trap : nullptr;
@@ -79,9 +79,9 @@ QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, I
     Start start = line.start;
     if (line.ordinal != kNone)
       (start.vertex == kNone ? start.place : start.vertex) = mesh.edge_of_ordinal(line.ordinal);
-    const Ellipse* trap = start.vertex == kNone || !start.from_switch_point
-                              ? trap_in(start.place / 3, forward)
-                              : nullptr;
+    const TrapShape* trap = start.vertex == kNone || !start.from_switch_point
+                                ? trap_in(start.place / 3, forward)
+                                : nullptr;
     Step step;
     const QuickEnd first = begin_quickly(mesh, start, trap, step);
     end = EndKind::critical_point;
@@ -170,7 +170,7 @@ std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
                    1 - (orbit.low.back() + orbit.high.back()) / 2, orbit.exits.size());
   std::vector<Index> result;
   for (Index z = 0; z < zeros.size(); ++z)
-    if (inside(polygon, place_of(z))) result.push_back(z);
+    if (zeros[z].kept && inside(polygon, place_of(z))) result.push_back(z);
   for (Index i = 0; i < loop_points_.size(); ++i)
     if (inside(polygon, loop_points_[i])) result.push_back(static_cast<Index>(zeros.size()) + i);
   return result;
@@ -183,6 +183,9 @@ Index SearchState::end_of(Index line) const {
     case EndKind::boundary:
       return l.target;
     case EndKind::critical_point:
+      // Around a vertex the order is left to the checker.
+      if (input_.zeros[l.target].item.where == ZeroPlace::vertex) return kNone;
+      [[fallthrough]];
     case EndKind::zero_flow:
       return regions + l.target;
     case EndKind::closed_orbit: {

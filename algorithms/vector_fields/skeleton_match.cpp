@@ -20,8 +20,10 @@ double area(const std::vector<Vec2>& polygon) {
 class Named {
  public:
   /// mesh: the same triangles, by the numbers in `triangles`.
+  /// Loops are named from `first_loop` on; zeros named kNone are left out.
   Named(const Analysis& a, const CollapseMesh& mesh, const std::vector<Index>& triangles,
-        const std::vector<Index>& zero_names, const std::vector<Index>& loop_names)
+        const std::vector<Index>& zero_names, const std::vector<Index>& loop_names,
+        Index first_loop)
       : a_(a), slots_(a.boundary) {
     Index ordinal = 0;
     for (const auto& loop : a.boundary.half_edges)
@@ -37,18 +39,20 @@ class Named {
           points_along(mesh, o.forward, 3 * triangles[o.side / 3] + o.side % 3,
                        (from_tail(o.back_left) + from_tail(o.back_right)) / 2, o.turns.size()));
       for (std::size_t z = 0; z < a.zeros.size(); ++z)
-        if (inside(line, a.zeros[z].item.point)) around.push_back(zero_names[z]);
+        if (zero_names[z] != kNone && inside(line, a.zeros[z].item.point))
+          around.push_back(zero_names[z]);
       for (std::size_t i = 0; i < a.boundary.half_edges.size(); ++i)
         if (inside(line, a.domain.point(a.domain.from(a.boundary.half_edges[i].front()))))
-          around.push_back(static_cast<Index>(a.zeros.size()) + loop_names[i]);
+          around.push_back(first_loop + loop_names[i]);
       std::sort(around.begin(), around.end());
       around.push_back(o.forward ? 1 : 0);
     }
   }
-  /// Orbits by what they enclose, then from inside.
-  std::vector<Index> orbits() const {
+  /// Those of the orbits by what they enclose, then from inside.
+  std::vector<Index> orbits(const std::vector<bool>& used) const {
     std::vector<Index> order;
-    for (Index i = 0; i < a_.annuli.size(); ++i) order.push_back(i);
+    for (Index i = 0; i < a_.annuli.size(); ++i)
+      if (used[i]) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](Index i, Index k) {
       if (enclosed_[i] != enclosed_[k]) return enclosed_[i] < enclosed_[k];
       return area(lines_[i]) < area(lines_[k]);
@@ -62,6 +66,8 @@ class Named {
   std::optional<Index> side(Index line) const {
     const Trace& t = a_.traces[line];
     if (t.end == EndKind::undecided || t.straight) return std::nullopt;
+    if (t.end == EndKind::critical_point && a_.zeros[t.target].item.where == ZeroPlace::vertex)
+      return std::nullopt;
     if (t.end != EndKind::closed_orbit) return 0;
     // What comes from outside lies between the gate's end and its return.
     const Annulus& o = a_.annuli[t.target];
@@ -102,8 +108,8 @@ class Named {
 
 class Matcher {
  public:
-  Matcher(const Analysis& input, const Analysis& output, const SearchState& found)
-      : in_(input), out_(output), found_(found) {
+  Matcher(const Analysis& input, const Analysis& output, const SearchState& found, const Kept& kept)
+      : in_(input), out_(output), found_(found), kept_(kept), all_(kept.all()) {
     for (Index t = 0; t < found.mesh.triangle_count(); ++t)
       if (found.mesh.alive(t)) old_triangle_.push_back(t);
     for (const auto& loop : input.boundary.half_edges)
@@ -111,9 +117,9 @@ class Matcher {
   }
 
   SkeletonMatch run() {
-    if (zeros() && boundary()) {
+    if (zeros() && boundary() && starts()) {
       orbits();
-      if (separatrices()) orders();
+      if (ends()) orders();
     }
     result_.same = result_.difference.empty();
     return std::move(result_);
@@ -136,12 +142,15 @@ class Matcher {
   bool zeros();
   bool boundary();
   void orbits();
-  bool separatrices();
+  bool starts();
+  bool ends();
   void compare_end(Index i);
   void orders();
   bool same_order(EndKind end, Index target, const std::vector<Index>& lines);
   const Analysis &in_, &out_;
   const SearchState& found_;
+  const Kept& kept_;
+  const bool all_;                   ///< are kept
   std::vector<Index> old_triangle_;  ///< of the output's
   std::vector<HalfEdge> by_ordinal_;
   std::vector<Index> old_zero_, loop_names_, switches_;
@@ -154,9 +163,13 @@ bool Matcher::zeros() {
   std::map<Index, Index> by_triangle;
   for (Index z = 0; z < out_.zeros.size(); ++z)
     by_triangle[old_triangle_[out_.zeros[z].triangles.front()]] = z;
-  if (by_triangle.size() != in_.zeros.size()) return differ("another number of zeros");
+  if (all_ && by_triangle.size() != in_.zeros.size()) return differ("another number of zeros");
   old_zero_.assign(out_.zeros.size(), kNone);
   for (Index z = 0; z < in_.zeros.size(); ++z) {
+    if (!kept_.zeros[z]) {
+      result_.zeros.push_back(kNone);
+      continue;
+    }
     const Index moved = found_.zeros[z].triangle;
     const auto at = by_triangle.find(moved == kNone ? in_.zeros[z].triangles.front() : moved);
     if (at == by_triangle.end()) return differ("zero " + std::to_string(z) + ": is gone");
@@ -206,10 +219,21 @@ void Matcher::orbits() {
   std::vector<Index> same;
   for (Index i = 0; i < std::max<std::size_t>(found_.mesh.triangle_count(), in_.zeros.size()); ++i)
     same.push_back(i);
-  a_.emplace(in_, CollapseMesh(in_.domain, in_.boundary), same, same, same);
-  b_.emplace(out_, found_.mesh, old_triangle_, old_zero_, loop_names_);
-  const auto a = a_->orbits(), b = b_->orbits();
-  result_.orbits.assign(a.size(), kNone);
+  std::vector<Index> names = same;
+  for (Index z = 0; z < in_.zeros.size(); ++z)
+    if (!kept_.zeros[z]) names[z] = kNone;
+  const auto loops = static_cast<Index>(in_.zeros.size());
+  a_.emplace(in_, CollapseMesh(in_.domain, in_.boundary), same, names, same, loops);
+  b_.emplace(out_, found_.mesh, old_triangle_, old_zero_, loop_names_, loops);
+  std::vector<bool> used(in_.annuli.size(), all_), used_after(out_.annuli.size(), all_);
+  for (Index i = 0; i < in_.traces.size(); ++i) {
+    if (!kept_.lines[i]) continue;
+    const Trace &s = in_.traces[i], &t = out_.traces[result_.separatrices[i]];
+    if (s.end == EndKind::closed_orbit) used[s.target] = true;
+    if (s.end != EndKind::undecided && t.end == EndKind::closed_orbit) used_after[t.target] = true;
+  }
+  const auto a = a_->orbits(used), b = b_->orbits(used_after);
+  result_.orbits.assign(in_.annuli.size(), kNone);
   std::size_t i = 0, k = 0;
   while (i < a.size() && k < b.size()) {
     const auto &x = a_->enclosed(a[i]), &y = b_->enclosed(b[k]);
@@ -218,11 +242,11 @@ void Matcher::orbits() {
     k += y <= x ? 1 : 0;
   }
   if (a.size() != b.size() ||
-      std::find(result_.orbits.begin(), result_.orbits.end(), kNone) != result_.orbits.end())
+      std::any_of(a.begin(), a.end(), [&](Index o) { return result_.orbits[o] == kNone; }))
     differ("other closed orbits");
 }
 
-bool Matcher::separatrices() {
+bool Matcher::starts() {
   std::map<std::array<Index, 4>, Index> starts;
   std::map<std::pair<bool, Index>, Index> counts;
   const auto key = [&](const Start& s, const Start& named, Index origin) {
@@ -236,15 +260,25 @@ bool Matcher::separatrices() {
     starts[key(s, s, s.origin)] = i;
   }
   counts.clear();
-  if (out_.traces.size() != in_.traces.size()) return differ("another number of separatrices");
+  if (all_ && out_.traces.size() != in_.traces.size())
+    return differ("another number of separatrices");
   for (Index i = 0; i < in_.traces.size(); ++i) {
+    if (!kept_.lines[i]) {
+      result_.separatrices.push_back(kNone);
+      continue;
+    }
     const Start& s = in_.traces[i].start;
     const Index origin = s.from_switch_point ? switches_[s.origin] : result_.zeros[s.origin];
     const auto at = starts.find(key(s, found_.lines[i].start, origin));
     if (at == starts.end()) return differ("separatrix " + std::to_string(i) + ": is gone");
     result_.separatrices.push_back(at->second);
   }
-  for (Index i = 0; i < in_.traces.size(); ++i) compare_end(i);
+  return true;
+}
+
+bool Matcher::ends() {
+  for (Index i = 0; i < in_.traces.size(); ++i)
+    if (kept_.lines[i]) compare_end(i);
   return result_.differing.empty();
 }
 
@@ -271,7 +305,7 @@ void Matcher::compare_end(Index i) {
 void Matcher::orders() {
   std::map<std::array<Index, 3>, std::vector<Index>> groups;
   for (Index i = 0; i < in_.traces.size(); ++i) {
-    if (in_.traces[i].end == EndKind::undecided) continue;
+    if (!kept_.lines[i] || in_.traces[i].end == EndKind::undecided) continue;
     const auto a = a_->side(i), b = b_->side(result_.separatrices[i]);
     if (!a || !b) continue;
     if (a != b) {
@@ -306,8 +340,8 @@ bool Matcher::same_order(EndKind end, Index target, const std::vector<Index>& li
 }  // namespace
 
 SkeletonMatch match_skeletons(const Analysis& input, const Analysis& output,
-                              const SearchState& found) {
-  return Matcher(input, output, found).run();
+                              const SearchState& found, const Kept& kept) {
+  return Matcher(input, output, found, kept).run();
 }
 
 }  // namespace crest::vector_fields

@@ -19,9 +19,10 @@ struct SkeletonMatch {
   std::size_t inherited = 0;     ///< pairs whose order is that of where they came together
 };
 
-/// found: how the output's zeros, boundary and saddles' rays are named.
+/// found: how the output's zeros, boundary and saddles' rays are named. Of what is not kept nothing
+/// is compared, its numbers are kNone.
 SkeletonMatch match_skeletons(const Analysis& input, const Analysis& output,
-                              const SearchState& found);
+                              const SearchState& found, const Kept& kept);
 
 /// What is done with two skeletons that are the same.
 using SkeletonProof =

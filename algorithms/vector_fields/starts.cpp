@@ -206,7 +206,7 @@ CellResult<Real> begin_fan_ray(BarrierMaker<Real>& maker, const Start& start, Tr
 
 template <class Real>
 CellResult<Real> begin_along(BarrierMaker<Real>& maker, const Start& start, Trace& trace,
-                             const Ellipse* trap) {
+                             const TrapShape* trap) {
   using std::fabs;
   using std::ldexp;
   const Domain& domain = maker.domain();
@@ -342,7 +342,7 @@ std::optional<Vec2> exact_direction(const Domain& domain, const Start& ray) {
 
 template <class Real>
 CellResult<Real> begin(BarrierMaker<Real>& maker, const Start& start, Trace& trace,
-                       const Ellipse* trap) {
+                       const TrapShape* trap) {
   if (start.kind == StartKind::ray) return begin_ray(maker, start, trace);
   if (start.kind == StartKind::fan_ray) return begin_fan_ray(maker, start, trace);
   if (start.kind == StartKind::along) return begin_along(maker, start, trace, trap);
@@ -352,9 +352,10 @@ CellResult<Real> begin(BarrierMaker<Real>& maker, const Start& start, Trace& tra
   return cross_cell(maker, start.forward, start.place / 3, c, vertex, vertex, trap);
 }
 
-template CellResult<double> begin(BarrierMaker<double>&, const Start&, Trace&, const Ellipse*);
-template CellResult<Real133> begin(BarrierMaker<Real133>&, const Start&, Trace&, const Ellipse*);
-template CellResult<Real332> begin(BarrierMaker<Real332>&, const Start&, Trace&, const Ellipse*);
-template CellResult<Real1000> begin(BarrierMaker<Real1000>&, const Start&, Trace&, const Ellipse*);
+template CellResult<double> begin(BarrierMaker<double>&, const Start&, Trace&, const TrapShape*);
+template CellResult<Real133> begin(BarrierMaker<Real133>&, const Start&, Trace&, const TrapShape*);
+template CellResult<Real332> begin(BarrierMaker<Real332>&, const Start&, Trace&, const TrapShape*);
+template CellResult<Real1000> begin(BarrierMaker<Real1000>&, const Start&, Trace&,
+                                    const TrapShape*);
 
 }  // namespace crest::vector_fields

@@ -50,6 +50,6 @@ Real sum_of(const Expansion& x) {
 /// precision does not suffice. trap: an ellipse in the triangle of the start or none.
 template <class Real>
 CellResult<Real> begin(BarrierMaker<Real>& maker, const Start& start, Trace& trace,
-                       const Ellipse* trap);
+                       const TrapShape* trap);
 
 }  // namespace crest::vector_fields

@@ -29,8 +29,8 @@ double from_tail(const Real& t) {
 template <class Real>
 class Follower {
  public:
-  Follower(const Surroundings& around, const BarrierSetting& setting, std::vector<Annulus>& annuli)
-      : around_(around), maker_(around.domain, setting), search_(around, annuli) {}
+  Follower(const Surroundings& around, const BarrierSetting& setting, AnnulusNotes& notes)
+      : around_(around), maker_(around.domain, setting), search_(around, notes) {}
 
   /// Whether it ends by name.
   bool follow(const Start& line, Trace& trace) {
@@ -59,6 +59,9 @@ class Follower {
       triangle = gate.side / 3;
       trace.line.push_back(middle(gate));
       trace.width = width(gate);
+      trace.gates.push_back({gate.side, static_cast<Index>(trace.turns.size()),
+                             static_cast<double>(gate.left), static_cast<double>(gate.right),
+                             trace.width});
       if (in_annulus(trace, gate) || at_wall(trace, gate)) return true;
       if (trace.turns.size() > most_crossings(trace.setting.bits)) {
         trace.reason = OpenReason::budget;
@@ -156,80 +159,48 @@ class Follower {
 
 }  // namespace
 
-/// At one precision after the other, until one suffices. `straight`: the line's first part, or
-/// none.
+/// `straight`: the line's first part, or none.
 template <class Real>
 bool follow_at(const Surroundings& around, const BarrierSetting& setting, const Start& start,
-               const Trace& straight, std::vector<Annulus>& annuli, Trace& result) {
-  Follower<Real> follower(around, setting, annuli);
+               const Trace& straight, AnnulusNotes& notes, Trace& result) {
+  Follower<Real> follower(around, setting, notes);
   if (!straight.straight) return follower.follow(start, result);
   result = straight;
   return follower.follow_leg(result);
 }
 
-Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli) {
-  Trace result, straight;
-  result.start = start;
-  result.reason = OpenReason::vertex_hit;
+std::vector<Trace> trace(const Surroundings& around, const Start& start, AnnulusNotes& notes) {
+  std::vector<Trace> attempts(1);
+  attempts.back().start = start;
+  attempts.back().reason = OpenReason::vertex_hit;
   // Lines that do not settle down, or return to where they were, do so at any precision.
   const auto final = [&](bool found) {
-    return found || result.creeps || result.reason == OpenReason::budget ||
-           result.reason == OpenReason::weak_focus;
+    const Trace& t = attempts.back();
+    return found || t.creeps || t.reason == OpenReason::budget ||
+           t.reason == OpenReason::weak_focus;
   };
   if (start.kind != StartKind::none &&
-      final(Follower<double>(around, kDoubles, annuli).follow(start, result)))
-    return result;
+      final(Follower<double>(around, kDoubles, notes).follow(start, attempts.back())))
+    return attempts;
   Start exact_start = start;
+  Trace straight;
   if (start.kind == StartKind::ray) exact_start.direction = exact_direction(around.domain, start);
   if (exact_start.direction) {
     walk_straight(around, exact_start, straight);
-    if (straight.end != EndKind::undecided) return straight;
+    if (straight.end != EndKind::undecided) {
+      attempts.push_back(std::move(straight));
+      return attempts;
+    }
     if (straight.leg.kind == StartKind::none) straight.straight.reset();
   }
-  if (start.kind == StartKind::none && !straight.straight) return result;
+  if (start.kind == StartKind::none && !straight.straight) return attempts;
+  // At one precision after the other, until one suffices.
   const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
-    return final(follow_at<Real>(around, setting, start, straight, annuli, result));
+    return final(follow_at<Real>(around, setting, start, straight, notes, attempts.emplace_back()));
   };
   (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
       at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});
-  return result;
-}
-
-std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& f, bool attracting) {
-  const double a = f.a[0][0], b = f.a[0][1], c = f.a[1][0], d = f.a[1][1];
-  const double det = a * d - b * c, trace = a + d;
-  // A^T P + P A = -I, up to a factor: P = (det I + adj(A)^T adj(A)) / (-2 trace det).
-  double p[3] = {det + d * d + c * c, -(a * c + b * d), det + a * a + b * b};
-  for (double& x : p) x /= -2 * trace * det;
-  const double z[2] = {(f.w[1] * b - f.w[0] * d) / det, (f.w[0] * c - f.w[1] * a) / det};
-  const double l[3] = {1 - z[0] - z[1], z[0], z[1]};
-  const double n[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
-  const double det_p = p[0] * p[2] - p[1] * p[1];
-  double level = HUGE_VAL;
-  for (int k = 0; k < 3; ++k) {
-    const double x = n[k][0], y = n[k][1];
-    const double reach = (p[2] * x * x - 2 * p[1] * x * y + p[0] * y * y) / det_p;
-    level = std::fmin(level, l[k] * l[k] / reach);
-  }
-  level *= 1 - 0x1p-20;
-  if (!(level > 0 && level < HUGE_VAL)) return std::nullopt;
-  return Ellipse{{p[0] / level, p[1] / level, p[2] / level}, {z[0], z[1]}, attracting};
-}
-
-std::unordered_map<Index, Trap> make_traps(const Domain& domain,
-                                           const std::vector<ZeroComponent>& zeros) {
-  std::unordered_map<Index, Trap> traps;
-  for (Index i = 0; i < zeros.size(); ++i) {
-    const CriticalPoint& item = zeros[i].item;
-    if (item.where != ZeroPlace::triangle ||
-        (item.kind != ZeroKind::sink && item.kind != ZeroKind::source))
-      continue;
-    const bool attracting = item.kind == ZeroKind::sink;
-    const TriangleFrame<double> f(domain, item.simplex, 0, attracting, 0x1p-53);
-    if (const auto ellipse = ellipse_in(f, attracting))
-      traps.emplace(item.simplex, Trap{i, *ellipse});
-  }
-  return traps;
+  return attempts;
 }
 
 }  // namespace crest::vector_fields

@@ -2,6 +2,7 @@
 #pragma once
 
 // Separatrices: where each starts, the triangles it crosses, its proven end.
+#include <span>
 #include <unordered_map>
 
 #include "algorithms/vector_fields/barrier.hpp"
@@ -44,6 +45,15 @@ struct StraightPart {
 /// Of corridors in doubles.
 inline constexpr BarrierSetting kDoubles{53, 36, 12, 0};
 
+/// A gate that a line went through: its ends in doubles, which are strictly inside a segment of
+/// doubles only if they are so before rounding.
+struct PassedGate {
+  HalfEdge side = kNone;
+  Index turns = 0;  ///< before it
+  double left = 0, right = 0;
+  double width = 0;
+};
+
 /// One separatrix as it was proven.
 struct Trace {
   Start start;
@@ -61,6 +71,7 @@ struct Trace {
   bool creeps = false;  ///< undecided next to a zero corner, where it may end
   double width = 0;
   std::vector<Vec2> line;
+  std::vector<PassedGate> gates;  ///< a point of the line each, the last ones
 };
 
 /// An annulus that lines enter through a gate and return to.
@@ -84,13 +95,23 @@ struct AnnulusDoor {
 
 struct Trap {
   Index zero;
-  Ellipse ellipse;
+  TrapShape shape;
 };
 
 /// Around a sink (of the field turned round: a source) inside a triangle, in the frame of corner 0.
-std::optional<Ellipse> ellipse_in(const TriangleFrame<double>& frame, bool attracting);
+std::optional<TrapShape> ellipse_in(const TriangleFrame<double>& frame, bool attracting);
 
-/// Ellipses in the triangles of sinks and sources, by triangle.
+/// A polygon around a zero at an inner vertex that lines enter only: shares of the fan's edges at
+/// which its corners lie. Nothing if there is none of this kind, or the triangles' traces have not
+/// one sign. Found in doubles; a certificate's checker proves it.
+struct TrapPolygon {
+  std::vector<HalfEdge> leaving;  ///< the vertex, counter-clockwise
+  std::vector<double> shares;
+  bool attracting = true;
+};
+std::optional<TrapPolygon> polygon_around(const Domain& domain, const ZeroComponent& zero);
+
+/// Around sinks and sources, by triangle.
 std::unordered_map<Index, Trap> make_traps(const Domain& domain,
                                            const std::vector<ZeroComponent>& zeros);
 
@@ -100,15 +121,32 @@ struct Surroundings {
   const std::vector<ZeroComponent>& zeros;
   const std::unordered_map<Index, Trap>& traps;
 
-  /// The ellipse in a triangle that lines forward, or backward, only enter; or none.
-  const Ellipse* trap_in(Index t, bool forward) const {
+  /// What lines forward, or backward, only enter in a triangle; or none.
+  const TrapShape* trap_in(Index t, bool forward) const {
     const auto at = traps.find(t);
-    return at != traps.end() && at->second.ellipse.attracting == forward ? &at->second.ellipse
-                                                                         : nullptr;
+    return at != traps.end() && at->second.shape.attracting == forward ? &at->second.shape
+                                                                       : nullptr;
   }
 };
 
-/// Follows a start at rising precision; annuli that are found join the others.
-Trace trace(const Surroundings& around, const Start& start, std::vector<Annulus>& annuli);
+/// Annuli while one line is followed.
+struct AnnulusNotes {
+  std::span<const Annulus> known;
+  std::vector<Annulus> found = {};
+  std::vector<PassedGate> asked = {};  ///< where a known one would have stopped the search
+
+  std::size_t size() const { return known.size() + found.size(); }
+  const Annulus& operator[](std::size_t i) const {
+    return i < known.size() ? known[i] : found[i - known.size()];
+  }
+};
+
+/// Follows a start at rising precision: all attempts, of which the last one counts.
+std::vector<Trace> trace(const Surroundings& around, const Start& start, AnnulusNotes& notes);
+
+/// Follows all starts, on several threads; annuli that are found join the others. Each line ends
+/// where it first enters one of them. Guarantees: the same result for any number of threads.
+std::vector<Trace> trace_all(const Surroundings& around, const std::vector<Start>& starts,
+                             std::vector<Annulus>& annuli);
 
 }  // namespace crest::vector_fields

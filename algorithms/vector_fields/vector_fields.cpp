@@ -59,13 +59,11 @@ Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doo
   boundary = examine_boundary(domain);
   traps = make_traps(domain, zeros);
   const Surroundings around{domain, boundary, zeros, traps};
-  AnnulusSearch search(around, annuli);
+  AnnulusNotes notes;
+  AnnulusSearch search(around, notes);
   for (const AnnulusDoor& door : doors) search.try_door(door);
-  for (const Start& start : find_starts(domain, zeros, portraits, boundary))
-    traces.push_back(trace(around, start, annuli));
-  // Now that all annuli are known, lines end where they first enter one.
-  for (Trace& t : traces)
-    if (t.end == EndKind::closed_orbit) t = trace(around, Start(t.start), annuli);
+  annuli = std::move(notes.found);
+  traces = trace_all(around, find_starts(domain, zeros, portraits, boundary), annuli);
 }
 
 Skeleton Analysis::skeleton() const {
@@ -86,8 +84,11 @@ Skeleton Analysis::skeleton() const {
     const Vec2 from = t.start.from_switch_point ? boundary.switch_points[t.start.origin].point
                                                 : zeros[t.start.origin].item.point;
     Separatrix& s = result.separatrices.emplace_back(separatrix_of(t, from));
-    if (s.end == EndKind::critical_point && zeros[s.target].item.where == ZeroPlace::triangle)
-      s.line.push_back(zeros[s.target].item.point);
+    if (s.end == EndKind::critical_point) {
+      const CriticalPoint& end = zeros[s.target].item;
+      if (end.where == ZeroPlace::triangle || (end.where == ZeroPlace::vertex && !t.straight))
+        s.line.push_back(end.point);
+    }
     result.counts.crossings += s.crossings;
     if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];
   }

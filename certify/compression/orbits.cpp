@@ -2,6 +2,7 @@
 #include "certify/compression/orbits.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "certify/container/reject.hpp"
 
@@ -26,6 +27,7 @@ class Inside {
       : proof_(proof), domain_(proof.domain), orbit_(orbit), comparison_(comparison), sign_(sign) {}
 
   void find() {
+    sort_cells();
     mark_crossings();
     label_fans();
     const Cell& first = orbit_.chain.cells[0];
@@ -45,6 +47,20 @@ class Inside {
 
   bool backward() const { return orbit_.chain.backward; }
   bool inside(u32 fan) const { return label_[fan] != kElsewhere && label_[fan] != outside_; }
+
+  /// Cells by the sides through which they are entered, so that a zero costs those of its triangle.
+  void sort_cells() {
+    for (std::size_t k = 0; k < orbit_.chain.cells.size(); ++k)
+      by_side_.push_back({orbit_.chain.cells[k].name, k});
+    std::sort(by_side_.begin(), by_side_.end());
+  }
+  /// Those entered through sides from `first` on, before `last`.
+  std::span<const std::pair<u32, std::size_t>> cells_at(u32 first, u32 last) const {
+    const auto from =
+        std::lower_bound(by_side_.begin(), by_side_.end(), std::pair{first, std::size_t{0}});
+    const auto to = std::lower_bound(from, by_side_.end(), std::pair{last, std::size_t{0}});
+    return {from, to};
+  }
 
   void mark_crossings() {
     odd_.assign(domain_.twin.size(), 0);
@@ -122,20 +138,16 @@ class Inside {
   /// Crossings between the tail of a side and the zero in it.
   std::size_t crossings_at_tail(u32 side) {
     const u32 wanted = comparison_.enters_at_tail(side, backward()) ? side : domain_.twin[side];
-    const auto& cells = orbit_.chain.cells;
-    return static_cast<std::size_t>(std::count_if(
-        cells.begin(), cells.end(), [&](const Cell& cell) { return cell.name == wanted; }));
+    return cells_at(wanted, wanted + 1).size();
   }
   /// Arcs in a triangle that separate its corner 0 from the zero inside.
   std::size_t arcs_between(u32 corner) {
     std::size_t count = 0;
     const auto& cells = orbit_.chain.cells;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      if (cells[k].name / 3 != corner / 3) continue;
+    for (const auto& [side, k] : cells_at(corner, corner + 3)) {
       // Corner 0 is at the left if it is met between the exit and the entry.
-      const u32 entry = cells[k].name % 3, exit = cells[k].exit % 3;
-      const bool left =
-          entry == exit ? comparison_.enters_at_tail(cells[k].name, backward()) : entry < exit;
+      const u32 entry = side % 3, exit = cells[k].exit % 3;
+      const bool left = entry == exit ? comparison_.enters_at_tail(side, backward()) : entry < exit;
       count += left != (comparison_.swirl(orbit_.chain, k) == Sign::positive);
     }
     return count;
@@ -146,6 +158,7 @@ class Inside {
   Orbit& orbit_;
   Comparison& comparison_;
   SignLadder& sign_;
+  std::vector<std::pair<u32, std::size_t>> by_side_;
   std::vector<u8> odd_, label_;
   u8 outside_ = 0;
 };

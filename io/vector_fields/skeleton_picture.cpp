@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
@@ -18,7 +19,7 @@ constexpr Rgb kBlue = {40, 84, 232}, kRed = {222, 34, 40}, kGreen = {30, 160, 60
               kGrey = {120, 120, 124};
 
 /// From above, x to the right.
-Camera plane_camera(const PlanarField& field) {
+Camera plane_camera(const PlanarField& field, int longest = kLongest) {
   Vec2 low = field.points.front(), high = low;
   for (const Vec2& p : field.points)
     for (std::size_t k = 0; k < 2; ++k) {
@@ -31,7 +32,7 @@ Camera plane_camera(const PlanarField& field) {
   camera.up = {0, 1, 0};
   camera.forward = {0, 0, -1};
   camera.centre = {low[0] + w / 2, low[1] + h / 2, 0};
-  camera.scale = kLongest / std::max(w, h);
+  camera.scale = longest / std::max(w, h);
   const auto pixels = [&](double length) {
     return static_cast<int>(std::lround(camera.scale * length)) + 2 * kMargin;
   };
@@ -40,9 +41,15 @@ Camera plane_camera(const PlanarField& field) {
   return camera;
 }
 
-kernel::Vec3 pixel(const Camera& camera, const Vec2& p) {
-  return camera.project({p[0], p[1], 0});
-}
+/// A part of a picture: how it is seen, and where its upper left corner is.
+struct Panel {
+  Camera camera;
+  int x = 0, y = 0;
+  kernel::Vec3 pixel(const Vec2& p) const {
+    const kernel::Vec3 q = camera.project({p[0], p[1], 0});
+    return {q[0] + x, q[1] + y, q[2]};
+  }
+};
 
 Rgb colour_of(const CriticalPoint& c) {
   switch (c.kind) {
@@ -58,11 +65,11 @@ Rgb colour_of(const CriticalPoint& c) {
 }
 
 /// The lines of a skeleton by colour, in the order of painting.
-void add_lines(const Camera& camera, const Skeleton& s, Drawing& drawing) {
+void add_lines(const Panel& panel, const Skeleton& s, Drawing& drawing) {
   const auto line = [&](std::vector<std::vector<kernel::Vec3>>& strokes, const std::vector<Vec2>& x,
                         bool closed) {
     auto& stroke = strokes.emplace_back();
-    for (const Vec2& p : x) stroke.push_back(pixel(camera, p));
+    for (const Vec2& p : x) stroke.push_back(panel.pixel(p));
     if (closed) stroke.push_back(stroke.front());
     if (stroke.size() < 2) strokes.pop_back();
   };
@@ -77,7 +84,52 @@ void add_lines(const Camera& camera, const Skeleton& s, Drawing& drawing) {
     if (!c->strokes.empty()) drawing.classes.push_back(std::move(*c));
 }
 
-void add_dots(const Camera& camera, const Skeleton& s, Drawing& drawing) {
+void add_mesh(const Panel& panel, const PlanarField& field, Drawing& drawing) {
+  StrokeClass edges{"edge of the mesh", kGrey, {}, true, 0.5};
+  std::vector<std::pair<Index, Index>> ends;
+  for (const auto& t : field.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ends.push_back(std::minmax(t[k], t[(k + 1) % 3]));
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (const auto& [a, b] : ends)
+    edges.strokes.push_back({panel.pixel(field.points[a]), panel.pixel(field.points[b])});
+  drawing.classes.push_back(std::move(edges));
+}
+
+void add_flow(const Panel& panel, const PlanarField& field, Canvas& canvas) {
+  const int width = panel.camera.width * kSamples, height = panel.camera.height * kSamples;
+  const auto pixels = convolve(field, panel.camera);
+  std::vector<std::uint8_t> dark;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      dark.push_back(
+          pixels[static_cast<std::size_t>(y / kSamples * panel.camera.width + x / kSamples)]);
+  canvas.stamp(panel.x * kSamples, panel.y * kSamples, {dark.data(), width, height, width},
+               {40, 44, 54});
+}
+
+/// The legend names each class and mark once.
+void join_classes(Drawing& drawing) {
+  std::vector<StrokeClass> joined;
+  for (StrokeClass& c : drawing.classes) {
+    const auto same = std::find_if(joined.begin(), joined.end(), [&](const StrokeClass& other) {
+      return std::string_view(other.label) == c.label;
+    });
+    if (same == joined.end())
+      joined.push_back(std::move(c));
+    else
+      std::move(c.strokes.begin(), c.strokes.end(), std::back_inserter(same->strokes));
+  }
+  drawing.classes = std::move(joined);
+  std::vector<LegendEntry> legend;
+  for (LegendEntry& e : drawing.legend)
+    if (std::none_of(legend.begin(), legend.end(),
+                     [&](const LegendEntry& other) { return other.label == e.label; }))
+      legend.push_back(std::move(e));
+  drawing.legend = std::move(legend);
+}
+
+void add_dots(const Panel& panel, const Skeleton& s, Drawing& drawing) {
   struct Kind {
     const char* label;
     Rgb colour;
@@ -87,12 +139,12 @@ void add_dots(const Camera& camera, const Skeleton& s, Drawing& drawing) {
   for (const CriticalPoint& c : s.critical_points) {
     if (c.where == ZeroPlace::region || c.where == ZeroPlace::line) continue;
     const Rgb colour = colour_of(c);
-    drawing.dots.push_back({pixel(camera, c.point), colour});
+    drawing.dots.push_back({panel.pixel(c.point), colour});
     for (Kind& k : kinds)
       k.seen = k.seen || (k.colour.red == colour.red && k.colour.blue == colour.blue);
   }
   for (const SwitchPoint& p : s.switch_points)
-    drawing.dots.push_back({pixel(camera, p.point), kYellow, Mark::diamond, p.inside ? 1.0 : 0.7});
+    drawing.dots.push_back({panel.pixel(p.point), kYellow, Mark::diamond, p.inside ? 1.0 : 0.7});
   for (const Kind& k : kinds)
     if (k.seen) drawing.legend.push_back({k.label, k.colour, true});
   if (!s.switch_points.empty())
@@ -181,22 +233,39 @@ SceneLayer switch_layer(const Skeleton& s) {
 
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene) {
   check_picture_path(path);
-  const Camera camera = plane_camera(*scene.field);
-  Canvas canvas(camera.width, camera.height);
-  const auto pixels = convolve(*scene.field, camera);
-  std::vector<std::uint8_t> dark;
-  for (int y = 0; y < canvas.sample_height(); ++y)
-    for (int x = 0; x < canvas.sample_width(); ++x)
-      dark.push_back(pixels[static_cast<std::size_t>(y / kSamples * camera.width + x / kSamples)]);
-  canvas.stamp(0, 0,
-               {dark.data(), canvas.sample_width(), canvas.sample_height(), canvas.sample_width()},
-               {40, 44, 54});
+  const Panel panel{plane_camera(*scene.field)};
+  Canvas canvas(panel.camera.width, panel.camera.height);
+  add_flow(panel, *scene.field, canvas);
   Drawing drawing{};
-  add_lines(camera, *scene.skeleton, drawing);
-  add_dots(camera, *scene.skeleton, drawing);
-  set_sizes(camera, drawing);
+  add_lines(panel, *scene.skeleton, drawing);
+  add_dots(panel, *scene.skeleton, drawing);
+  set_sizes(panel.camera, drawing);
   add_class_legend(drawing);
-  write_drawing(path, camera, canvas, drawing, true);
+  write_drawing(path, panel.camera, canvas, drawing, true);
+}
+
+void write_comparison_picture(const std::string& path, const SkeletonScene& before,
+                              const SkeletonScene& after) {
+  check_picture_path(path);
+  const Camera one = plane_camera(*before.field, kLongest * 3 / 4);
+  Camera all = one;
+  all.width *= 2;
+  all.height *= 2;
+  Canvas canvas(all.width, all.height);
+  Drawing drawing{};
+  int x = 0;
+  for (const SkeletonScene* scene : {&before, &after}) {
+    add_mesh({one, x, 0}, *scene->field, drawing);
+    const Panel below{one, x, one.height};
+    add_flow(below, *scene->field, canvas);
+    add_lines(below, *scene->skeleton, drawing);
+    add_dots(below, *scene->skeleton, drawing);
+    x += one.width;
+  }
+  join_classes(drawing);
+  set_sizes(one, drawing);
+  add_class_legend(drawing);
+  write_drawing(path, all, canvas, drawing, true);
 }
 
 Scene skeleton_page_scene(const SkeletonScene& scene) {

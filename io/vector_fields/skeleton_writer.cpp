@@ -34,7 +34,32 @@ void add_line(PolyData& data, const std::vector<Vec2>& line, bool closed, Column
   row = &data.add_line(ids);
 }
 
+void check_extension(const std::string& path) {
+  if (lower_extension(path) != ".vtp")
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
+}
+
 }  // namespace
+
+void write_paths(const std::string& path, const Skeleton& skeleton, const Importance& importance) {
+  check_extension(path);
+  PolyData data;
+  for (Index z = 0; z < importance.zeros.size(); ++z) {
+    const ZeroWeight& w = importance.zeros[z];
+    const bool paired = w.end == PathEnd::partner;
+    if (w.path.empty() || (paired && w.partner < z)) continue;
+    std::vector<PolyData::Id> ids = {add(data, skeleton.critical_points[z].point)};
+    for (const PathPoint& p : w.path)
+      ids.push_back(data.add_point({p.point[0], p.point[1], p.time}));
+    if (paired) ids.push_back(add(data, skeleton.critical_points[w.partner].point));
+    Columns& row = data.add_line(ids);
+    row.add("zero", static_cast<int>(z));
+    row.add("partner", paired ? static_cast<int>(w.partner) : -1);
+    row.add("first", w.first);
+    row.add("weight", w.weight);
+  }
+  write_atomically(path, data.bytes());
+}
 
 vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene) {
   const Skeleton& s = *scene.skeleton;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/vector_fields/importance.hpp"
 #include "algorithms/vector_fields/skeleton_result.hpp"
 
 template <class T>
@@ -28,6 +29,11 @@ void write_skeleton(const std::string& path, const SkeletonScene& scene);
 /// What the .vtp file holds.
 vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene);
 
+/// .vtp: the ways of critical points to the smoothed field, the time as z; two partners share one.
+/// Arrays zero, partner (-1: none), first, weight. The same otherwise.
+void write_paths(const std::string& path, const vector_fields::Skeleton& skeleton,
+                 const vector_fields::Importance& importance);
+
 /// The field by line integral convolution with the skeleton on top: saddles blue, sources red,
 /// sinks green, switch points yellow, outflow red, inflow green, separatrices black.
 /// Throws: kernel::InputError for another extension than .png and .svg or a place that cannot be
@@ -38,5 +44,10 @@ struct Scene;  // io/page/scene.hpp
 
 /// The same for a page, over the field's speed.
 Scene skeleton_page_scene(const SkeletonScene& scene);
+
+/// Two fields on one domain side by side: above their meshes, below what write_skeleton_picture()
+/// shows. The same otherwise.
+void write_comparison_picture(const std::string& path, const SkeletonScene& before,
+                              const SkeletonScene& after);
 
 }  // namespace crest::io

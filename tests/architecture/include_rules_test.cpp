@@ -64,6 +64,7 @@ const std::set<std::string>& result_headers() {
       "algorithms/splines/quadratic.hpp",
       "algorithms/splines/value_and_gradient.hpp",
       "algorithms/strips/strips.hpp",
+      "algorithms/vector_fields/importance.hpp",
       "algorithms/vector_fields/planar_field.hpp",
       "algorithms/vector_fields/skeleton_result.hpp",
   };

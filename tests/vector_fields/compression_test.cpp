@@ -88,6 +88,47 @@ TEST_CASE("Compression: positions and vectors scaled by powers of two collapse a
   }
 }
 
+TEST_CASE("Compression: what weighs less may go, what weighs more stays") {
+  const PlanarField field = field_of(sampling::lattice_field(3, 40));
+  const Compression plain = compress(field, options_for(Equivalence::original));
+  std::size_t last = plain.field.triangles.size();
+  for (const double threshold : {0.0, 0.5, 1.0}) {
+    CompressionOptions options;
+    options.simplify = threshold;
+    certify::CompressionCertificate record;
+    const Compression c = compress(field, options, record);
+    INFO("w0 = " << threshold << ": " << c.difference);
+    REQUIRE(c.same_skeleton);
+    check_vertices(field, c);
+    const auto verdict = certify::verify(certify::encode(record.output));
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+    CHECK(c.after.index_sum == c.before.index_sum);
+    CHECK(c.after.switch_points.size() == c.before.switch_points.size());
+    // Each important zero is where it was, bit for bit.
+    std::size_t important = 0;
+    for (std::size_t z = 0; z < c.before.critical_points.size(); ++z) {
+      if (c.importance->zeros[z].weight < threshold) continue;
+      ++important;
+      const CriticalPoint& old = c.before.critical_points[z];
+      CHECK(std::any_of(c.after.critical_points.begin(), c.after.critical_points.end(),
+                        [&](const CriticalPoint& now) {
+                          return now.kind == old.kind && now.point == old.point &&
+                                 now.jacobian == old.jacobian;
+                        }));
+    }
+    CHECK(c.after.critical_points.size() == important + c.counts.left_below);
+    CHECK(c.before.critical_points.size() == c.after.critical_points.size() + c.counts.cancelled);
+    if (threshold == 0) {
+      CHECK(c.vertex_of == plain.vertex_of);
+      CHECK(c.field.triangles == plain.field.triangles);
+    } else {
+      CHECK(c.counts.cancelled > 0);
+      CHECK(c.field.triangles.size() < last);
+    }
+  }
+}
+
 TEST_CASE("Compression: fields with ties keep what cannot be followed in doubles") {
   // Small integers: zeros at vertices, on edges and lines, tangent runs, straight separatrices.
   Random random(20);
