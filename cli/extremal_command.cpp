@@ -140,9 +140,8 @@ extremal::Options options_of(const ExtremalOptions& o) {
 
 /// Piece by piece: of volumes alone.
 Outcome of_pieces(Run& run, const ExtremalOptions& o) {
-  const io::VolumeBoxes boxes =
-      run.step("read", "reading " + o.common.input,
-               [&] { return io::VolumeBoxes(o.common.input, o.source); });
+  const io::VolumeBoxes boxes = run.step("read", "reading " + o.common.input,
+                                         [&] { return io::VolumeBoxes(o.common.input, o.source); });
   for (const std::string& warning : boxes.warnings()) run.warn(warning);
   PieceJob job{o.common.input, o.source, frame_of(boxes.frame()), options_of(o), {}, {}, o.restart};
   const bool certified = run.wanted("--certificate");

@@ -40,9 +40,9 @@ Volume volume_in(const io::VolumeBoxes& boxes, const GridBox& box) {
 std::string key_of(const PieceJob& job, std::size_t piece) {
   const extremal::Options& o = job.options;
   const auto time = std::filesystem::last_write_time(job.input).time_since_epoch().count();
-  std::string r = fmt::format("crest {} {} {} {} {} {}", CREST_VERSION, job.input,
-                              std::filesystem::file_size(job.input), time, job.source.field,
-                              job.source.raw);
+  std::string r =
+      fmt::format("crest {} {} {} {} {} {}", CREST_VERSION, job.input,
+                  std::filesystem::file_size(job.input), time, job.source.field, job.source.raw);
   r += fmt::format(" {} {} {} {} {} {} {} {} {} {}", int(o.definition), int(o.side), o.sigma,
                    o.tensor_sigma.value_or(o.sigma), o.min_value.has_value(),
                    o.min_value.value_or(0), o.min_strength, o.refine, job.meshes.extremal,
@@ -87,8 +87,7 @@ PieceEngine this_process() {
   PieceEngine r;
   r.records = [](const PieceJob& job, const io::VolumeBoxes& boxes) {
     std::vector<Records> all;
-    for (std::size_t p = 0; p < job.owned.size(); ++p)
-      all.push_back(piece_records(job, boxes, p));
+    for (std::size_t p = 0; p < job.owned.size(); ++p) all.push_back(piece_records(job, boxes, p));
     return extremal::join(std::move(all));
   };
   r.values = [](const PieceJob& job, const io::VolumeBoxes& boxes,

@@ -29,7 +29,8 @@ extremal::VolumeFrame frame_of(const kernel::SampledGrid& grid);
 extremal::Records piece_records(const PieceJob& job, const io::VolumeBoxes& boxes,
                                 std::size_t piece);
 std::vector<extremal::AtPlace> piece_values(const PieceJob& job, const io::VolumeBoxes& boxes,
-                                            std::size_t piece, std::span<const kernel::Vec3> places);
+                                            std::size_t piece,
+                                            std::span<const kernel::Vec3> places);
 
 /// Who works on the pieces.
 struct PieceEngine {

@@ -17,12 +17,12 @@ kernel::GridSize size_of(const Grid& g) {
           static_cast<Index>(g.size[2])};
 }
 
-/// In the piece's numbers: its own nodes, and so many beyond.
+/// In the piece's numbers: its own nodes, and so many beyond, as far as there are.
 kernel::GridBox asked(const kernel::GridPiece& piece, Index beyond) {
   kernel::GridBox r = kernel::with_halo(piece.size, piece.owned, beyond).all;
   for (std::size_t k = 0; k < 3; ++k) {
-    r.low[k] -= piece.all.low[k];
-    r.high[k] -= piece.all.low[k];
+    r.low[k] = std::max(r.low[k], piece.all.low[k]) - piece.all.low[k];
+    r.high[k] = std::min(r.high[k], piece.all.high[k]) - piece.all.low[k];
   }
   return r;
 }

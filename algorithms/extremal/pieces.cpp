@@ -21,9 +21,9 @@ Volume part_of(const Volume& volume, const kernel::GridBox& box) {
         part.reserve(box.nodes());
         for (Index z = box.low[2]; z < box.high[2]; ++z)
           for (Index y = box.low[1]; y < box.high[1]; ++y) {
-            const auto row = samples.begin() + static_cast<std::ptrdiff_t>(
-                                                   (std::size_t{z} * volume.size[1] + y) *
-                                                   volume.size[0]);
+            const auto row =
+                samples.begin() +
+                static_cast<std::ptrdiff_t>((std::size_t{z} * volume.size[1] + y) * volume.size[0]);
             part.insert(part.end(), row + box.low[0], row + box.high[0]);
           }
         r.samples = std::move(part);
@@ -48,8 +48,7 @@ std::vector<AtPlace> values_of(const Volume& part, const kernel::GridPiece& piec
   return values_at(fields_of(part, piece, options), refined(piece, options.refine), places);
 }
 
-Owners::Owners(const VolumeFrame& frame, const Options& options,
-               std::vector<kernel::GridBox> owned)
+Owners::Owners(const VolumeFrame& frame, const Options& options, std::vector<kernel::GridBox> owned)
     : levels_(options.refine), owned_(std::move(owned)) {
   size_ = refined(kernel::whole_grid(frame.size), levels_).size;
 }

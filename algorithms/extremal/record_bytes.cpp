@@ -62,7 +62,7 @@ class Reader {
 };
 
 template <class Archive, class Edge>
-  requires std::is_same_v<std::remove_const_t<Edge>, BisectedEdge>
+requires std::is_same_v<std::remove_const_t<Edge>, BisectedEdge>
 void visit(Archive& a, Edge& e) {
   a(e.edge);
   a(e.transport.tree);

@@ -88,9 +88,8 @@ VolumeBoxes::VolumeBoxes(const std::string& path, const VolumeSource& source) : 
   frame_ = read_volume(path, source);
   whole_ = std::move(frame_.grid);
   frame_.grid = {whole_->size, whole_->spacing, whole_->origin, whole_->directions};
-  frame_.grid.samples =
-      std::visit([](const auto& x) -> Samples { return std::decay_t<decltype(x)>(); },
-                 whole_->samples);
+  frame_.grid.samples = std::visit(
+      [](const auto& x) -> Samples { return std::decay_t<decltype(x)>(); }, whole_->samples);
 }
 
 Samples VolumeBoxes::read(const GridBox& box) const {

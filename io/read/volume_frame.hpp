@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// From what a file says to a volume in the world: what volume_reader.hpp and volume_boxes.hpp share.
+// From what a file says to a volume in the world: what volume_reader.hpp and volume_boxes.hpp
+// share.
 #include "io/formats/volume.hpp"
 #include "io/read/volume_reader.hpp"
 #include "kernel/geometry/piece.hpp"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <complex>
 
+#include "algorithms/extremal/assembly.hpp"
 #include "algorithms/extremal/extraction.hpp"
 
 using namespace crest;
@@ -42,6 +43,8 @@ TEST_CASE("line fields: one odd square a singularity, at every resolution") {
   for (const unsigned n : {17U, 33U, 65U}) {
     const Extraction e(singular_field(n), {});
     const auto r = e.result(true);
+    const auto mesh =
+        extremal::Assembly(e.fields().grid(), {}, e.records({false, true})).mesh(true);
     INFO(n);
     CHECK(r.counts.odd_faces == 4);
     CHECK(r.counts.undecided_edges == 0);

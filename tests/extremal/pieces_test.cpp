@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes cut into pieces: joined, they are the whole, byte for byte.
+#include "algorithms/extremal/pieces.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "algorithms/extremal/pieces.hpp"
 #include "certify/extremal/encode.hpp"
 #include "tests/extremal/reference_sheets.hpp"
 #include "tests/support/random.hpp"
@@ -86,8 +87,7 @@ std::vector<GridBox> random_boxes(const kernel::GridSize& size, std::size_t coun
     const std::size_t k = random() % 3;
     if (r[i].size()[k] < 2) continue;
     GridBox far = r[i];
-    const auto cut =
-        static_cast<kernel::Index>(far.low[k] + 1 + random() % (far.size()[k] - 1));
+    const auto cut = static_cast<kernel::Index>(far.low[k] + 1 + random() % (far.size()[k] - 1));
     r[i].high[k] = far.low[k] = cut;
     r.push_back(far);
   }
@@ -113,8 +113,8 @@ TEST_CASE("extremal pieces: boxes own every node once") {
 }
 
 TEST_CASE("extremal pieces: 1, 2, 7 and 64 blocks have the bytes of the whole") {
-  for (const auto& [field, n] : {std::pair{&tests::moebius_sheet, 33U},
-                                 std::pair{&tests::junction_sheet, 24U}}) {
+  for (const auto& [field, n] :
+       {std::pair{&tests::moebius_sheet, 33U}, std::pair{&tests::junction_sheet, 24U}}) {
     const Volume volume = tests::sampled(field, n);
     Options options;
     options.min_value = 0.4;
@@ -122,8 +122,9 @@ TEST_CASE("extremal pieces: 1, 2, 7 and 64 blocks have the bytes of the whole") 
     REQUIRE(whole.result.polygons() > 100);
     for (const kernel::Index count : {1U, 2U, 7U, 64U}) {
       INFO(n << " nodes, " << count << " blocks");
-      check_same(whole, of_pieces(volume, options,
-                                  kernel::cut_grid(volume.size, kernel::parts_of(volume.size, count))));
+      check_same(whole,
+                 of_pieces(volume, options,
+                           kernel::cut_grid(volume.size, kernel::parts_of(volume.size, count))));
     }
   }
 }
@@ -176,12 +177,13 @@ TEST_CASE("extremal pieces: a narrower halo is not enough") {
   std::vector<extremal::Records> records;
   for (const GridBox& box : boxes) {
     const auto piece = kernel::with_halo(volume.size, box, 3);
-    records.push_back(extremal::Extraction(
-                          extremal::Fields(extremal::part_of(volume, piece.all), options), options,
-                          piece)
-                          .records({}));
+    records.push_back(
+        extremal::Extraction(extremal::Fields(extremal::part_of(volume, piece.all), options),
+                             options, piece)
+            .records({}));
   }
   const extremal::Records joined = join(std::move(records));
-  CHECK(joined.cells.directions !=
-        extremal::Extraction(extremal::Fields(volume, options), options).records({}).cells.directions);
+  CHECK(joined.cells.directions != extremal::Extraction(extremal::Fields(volume, options), options)
+                                       .records({})
+                                       .cells.directions);
 }
