@@ -154,10 +154,8 @@ Outcome of_pieces(Run& run, const ExtremalOptions& o) {
   std::optional<ExtremalCertificate> certificate;
   if (certified) certificate.emplace();
   extremal::Result result =
-      run.step("extract", fmt::format("extremal surface, {} blocks", job.owned.size()), [&] {
-        return run.with_input(
-            [&] { return extract_pieces(job, boxes, certificate ? &*certificate : nullptr); });
-      });
+      run.step("extract", fmt::format("extremal surface, {} blocks", job.owned.size()),
+               [&] { return extract_pieces(job, boxes, certificate ? &*certificate : nullptr); });
   move_to_world(boxes.frame(), result);
   std::string digest;
   if (certificate) digest = certify_result(run, certificate, result.undecided.size());

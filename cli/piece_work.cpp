@@ -36,6 +36,21 @@ Volume volume_in(const io::VolumeBoxes& boxes, const GridBox& box) {
   return r;
 }
 
+/// Names the file in the errors of what knows no file names.
+template <class Work>
+auto naming(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const kernel::InputError& error) {
+    throw error.with_file(file);
+  }
+}
+
+kernel::GridPiece piece_of(const PieceJob& job, std::size_t piece) {
+  return naming(job.input,
+                [&] { return extremal::piece_of(job.frame, job.options, job.owned[piece]); });
+}
+
 /// What a finished piece depends on, in a line.
 std::string key_of(const PieceJob& job, std::size_t piece) {
   const extremal::Options& o = job.options;
@@ -129,8 +144,10 @@ extremal::VolumeFrame frame_of(const kernel::SampledGrid& grid) {
 Records piece_records(const PieceJob& job, const io::VolumeBoxes& boxes, std::size_t piece) {
   if (!job.restart.empty())
     if (auto found = finished_piece(job, piece)) return std::move(*found);
-  const auto p = extremal::piece_of(job.frame, job.options, job.owned[piece]);
-  Records r = extremal::records_of(volume_in(boxes, p.all), p, job.options, job.meshes);
+  const auto p = piece_of(job, piece);
+  const Volume part = volume_in(boxes, p.all);
+  Records r =
+      naming(job.input, [&] { return extremal::records_of(part, p, job.options, job.meshes); });
   if (!job.restart.empty()) keep_piece(job, piece, r);
   return r;
 }
@@ -138,7 +155,7 @@ Records piece_records(const PieceJob& job, const io::VolumeBoxes& boxes, std::si
 std::vector<AtPlace> piece_values(const PieceJob& job, const io::VolumeBoxes& boxes,
                                   std::size_t piece, std::span<const kernel::Vec3> places) {
   if (places.empty()) return {};
-  const auto p = extremal::piece_of(job.frame, job.options, job.owned[piece]);
+  const auto p = piece_of(job, piece);
   return extremal::values_of(volume_in(boxes, p.all), p, job.options, places);
 }
 

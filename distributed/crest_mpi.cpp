@@ -2,13 +2,17 @@
 // crest-mpi: `mpirun -np N crest-mpi COMMAND ...` is `crest COMMAND ...`, with the same bytes.
 #include <signal.h>
 #include <unistd.h>
-#include <vtk_diy2.h>
 
 #include <cstdio>
+#include <string_view>
+
+// DIY's headers forget the first two.
+// clang-format off
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include VTK_DIY2(diy / mpi.hpp)
+#include <vtk_diy2.h>
+#include VTK_DIY2(diy/mpi.hpp)
+// clang-format on
 
 #include "cli/command.hpp"
 #include "cli/program.hpp"

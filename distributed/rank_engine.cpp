@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distributed/rank_engine.hpp"
 
-// DIY's headers forget these.
-#include <vtk_diy2.h>
-
+// DIY's headers forget the first two.
+// clang-format off
 #include <stdexcept>
 #include <string>
-#include VTK_DIY2(diy / assigner.hpp)
-#include VTK_DIY2(diy / mpi.hpp)
-#include VTK_DIY2(diy / serialization.hpp)
+#include <vtk_diy2.h>
+#include VTK_DIY2(diy/assigner.hpp)
+#include VTK_DIY2(diy/mpi.hpp)
+#include VTK_DIY2(diy/serialization.hpp)
+// clang-format on
 
 #include <list>
 #include <memory>

@@ -14,7 +14,7 @@ namespace crest::tests {
 inline std::vector<std::string> project_files() {
   const fs::path root = CREST_SOURCE_DIR;
   std::vector<std::string> files;
-  for (const char* folder : {"kernel", "certify", "algorithms", "io", "cli", "examples",
+  for (const char* folder : {"kernel", "certify", "algorithms", "io", "cli", "distributed", "examples",
                              "experiments", "tests", "cmake", "scripts", "docs", ".ci"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
