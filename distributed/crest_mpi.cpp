@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
 
@@ -52,6 +53,11 @@ int main(int argc, char** argv) {
     signal(SIGTERM, stop);
     code = run(argc, argv);
     crest::distributed::dismiss();
+    const bool quiet = std::any_of(
+        argv, argv + argc, [](const char* word) { return std::string_view(word) == "--quiet"; });
+    if (code == crest::cli::kDone && !quiet)
+      std::printf("processes: %d, which sent one another %zu bytes\n", world.size(),
+                  crest::distributed::bytes_exchanged());
   } else {
     crest::distributed::serve();
   }

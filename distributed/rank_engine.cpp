@@ -31,7 +31,7 @@ enum Tag : int { kAnswer = 1, kPlaces = 2, kStop = 3 };
 /// What an answer begins with.
 enum class Kind : std::uint8_t { good, bad_input, no_memory, internal };
 
-std::size_t sent = 0;
+std::size_t exchanged = 0;
 
 void save(diy::BinaryBuffer& to, const PieceJob& job) {
   diy::save(to, job.input);
@@ -139,7 +139,7 @@ Records all_records(const PieceJob& job, const io::VolumeBoxes& boxes) {
   diy::MemoryBuffer buffer;
   save(buffer, job);
   diy::mpi::broadcast(world, buffer.buffer, 0);
-  sent += buffer.buffer.size() * static_cast<std::size_t>(world.size() - 1);
+  exchanged += buffer.buffer.size() * static_cast<std::size_t>(world.size() - 1);
   std::vector<Records> all(job.owned.size());
   Bytes bad;
   const auto take = [&](std::size_t piece, const Bytes& bytes) {
@@ -157,6 +157,7 @@ Records all_records(const PieceJob& job, const io::VolumeBoxes& boxes) {
     if (rank == 0) continue;
     Bytes bytes;
     world.recv(rank, kAnswer, bytes);
+    exchanged += bytes.size();
     take(piece, bytes);
   }
   if (!bad.empty()) require_good(bad);
@@ -175,7 +176,7 @@ std::vector<AtPlace> all_values(const PieceJob& job, const io::VolumeBoxes& boxe
     Bytes bytes;
     append(bytes, own[piece].data(), own[piece].size());
     world.send(shares.rank_of(piece), kPlaces, bytes);
-    sent += bytes.size();
+    exchanged += bytes.size();
   }
   std::vector<std::vector<AtPlace>> got(own.size());
   for (const int piece : shares.of(0)) {
@@ -187,6 +188,7 @@ std::vector<AtPlace> all_values(const PieceJob& job, const io::VolumeBoxes& boxe
     if (shares.rank_of(piece) == 0) continue;
     Bytes bytes;
     world.recv(shares.rank_of(piece), kAnswer, bytes);
+    exchanged += bytes.size();
     if (static_cast<Kind>(bytes[0]) != Kind::good) {
       if (bad.empty()) bad = bytes;
       continue;
@@ -209,7 +211,6 @@ class Mail {
     for (auto& [bytes, request] : under_way_) request.wait();
   }
   void send(Bytes bytes) {
-    sent += bytes.size();
     under_way_.emplace_back(std::move(bytes), diy::mpi::request());
     under_way_.back().second = world_.isend(0, kAnswer, under_way_.back().first);
     under_way_.remove_if([](auto& one) { return static_cast<bool>(one.second.test()); });
@@ -233,8 +234,8 @@ void dismiss() {
   order(diy::mpi::communicator(), kDone);
 }
 
-std::size_t bytes_sent() {
-  return sent;
+std::size_t bytes_exchanged() {
+  return exchanged;
 }
 
 void serve() {

@@ -15,7 +15,8 @@ void serve();
 /// Lets the others return from serve(). On rank 0.
 void dismiss();
 
-/// Bytes that this rank has sent.
-std::size_t bytes_sent();
+/// Bytes of jobs, places, records and values: all that ranks have sent one another. On rank 0,
+/// which is an end of every message.
+std::size_t bytes_exchanged();
 
 }  // namespace crest::distributed

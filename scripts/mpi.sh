@@ -48,12 +48,14 @@ ranks 4 extremal short.nrrd --ridge -o bad.vtp 2>words || code=$?
 echo "a truncated file: $(cat words)"
 
 # A process is killed as soon as a block is done; a restart must end with the same bytes.
+"$crest" sample moebius-sheet --nodes 80 -o sheet.nrrd --quiet
+"$crest" extremal sheet.nrrd --ridge --min-value 0.4 -o one.vtp --certificate one.crest --quiet
 mkdir done
 ranks 2 extremal sheet.nrrd --ridge --min-value 0.4 --blocks 27 --restart done -o many.vtp \
   --certificate many.crest 2>words & run=$!
 while [ -z "$(ls done)" ] && kill -0 $run 2>/dev/null; do sleep 0.01; done
 victim=$(pgrep -n -f "^$mpi extremal sheet.nrrd .* --restart done" || true)
-[ -z "$victim" ] || kill -9 "$victim"
+[ -z "$victim" ] || kill -9 "$victim" 2>/dev/null || true
 if wait $run; then
   echo "the run ended before it could be killed"
 else
