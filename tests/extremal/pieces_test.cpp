@@ -168,22 +168,3 @@ TEST_CASE("extremal pieces: curves of images, too") {
     check_same(whole, of_pieces(image, {},
                                 kernel::cut_grid(image.size, kernel::parts_of(image.size, count))));
 }
-
-TEST_CASE("extremal pieces: a narrower halo is not enough") {
-  const Volume volume = tests::sampled(&tests::torus_sheet, 30);
-  Options options;
-  const Outcome whole = of_whole(volume, options);
-  const auto boxes = kernel::cut_grid(volume.size, {1, 1, 3});
-  std::vector<extremal::Records> records;
-  for (const GridBox& box : boxes) {
-    const auto piece = kernel::with_halo(volume.size, box, 3);
-    records.push_back(
-        extremal::Extraction(extremal::Fields(extremal::part_of(volume, piece.all), options),
-                             options, piece)
-            .records({}));
-  }
-  const extremal::Records joined = join(std::move(records));
-  CHECK(joined.cells.directions != extremal::Extraction(extremal::Fields(volume, options), options)
-                                       .records({})
-                                       .cells.directions);
-}
