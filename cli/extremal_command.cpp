@@ -12,6 +12,7 @@
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
 #include "cli/extremal_report.hpp"
+#include "cli/piece_work.hpp"
 #include "cli/run.hpp"
 #include "cli/volume_source.hpp"
 #include "io/extremal/extremal_picture.hpp"
@@ -34,6 +35,8 @@ struct ExtremalOptions {
   std::optional<int> refine;
   std::optional<double> radius;
   std::optional<int> depth;
+  kernel::Index blocks = 0;
+  std::string restart;
 };
 
 void check(const ExtremalOptions& o) {
@@ -41,7 +44,8 @@ void check(const ExtremalOptions& o) {
     throw UsageError(
         "give one of --ridge, --valley (of a volume or an image), --surface (of points)");
   const bool volume = o.sigma || o.tensor_sigma || o.min_value || o.min_strength || o.refine ||
-                      !o.definition.empty() || !o.source.raw.empty() || !o.source.field.empty();
+                      !o.definition.empty() || !o.source.raw.empty() || !o.source.field.empty() ||
+                      o.blocks > 0 || !o.restart.empty();
   if (o.surface && volume)
     throw UsageError(
         "--surface takes --radius, --depth and --critical; the other options are for volumes");
@@ -99,9 +103,7 @@ Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& resul
   return {extremal_summary(result), {"li2010extremal"}, certified ? kDone : kNotCertified};
 }
 
-Outcome of_volume(Run& run, const ExtremalOptions& o) {
-  io::VolumeFile file = read_volume(run, o);
-  const kernel::SampledGrid& grid = file.grid;
+extremal::Options options_of(const ExtremalOptions& o) {
   extremal::Options options;
   options.definition =
       o.definition == "hessian" ? extremal::Definition::hessian : extremal::Definition::structure;
@@ -112,6 +114,37 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   options.min_strength = o.min_strength.value_or(0);
   options.critical = o.critical;
   options.refine = o.refine.value_or(0);
+  return options;
+}
+
+/// Piece by piece: of volumes alone.
+Outcome of_pieces(Run& run, const ExtremalOptions& o) {
+  const io::VolumeBoxes boxes = run.step("read", "reading " + o.common.input,
+                                         [&] { return io::VolumeBoxes(o.common.input, o.source); });
+  for (const std::string& warning : boxes.warnings()) run.warn(warning);
+  PieceJob job{o.common.input, o.source, frame_of(boxes.frame()), options_of(o), {}, {}, o.restart};
+  const bool certified = run.wanted("--certificate");
+  job.meshes = {!job.options.critical || certified, job.options.critical};
+  const auto blocks = std::max(o.blocks, static_cast<kernel::Index>(piece_engine().least_pieces));
+  job.owned = kernel::cut_grid(job.frame.size, kernel::parts_of(job.frame.size, blocks));
+  run.report()["definition"] = o.definition.empty() ? "structure" : o.definition;
+  run.report()["sigma"] = job.options.sigma;
+  run.report()["blocks"] = job.owned.size();
+  std::optional<ExtremalCertificate> certificate;
+  if (certified) certificate.emplace();
+  extremal::Result result =
+      run.step("extract", fmt::format("extremal surface, {} blocks", job.owned.size()),
+               [&] { return extract_pieces(job, boxes, certificate ? &*certificate : nullptr); });
+  move_to_world(boxes.frame(), result);
+  std::string digest;
+  if (certificate) digest = certify_result(run, certificate, result.undecided.size());
+  return finish(run, o, result, digest, nullptr);
+}
+
+Outcome of_volume(Run& run, const ExtremalOptions& o) {
+  io::VolumeFile file = read_volume(run, o);
+  const kernel::SampledGrid& grid = file.grid;
+  const extremal::Options options = options_of(o);
   run.report()["definition"] = o.definition.empty() ? "structure" : o.definition;
   run.report()["sigma"] = options.sigma;
   std::optional<ExtremalCertificate> certificate;
@@ -146,7 +179,9 @@ Outcome of_points(Run& run, const ExtremalOptions& o) {
 
 Outcome work(Run& run, const ExtremalOptions& o) {
   check(o);
-  return o.surface ? of_points(run, o) : of_volume(run, o);
+  if (o.surface) return of_points(run, o);
+  const bool pieces = o.blocks > 0 || piece_engine().least_pieces > 1 || !o.restart.empty();
+  return pieces ? of_pieces(run, o) : of_volume(run, o);
 }
 
 void add_volume_options(CLI::App& app, ExtremalOptions& o) {
@@ -182,6 +217,15 @@ void add_volume_options(CLI::App& app, ExtremalOptions& o) {
                  "halve the grid D times (default 0): the same field, of which more is proven")
       ->check(CLI::Range(0, extremal::kMostRefined))
       ->type_name("D")
+      ->group(group);
+  app.add_option("--blocks", o.blocks,
+                 "work on the volume in so many blocks, one in memory at a time: the same bytes")
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--restart", o.restart,
+                 "keep finished blocks in FOLDER, and go on from those that are there")
+      ->type_name("FOLDER")
       ->group(group);
   add_volume_source(app, o.source, group);
 }

@@ -2,72 +2,49 @@
 #include <algorithm>
 
 #include "algorithms/extremal/components.hpp"
-#include "algorithms/extremal/dual.hpp"
 
 namespace crest::extremal {
 
-Clusters::Clusters(const Fields& fields, const Cells& cells, const Edges& edges, const Faces& faces)
-    : fields_(fields) {
-  // By the definition by Hess the theorem is not proven.
-  if (!fields.structure()) return;
-  const std::size_t count = fields.grid().nodes();
-  for (std::size_t v = 0; v < count; ++v)
-    if (cells.regular(v)) members_.push_back(v);
+Clusters::Clusters(const Grid& grid, const CellRecords& cells) {
+  // By the definition by Hess there are no regular cells: the theorem is not proven.
+  std::vector<bool> extremal;
+  std::size_t n = 0;
+  for (const certify::CellRun& run : cells.runs)
+    for (Index i = 0; i < run.length; ++i, ++n) {
+      const auto s = static_cast<CellState>(cells.codes[n]);
+      if (s != CellState::regular && s != CellState::regular_extremal) continue;
+      members_.push_back(run.first + i);
+      extremal.push_back(s == CellState::regular_extremal);
+    }
   kernel::DisjointSets sets(static_cast<Index>(members_.size()));
-  std::vector<bool> bad(members_.size());
-  for (Index m = 0; m < members_.size(); ++m)
-    bad[m] = !cells.proof(members_[m]).boxed || !join_neighbours(cells, m, sets) ||
-             several_sheets(edges, faces, members_[m]);
+  join_neighbours(grid, sets);
   cluster_.resize(members_.size());
   bad_.assign(members_.size(), false);
   mixed_.assign(members_.size(), false);
   for (Index m = 0; m < members_.size(); ++m) {
     cluster_[m] = sets.find(m);
-    if (bad[m]) bad_[cluster_[m]] = true;
-    if (cells.state(members_[m]) != CellState::regular_extremal) mixed_[cluster_[m]] = true;
+    if (cells.fit[m] == 0) bad_[cluster_[m]] = true;
+    if (!extremal[m]) mixed_[cluster_[m]] = true;
   }
 }
 
-/// Joins a member with those it touches; false if it touches what is neither regular nor empty.
-bool Clusters::join_neighbours(const Cells& cells, Index m, kernel::DisjointSets& sets) const {
-  const Grid& g = fields_.grid();
-  const Dual dual(g);
-  const Node v = g.node(members_[m]);
-  const int reach = dual.plane() ? 0 : 1;
-  bool good = true;
-  for (int z = -reach; z <= reach; ++z)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x) {
-        const Node other = {v[0] + x, v[1] + y, v[2] + z};
-        if (!dual.inside(other)) {
-          good = false;
-          continue;
-        }
-        const std::size_t n = g.index(other);
-        if (!cells.regular(n))
-          good = good && cells.state(n) == CellState::empty;
-        else if (n < members_[m])
-          sets.unite(m, static_cast<Index>(std::lower_bound(members_.begin(), members_.end(), n) -
-                                           members_.begin()));
-      }
-  return good;
-}
-
-/// Has the cell more than one sheet, or an ambiguous face?
-bool Clusters::several_sheets(const Edges& edges, const Faces& faces, std::size_t cell) const {
-  const Node v = fields_.grid().node(cell);
-  if (fields_.grid().dimension() == 2) return faces.face(v, 2).critical > 2;
-  const auto in = faces.cell_edges(v);
-  if (std::none_of(in.begin(), in.end(), [&](Index e) { return edges.critical(e); })) return false;
-  const auto sheets = faces.sheets(v);
-  if (*std::max_element(sheets.begin(), sheets.end()) > 0) return true;
-  for (std::size_t normal = 0; normal < 3; ++normal)
-    for (int far = 0; far < 2; ++far) {
-      Node p = v;
-      p[normal] += far;
-      if (faces.face(p, normal).critical == 4) return true;
+/// Joins members that share a point. A row's last node and the last row's are no cells: so numbers
+/// that differ by one, or by a row and so on, are neighbours.
+void Clusters::join_neighbours(const Grid& grid, kernel::DisjointSets& sets) const {
+  const std::size_t row = grid.stride[1], slice = grid.stride[2];
+  std::vector<std::size_t> back{row};
+  if (grid.dimension() == 3) back.insert(back.end(), {slice - row, slice, slice + row});
+  for (Index m = 1; m < members_.size(); ++m)
+    if (members_[m - 1] + 1 == members_[m]) sets.unite(m, m - 1);
+  for (const std::size_t distance : back) {
+    Index other = 0;
+    for (Index m = 0; m < members_.size(); ++m) {
+      const auto middle =
+          static_cast<std::int64_t>(members_[m]) - static_cast<std::int64_t>(distance);
+      while (std::int64_t{members_[other]} < middle - 1) ++other;
+      for (Index k = other; k < m && std::int64_t{members_[k]} <= middle + 1; ++k) sets.unite(m, k);
     }
-  return false;
+  }
 }
 
 bool Clusters::proven(std::size_t cell) const {

@@ -2,6 +2,10 @@
 #pragma once
 
 // The components of the cut mesh: topology, orientation, and the clusters of theorem (b).
+#include <functional>
+#include <span>
+
+#include "algorithms/extremal/placing.hpp"
 #include "algorithms/extremal/trim.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
 
@@ -11,19 +15,17 @@ namespace crest::extremal {
 /// regular with one sheet at most, all others that they touch empty, no border, no ambiguous face.
 class Clusters {
  public:
-  Clusters(const Fields& fields, const Cells& cells, const Edges& edges, const Faces& faces);
+  Clusters(const Grid& grid, const CellRecords& cells);
   bool proven(std::size_t cell) const;
   /// And s_nn > 0 on all of its cells?
   bool extremal(std::size_t cell) const;
 
  private:
-  bool join_neighbours(const Cells& cells, Index m, kernel::DisjointSets& sets) const;
-  bool several_sheets(const Edges& edges, const Faces& faces, std::size_t cell) const;
+  void join_neighbours(const Grid& grid, kernel::DisjointSets& sets) const;
 
-  const Fields& fields_;
-  std::vector<std::size_t> members_;  ///< regular cells, ascending
-  std::vector<Index> cluster_;        ///< a member's
-  std::vector<bool> bad_, mixed_;     ///< a cluster's
+  std::vector<Index> members_;     ///< regular cells, ascending
+  std::vector<Index> cluster_;     ///< a member's
+  std::vector<bool> bad_, mixed_;  ///< a cluster's
 };
 
 /// What a component has beside what is reported.
@@ -48,9 +50,9 @@ struct MeasuredMesh {
   TrimmedMesh trimmed;
   Measured measured;
 };
-/// The points, polygons and components of a result; `field` gives what a place has, in units of the
-/// grid.
-void write_mesh(const Grid& grid, const MeasuredMesh& mesh,
-                const std::function<Local(const Vec3&)>& field, Result& result);
+/// What the fields have at places, in units of the grid.
+using ValuesAt = std::function<std::vector<AtPlace>(std::span<const Vec3>)>;
+/// The points, polygons and components of a result.
+void write_mesh(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& values, Result& result);
 
 }  // namespace crest::extremal

@@ -39,6 +39,8 @@ void Edges::decide(const Node& v, std::size_t axis, Slice& slice) {
   const auto e = static_cast<Index>(3 * a + axis);
   const Vec3 na = nodes_.direction(a), nb = nodes_.direction(b);
   const std::size_t cell = deciding_cell(v, axis);
+  const bool counts =
+      counted_.has({static_cast<Index>(v[0]), static_cast<Index>(v[1]), static_cast<Index>(v[2])});
   Transport way;
   EdgeNet net;
   int lower, upper;
@@ -46,18 +48,17 @@ void Edges::decide(const Node& v, std::size_t axis, Slice& slice) {
     const Vec3 w = unit(cells_.direction(cell));
     lower = nodes_.sign(a) * side(na, w);
     upper = nodes_.sign(b) * side(nb, w);
-    ++slice.depths[0];
-    ++slice.tests;
+    if (counts) slice.count(0, 1);
   } else {
     net = edge_net(fields_, v, axis);
     way = transport(net, na, nb);
-    slice.tests += way.tests;
+    if (counts) slice.tests += way.tests;
     if (!way.decided) {
       states_[e] = EdgeState::undecided;
       slice.undecided.push_back(e);
       return;
     }
-    ++slice.depths[static_cast<std::size_t>(way.depth)];
+    if (counts) slice.count(static_cast<std::size_t>(way.depth), 0);
     int turned = 1;
     for (std::size_t i = 0; i + 1 < way.leaves.size(); ++i)
       turned *= side(unit(way.leaves[i].w), unit(way.leaves[i + 1].w));
@@ -85,8 +86,9 @@ void Edges::decide(const Node& v, std::size_t axis, Slice& slice) {
   slice.critical.push_back({e, zero_place(net, way.leaves, lower, upper)});
 }
 
-Edges::Edges(const Fields& fields, const Nodes& nodes, const Cells& cells)
-    : fields_(fields), nodes_(nodes), cells_(cells) {
+Edges::Edges(const Fields& fields, const Nodes& nodes, const Cells& cells,
+             const kernel::GridBox& counted)
+    : fields_(fields), nodes_(nodes), cells_(cells), counted_(counted) {
   const Grid& g = fields.grid();
   states_.assign(3 * g.nodes(), EdgeState::untested);
   std::vector<Slice> slices(static_cast<std::size_t>(g.size[2]));
@@ -109,8 +111,6 @@ Edges::Edges(const Fields& fields, const Nodes& nodes, const Cells& cells)
     tests_ += s.tests;
     for (std::size_t d = 0; d < depths_.size(); ++d) depths_[d] += s.depths[d];
   }
-  for (const std::size_t n : depths_) count_ += n;
-  while (depths_.size() > 1 && depths_.back() == 0) depths_.pop_back();
 }
 
 std::size_t Edges::find(Index e) const {

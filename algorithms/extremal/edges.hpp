@@ -29,7 +29,9 @@ struct BisectedEdge {
 
 class Edges {
  public:
-  Edges(const Fields& fields, const Nodes& nodes, const Cells& cells);
+  /// Tests of edges that start in `counted` are counted.
+  Edges(const Fields& fields, const Nodes& nodes, const Cells& cells,
+        const kernel::GridBox& counted);
 
   EdgeState state(Index e) const { return states_[e]; }
   bool tested(Index e) const {
@@ -45,7 +47,6 @@ class Edges {
   const std::vector<Index>& undecided() const { return undecided_; }
   /// Edges by depth of their bisection; those of cells: 0.
   const std::vector<std::size_t>& depths() const { return depths_; }
-  std::size_t count() const { return count_; }
   std::size_t tests() const { return tests_; }
 
  private:
@@ -55,6 +56,10 @@ class Edges {
     std::vector<Index> undecided;
     std::vector<std::size_t> depths = std::vector<std::size_t>(15);
     std::size_t tests = 0;
+    void count(std::size_t depth, std::size_t n) {
+      ++depths[depth];
+      tests += n;
+    }
   };
   void decide(const Node& v, std::size_t axis, Slice& slice);
   std::size_t deciding_cell(const Node& v, std::size_t axis) const;
@@ -62,12 +67,13 @@ class Edges {
   const Fields& fields_;
   const Nodes& nodes_;
   const Cells& cells_;
+  const kernel::GridBox counted_;
   std::vector<EdgeState> states_;
   std::vector<CriticalEdge> critical_;
   std::vector<BisectedEdge> bisected_;
   std::vector<Index> undecided_;
   std::vector<std::size_t> depths_;
-  std::size_t count_ = 0, tests_ = 0;
+  std::size_t tests_ = 0;
 };
 
 }  // namespace crest::extremal

@@ -1,83 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/extraction.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cmath>
+
+#include "algorithms/extremal/assembly.hpp"
 
 namespace crest::extremal {
+namespace {
+
+kernel::GridSize size_of(const Grid& g) {
+  return {static_cast<Index>(g.size[0]), static_cast<Index>(g.size[1]),
+          static_cast<Index>(g.size[2])};
+}
+
+/// In the piece's numbers: its own nodes, and so many beyond, as far as there are.
+kernel::GridBox asked(const kernel::GridPiece& piece, Index beyond) {
+  kernel::GridBox r = kernel::with_halo(piece.size, piece.owned, beyond).all;
+  for (std::size_t k = 0; k < 3; ++k) {
+    r.low[k] = std::max(r.low[k], piece.all.low[k]) - piece.all.low[k];
+    r.high[k] = std::min(r.high[k], piece.all.high[k]) - piece.all.low[k];
+  }
+  return r;
+}
+
+}  // namespace
 
 Extraction::Extraction(Fields fields, const Options& options)
+    : Extraction(std::move(fields), options, std::nullopt) {}
+
+Extraction::Extraction(Fields fields, const Options& options,
+                       const std::optional<kernel::GridPiece>& piece)
     : options_(options),
       fields_(std::move(fields)),
-      nodes_(fields_, options.min_value),
+      piece_(piece ? refined(*piece, options.refine) : kernel::whole_grid(size_of(fields_.grid()))),
+      nodes_(fields_, options.min_value, asked(piece_, 4)),
       cells_(fields_, nodes_),
-      edges_(fields_, nodes_, cells_),
-      faces_(fields_, nodes_, cells_, edges_),
-      clusters_(fields_, cells_, edges_, faces_) {}
+      edges_(fields_, nodes_, cells_, asked(piece_, 0)),
+      faces_(fields_, nodes_, cells_, edges_) {}
 
-MeasuredMesh Extraction::mesh(bool critical) const {
-  MeasuredMesh r;
-  r.sheets = make_sheets(fields_, cells_, edges_, faces_, critical);
-  r.trimmed =
-      trim(r.sheets, level_values(fields_, r.sheets, {options_.min_value, options_.min_strength}));
-  r.measured = measure(fields_.grid(), r.sheets, r.trimmed);
-  if (fields_.structure()) decide_isotopy(r.sheets, r.trimmed, clusters_, r.measured);
+Result Extraction::result(bool critical) const {
+  const Assembly assembly(fields_.grid(), options_, records({!critical, critical}));
+  return assembly.result(
+      critical, [&](std::span<const Vec3> places) { return values_at(fields_, piece_, places); });
+}
+
+Node owner_of(const kernel::GridSize& size, const Vec3& place) {
+  Node r;
+  for (std::size_t k = 0; k < 3; ++k)
+    r[k] = std::clamp(static_cast<int>(place[k]), 0, std::max(0, static_cast<int>(size[k]) - 2));
   return r;
 }
 
-Counts Extraction::counts(const MeasuredMesh& mesh) const {
-  Counts c;
-  c.nodes = fields_.grid().nodes();
-  c.active_nodes = nodes_.count(NodeState::active);
-  c.flat_nodes = nodes_.count(NodeState::flat);
-  c.empty = cells_.count(CellState::empty);
-  c.regular = cells_.count(CellState::regular) + cells_.count(CellState::regular_extremal);
-  c.cone = cells_.count(CellState::cone);
-  c.open = cells_.count(CellState::open);
-  c.edges = edges_.count();
-  c.critical_edges = edges_.critical_edges().size();
-  for (const CriticalEdge& e : edges_.critical_edges()) {
-    c.extremal_edges += edges_.state(e.edge) == EdgeState::extremal ? 1 : 0;
-    c.undecided_types += edges_.state(e.edge) == EdgeState::type_undecided ? 1 : 0;
+std::vector<AtPlace> values_at(const Fields& fields, const kernel::GridPiece& piece,
+                               std::span<const Vec3> places) {
+  std::vector<AtPlace> r(places.size());
+  const bool plane = fields.grid().dimension() == 2;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Node cell = owner_of(piece.size, places[i]);
+      Node here;
+      Vec3 t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        here[k] = cell[k] - static_cast<int>(piece.all.low[k]);
+        t[k] = places[i][k] - cell[k];
+      }
+      r[i] = at_place(fields.at(here, t), plane);
+    }
+  });
+  return r;
+}
+
+kernel::GridPiece refined(const kernel::GridPiece& piece, int levels) {
+  kernel::GridPiece r = piece;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto fine = [&](Index x) {
+      // The nodes behind the last one are those of no other piece.
+      return x == piece.size[k] ? ((piece.size[k] - 1) << levels) + 1 : x << levels;
+    };
+    r.size[k] = fine(piece.size[k]);
+    for (kernel::GridBox* box : {&r.owned, &r.all}) {
+      box->low[k] = box->low[k] << levels;
+      // A halved box ends at its last node.
+      box->high[k] = box == &r.owned ? fine(box->high[k]) : ((box->high[k] - 1) << levels) + 1;
+    }
   }
-  c.undecided_edges = edges_.undecided().size();
-  c.valence = mesh.trimmed.valence;
-  c.odd_valence_unexplained = mesh.trimmed.unexplained;
-  c.bisections = edges_.depths();
-  c.cone_tests = edges_.tests();
-  count_crossings(fields_, edges_, faces_, c);
-  return c;
+  return r;
 }
 
-Result Extraction::result(const MeasuredMesh& mesh) const {
-  const Grid& g = fields_.grid();
-  Result r;
-  r.dimension = g.dimension();
-  const double plane = std::min(g.spacing[0], g.spacing[1]);
-  const double least = r.dimension == 2 ? plane : std::min(plane, g.spacing[2]);
-  r.h = std::sqrt(2.0) * options_.sigma * std::ldexp(least, options_.refine);
-  write_mesh(
-      g, mesh,
-      [&](const Vec3& x) {
-        Node cell;
-        Vec3 t;
-        for (std::size_t k = 0; k < 3; ++k) {
-          cell[k] = std::clamp(static_cast<int>(x[k]), 0, std::max(0, g.size[k] - 2));
-          t[k] = x[k] - cell[k];
-        }
-        return fields_.at(cell, t);
-      },
-      r);
-  const auto add = [&](Index e, bool type) {
-    const Node v = g.node(e / 3);
-    Vec3 a = {double(v[0]), double(v[1]), double(v[2])}, b = a;
-    b[e % 3] += 1;
-    r.undecided.push_back({g.position(a), g.position(b), type});
-  };
-  for (const Index e : edges_.undecided()) add(e, false);
-  for (const CriticalEdge& e : edges_.critical_edges())
-    if (edges_.state(e.edge) == EdgeState::type_undecided) add(e.edge, true);
-  r.counts = counts(mesh);
-  return r;
+Index halo_of(const Grid& grid, const Options& options) {
+  std::size_t radius = 0;
+  const double tensor = options.tensor_sigma.value_or(options.sigma);
+  for (const double sigma : {options.sigma, tensor})
+    for (const auto& w : smoothing_weights(grid, sigma)) radius = std::max(radius, w.size() - 1);
+  // A difference, the splines' support, and cells round nodes round edges round faces round cells;
+  // a mirrored end a halving.
+  return static_cast<Index>(radius + 8 + static_cast<std::size_t>(options.refine));
 }
 
 }  // namespace crest::extremal

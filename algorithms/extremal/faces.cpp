@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "algorithms/extremal/dual.hpp"
+
 namespace crest::extremal {
 
 /// Of the corners 0 and 2, or 1 and 3, those are joined whose sign g has at the bilinear saddle;
@@ -68,10 +70,15 @@ Face Faces::face(const Node& p, std::size_t normal) const {
   return f;
 }
 
-std::array<Index, 12> Faces::cell_edges(const Node& cell) const {
-  const Grid& grid = fields_.grid();
+std::array<Index, 12> edges_of_cell(const Grid& grid, const Node& cell) {
   const std::size_t at = grid.index(cell);
   std::array<Index, 12> r;
+  if (grid.dimension() == 2) {
+    r.fill(kernel::kNone);
+    const auto round = Dual(grid).edges_of({cell, 2});
+    std::copy(round.begin(), round.end(), r.begin());
+    return r;
+  }
   for (std::size_t axis = 0, n = 0; axis < 3; ++axis)
     for (std::size_t i = 0; i < 4; ++i, ++n)
       r[n] = static_cast<Index>(
@@ -81,7 +88,7 @@ std::array<Index, 12> Faces::cell_edges(const Node& cell) const {
 }
 
 std::array<std::int8_t, 12> Faces::sheets(const Node& cell) const {
-  const auto edges = cell_edges(cell);
+  const auto edges = edges_of_cell(fields_.grid(), cell);
   std::array<std::int8_t, 12> parent;
   for (std::size_t i = 0; i < 12; ++i)
     parent[i] = static_cast<std::int8_t>(edges_.critical(edges[i]) ? static_cast<int>(i) : -1);

@@ -20,6 +20,9 @@ struct Face {
   bool ambiguous() const { return tested && critical == 4; }
 };
 
+/// A cell's 12 edges, an image's square's 4. The first in number need not be the first here.
+std::array<Index, 12> edges_of_cell(const Grid& grid, const Node& cell);
+
 class Faces {
  public:
   Faces(const Fields& fields, const Nodes& nodes, const Cells& cells, const Edges& edges)
@@ -28,9 +31,8 @@ class Faces {
   /// The face across `normal` with lowest node p. Requires: it lies in the grid.
   Face face(const Node& p, std::size_t normal) const;
   /// Sheets of a cell: each of its 12 edges' sheet, numbered from 0 by their lowest edge; -1: not
-  /// critical. Edges in the order of cell_edges.
+  /// critical. Edges in the order of edges_of_cell.
   std::array<std::int8_t, 12> sheets(const Node& cell) const;
-  std::array<Index, 12> cell_edges(const Node& cell) const;
 
  private:
   bool pairs_swapped(const Node& p, std::size_t normal) const;

@@ -61,7 +61,7 @@ void smooth_slice(const Grid& g, const Weights& w, double* slice, std::vector<do
   }
 }
 
-void check_volume(const Volume& v, std::size_t count) {
+void check_volume(const Volume& v) {
   for (std::size_t k = 0; k < (v.dimension() == 3 ? 3U : 2U); ++k) {
     if (v.size[k] < 4)
       throw kernel::InputError("size " + std::to_string(v.size[k]) + " along axis " +
@@ -73,17 +73,21 @@ void check_volume(const Volume& v, std::size_t count) {
       throw kernel::InputError("origin along axis " + std::to_string(k) +
                                ": not a number; correct the header");
   }
+}
+
+void check_count(const Volume& v, std::size_t count) {
   const double nodes = 1.0 * v.size[0] * v.size[1] * v.size[2];
   if (count != static_cast<std::size_t>(nodes))
     throw kernel::InputError("size: header and number of samples differ; correct the header");
 }
 
 template <class Sample>
-void check_samples(const std::vector<Sample>& samples, const Grid& grid) {
+void check_samples(const std::vector<Sample>& samples, const Grid& grid, const Node& first) {
   const auto bad = std::find_if(samples.begin(), samples.end(),
                                 [](Sample x) { return !(std::fabs(x) <= 0x1p60F); });
   if (bad == samples.end()) return;
-  const Node v = grid.node(static_cast<std::size_t>(bad - samples.begin()));
+  Node v = grid.node(static_cast<std::size_t>(bad - samples.begin()));
+  for (std::size_t k = 0; k < 3; ++k) v[k] += first[k];
   throw kernel::InputError("sample (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
                            std::to_string(v[2]) +
                            "): not a finite number, or above 2^60; replace it");
@@ -177,15 +181,27 @@ Weights smoothing_weights(const Grid& grid, double sigma) {
   return r;
 }
 
-Fields::Fields(const Volume& volume, const Options& options)
+void check_frame(const Volume& volume, const Options& options) {
+  check_volume(volume);
+  check_refinement(volume, options.refine);
+  check_options(options);
+}
+
+Grid refined(Grid grid, int levels) {
+  for (int level = 0; level < levels; ++level) grid = halved(grid);
+  return grid;
+}
+
+Fields::Fields(const Volume& volume, const Options& options, const Node& first)
     : grid_(volume.size, volume.spacing, volume.origin),
       structure_(options.definition == Definition::structure),
       sign_(options.side == Side::ridge ? -1 : 1) {
   std::visit(
       [&](const auto& samples) {
-        check_volume(volume, samples.size());
+        check_volume(volume);
+        check_count(volume, samples.size());
         check_refinement(volume, options.refine);
-        check_samples(samples, grid_);
+        check_samples(samples, grid_, first);
         check_options(options);
         scalar_weights_ = smoothing_weights(grid_, options.sigma);
         tensor_weights_ = smoothing_weights(grid_, options.tensor_sigma.value_or(options.sigma));

@@ -23,6 +23,9 @@ using Coefficients = kernel::SplineCell<double, 3>;
 using Weights = std::array<std::vector<double>, 3>;
 Weights smoothing_weights(const Grid& grid, double sigma);
 
+/// Throws kernel::InputError as extract does, for all that can be seen without samples.
+void check_frame(const Volume& volume, const Options& options);
+
 /// All that is asked of the fields at a point. World units; s = -L or L.
 struct Local {
   Vec3 gradient;   ///< of s
@@ -35,8 +38,8 @@ struct Local {
 class Fields {
  public:
   /// Throws kernel::InputError as extract does. `samples` are not kept. The grid is the refined
-  /// one.
-  Fields(const Volume& volume, const Options& options);
+  /// one. `first`: where the volume begins in the whole of which it is a part, for errors.
+  Fields(const Volume& volume, const Options& options, const Node& first = {});
   /// Given coefficients; no tensors: T = Hess s.
   Fields(const Grid& grid, Side side, std::vector<float> scalars,
          std::vector<std::vector<float>> tensors);
@@ -83,6 +86,9 @@ class Fields {
   std::vector<float> scalars_;
   std::vector<std::vector<float>> tensors_;
 };
+
+/// The grid halved so many times.
+Grid refined(Grid grid, int levels);
 
 /// Nine numbers that two derivatives make of spacing: index units to world units.
 Tensor world_hessian(const Tensor& h, const Vec3& spacing);

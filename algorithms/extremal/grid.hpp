@@ -61,6 +61,10 @@ class Grid {
   Vec3 spacing, origin;
 };
 
+inline Node as_node(const std::array<Index, 3>& v) {
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
+}
+
 /// The other two axes, in cyclic order.
 constexpr std::size_t next(std::size_t axis) {
   return axis == 2 ? 0 : axis + 1;

@@ -119,7 +119,9 @@ NodeState Nodes::decide(const Node& v, std::array<float, 3>& direction, std::int
   return NodeState::active;
 }
 
-Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value) : fields_(fields) {
+Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value,
+             const kernel::GridBox& asked)
+    : fields_(fields) {
   scan_cells(min_value);
   const Grid& g = fields.grid();
   states_.assign(g.nodes(), NodeState::inactive);
@@ -128,10 +130,12 @@ Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value) : fie
     std::vector<std::int8_t> signs;
   };
   std::vector<Slice> slices(static_cast<std::size_t>(g.size[2]));
-  tbb::parallel_for(0, g.size[2], [&](int k) {
+  const auto low = [&](std::size_t k) { return static_cast<int>(asked.low[k]); };
+  const auto high = [&](std::size_t k) { return static_cast<int>(asked.high[k]); };
+  tbb::parallel_for(low(2), high(2), [&](int k) {
     Slice& slice = slices[static_cast<std::size_t>(k)];
-    for (int j = 0; j < g.size[1]; ++j)
-      for (int i = 0; i < g.size[0]; ++i) {
+    for (int j = low(1); j < high(1); ++j)
+      for (int i = low(0); i < high(0); ++i) {
         std::array<float, 3> direction;
         std::int8_t sign;
         const NodeState s = decide({i, j, k}, direction, sign);

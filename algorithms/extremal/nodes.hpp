@@ -8,6 +8,7 @@
 #include "algorithms/extremal/direction.hpp"
 #include "algorithms/extremal/fields.hpp"
 #include "algorithms/extremal/ranked_bits.hpp"
+#include "kernel/geometry/piece.hpp"
 
 namespace crest::extremal {
 
@@ -15,8 +16,9 @@ enum class NodeState : std::uint8_t { inactive, active, flat };
 
 class Nodes {
  public:
-  /// `min_value`: nodes in whose cells L is certainly less are inactive.
-  Nodes(const Fields& fields, const std::optional<double>& min_value);
+  /// `min_value`: nodes in whose cells L is certainly less are inactive, and so are those that are
+  /// not in `asked`.
+  Nodes(const Fields& fields, const std::optional<double>& min_value, const kernel::GridBox& asked);
 
   NodeState state(std::size_t v) const { return states_[v]; }
   bool active(std::size_t v) const { return states_[v] == NodeState::active; }

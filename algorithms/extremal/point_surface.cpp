@@ -136,7 +136,15 @@ Result extract(const OrientedPoints& given, const PointOptions& options,
   mesh.trimmed = trim(mesh.sheets, rim_values(field, tree, mesh.sheets));
   mesh.measured = measure(tree.grid(), mesh.sheets, mesh.trimmed);
   write_mesh(
-      tree.grid(), mesh, [&](const Vec3& x) { return tree.sums(x).local; }, r);
+      tree.grid(), mesh,
+      [&](std::span<const Vec3> places) {
+        std::vector<AtPlace> values(places.size());
+        tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+          values[i] = at_place(tree.sums(places[i]).local, false);
+        });
+        return values;
+      },
+      r);
   r.counts.valence = mesh.trimmed.valence;
   r.counts.odd_valence_unexplained = mesh.trimmed.unexplained;
   count_tree(tree, r.counts);

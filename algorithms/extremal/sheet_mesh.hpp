@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algorithms/extremal/extremal_result.hpp"
-#include "algorithms/extremal/faces.hpp"
+#include "algorithms/extremal/records.hpp"
 
 namespace crest::extremal {
 
@@ -45,13 +45,10 @@ struct SheetMesh {
   std::vector<std::pair<std::uint8_t, std::uint8_t>> ends;
 };
 
-/// `critical`: of all critical edges, else of extremal ones.
-SheetMesh make_sheets(const Fields& fields, const Cells& cells, const Edges& edges,
-                      const Faces& faces, bool critical);
+/// Of joined records. `critical`: of all critical edges, else of extremal ones.
+SheetMesh make_sheets(const Grid& grid, const Records& records, bool critical);
 
 /// Faces with critical edges, as 3 node + normal, ascending; an image: its squares.
 std::vector<Index> crossed_faces(const Fields& fields, const Edges& edges);
-/// Counts of faces and cells that sheets cross.
-void count_crossings(const Fields& fields, const Edges& edges, const Faces& faces, Counts& counts);
 
 }  // namespace crest::extremal

@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/trim.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 namespace crest::extremal {
 namespace {
-
-double level_at(const Fields& fields, const Levels& levels, const Node& cell, const Vec3& t) {
-  const Local l = fields.at(cell, t);
-  double r = HUGE_VAL;
-  if (levels.value) r = l.value - *levels.value;
-  if (levels.strength > 0) {
-    const Vec3 n = dominant_direction(l.tensor);
-    r = std::min(r, kernel::dot(n, product(l.hessian, n)) - levels.strength);
-  }
-  return r;
-}
 
 void count(TrimmedMesh& r, std::size_t valence, std::uint8_t reason) {
   ++r.valence[std::min<std::size_t>(valence, 4) - 1];
@@ -186,31 +172,6 @@ class Trimmer {
 };
 
 }  // namespace
-
-LevelValues level_values(const Fields& fields, const SheetMesh& mesh, const Levels& levels) {
-  LevelValues r;
-  if (!levels.value && !(levels.strength > 0)) return r;
-  const Grid& grid = fields.grid();
-  r.corners.resize(mesh.vertices.size());
-  r.centres.resize(mesh.polygons.size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, r.corners.size(), 256), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const SheetVertex& v = mesh.vertices[i];
-      r.corners[i] = level_at(fields, levels, grid.node(v.cell),
-                              {v.place[0] / 65536.0, v.place[1] / 65536.0, v.place[2] / 65536.0});
-    }
-  });
-  tbb::parallel_for(Range(0, r.centres.size(), 256), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const SheetPolygon& p = mesh.polygons[i];
-      Vec3 t{};
-      t[p.edge % 3] = p.place / 65536.0;
-      r.centres[i] = level_at(fields, levels, grid.node(p.edge / 3), t);
-    }
-  });
-  return r;
-}
 
 TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values) {
   return Trimmer(mesh, values).run();

@@ -23,12 +23,6 @@ struct LevelValues {
   std::vector<double> corners,
       centres;  ///< at the vertices, at the polygons' zeros; none: all kept
 };
-struct Levels {
-  std::optional<double> value;  ///< keeps L >= it
-  double strength = 0;          ///< keeps s_nn >= it, if positive
-};
-/// min(L - value, s_nn - strength), each only if given.
-LevelValues level_values(const Fields& fields, const SheetMesh& mesh, const Levels& levels);
 
 TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values);
 

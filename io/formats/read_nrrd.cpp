@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "io/formats/plain_samples.hpp"
 #include "io/formats/text_scan.hpp"
-#include "io/formats/volume.hpp"
 
 namespace crest::io {
 namespace {
@@ -238,22 +238,52 @@ Samples text_samples(NumberType type, std::string_view bytes,
   });
 }
 
-}  // namespace
-
-Volume read_nrrd(std::string_view bytes, const VolumeRequest& request) {
-  const NrrdHeader header(bytes);
-  Volume volume;
+/// All but the samples.
+PlainSamples frame_of(const NrrdHeader& header) {
+  PlainSamples plain;
+  Volume& volume = plain.volume;
   volume.size = header.counts("sizes");
   const auto dimension = header.counts("dimension");
   if (dimension.size() != 1 || dimension[0] != volume.size.size() || dimension[0] == 0)
     fail(header.where("sizes"),
          fmt::format("there are {}, not as many as the dimension", volume.size.size()), kRepair);
   place(header, volume);
-  const NumberType type = number_type(header);
+  plain.type = number_type(header);
+  plain.big_endian = lower(header.value("endian")) == "big";
+  plain.offset = header.size();
   for (const char* key : {"line skip", "lineskip", "byte skip", "byteskip"})
     if (header.has(key) && header.value(key) != "0")
       fail(header.where(key), "is not read", "save the file without skipped bytes");
-  const char* const data_file = header.has("data file") ? "data file" : "datafile";
+  return plain;
+}
+
+const char* data_file_key(const NrrdHeader& header) {
+  return header.has("data file") ? "data file" : "datafile";
+}
+
+void check_endian(const NrrdHeader& header, NumberType type, const std::string& encoding) {
+  if (size_of(type) > 1 && !header.has("endian") && encoding != "ascii" && encoding != "text" &&
+      encoding != "txt")
+    fail("header", "does not say which endian the samples are",
+         "add 'endian: little' or 'endian: big'");
+}
+
+}  // namespace
+
+std::optional<PlainSamples> plain_nrrd(std::string_view bytes) {
+  const NrrdHeader header(bytes);
+  PlainSamples plain = frame_of(header);
+  if (header.has(data_file_key(header)) || lower(header.value("encoding")) != "raw") return {};
+  check_endian(header, plain.type, "raw");
+  return plain;
+}
+
+Volume read_nrrd(std::string_view bytes, const VolumeRequest& request) {
+  const NrrdHeader header(bytes);
+  PlainSamples plain = frame_of(header);
+  Volume& volume = plain.volume;
+  const NumberType type = plain.type;
+  const char* const data_file = data_file_key(header);
   std::string_view data = bytes.substr(header.size());
   FileBytes other(0);
   if (header.has(data_file)) {
@@ -264,23 +294,19 @@ Volume read_nrrd(std::string_view bytes, const VolumeRequest& request) {
     data = other;
   }
   const std::string encoding = lower(header.value("encoding"));
-  const bool big_endian = lower(header.value("endian")) == "big";
-  if (size_of(type) > 1 && !header.has("endian") && encoding != "ascii" && encoding != "text" &&
-      encoding != "txt")
-    fail("header", "does not say which endian the samples are",
-         "add 'endian: little' or 'endian: big'");
+  check_endian(header, type, encoding);
   if (encoding == "raw") {
-    volume.samples = load_samples(type, data, volume.size, big_endian);
+    volume.samples = load_samples(type, data, volume.size, plain.big_endian);
   } else if (encoding == "gzip" || encoding == "gz") {
     const std::size_t expected = product(volume.size) * size_of(type);
-    volume.samples = load_samples(type, inflated(data, expected), volume.size, big_endian);
+    volume.samples = load_samples(type, inflated(data, expected), volume.size, plain.big_endian);
   } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
     volume.samples = text_samples(type, data, volume.size);
   } else {
     fail(header.where("encoding"), fmt::format("the encoding {} is not read", io::quoted(encoding)),
          "save it as raw or gzip (unu save -f nrrd -e gzip)");
   }
-  return volume;
+  return std::move(plain.volume);
 }
 
 }  // namespace crest::io

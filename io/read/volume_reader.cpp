@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "io/formats/volume.hpp"
+#include "io/read/volume_frame.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -122,43 +122,14 @@ void square(kernel::SampledGrid& grid, std::vector<std::string>& warnings) {
         std::acos(std::fmin(1, std::fmax(-1, skew))) * 180 / std::numbers::pi));
 }
 
-/// Samples that are not finite, or integers that no double holds.
-void check_samples(const kernel::SampledGrid& grid) {
-  const auto name = [&](std::size_t i) {
-    const std::size_t x = i % grid.size[0], y = i / grid.size[0] % grid.size[1],
-                      z = i / (grid.size[0] * grid.size[1]);
-    return grid.dimension() == 2 ? fmt::format("pixel {},{}", x, y)
-                                 : fmt::format("voxel {},{},{}", x, y, z);
-  };
-  std::visit(
-      [&](const auto& samples) {
-        using Native = typename std::decay_t<decltype(samples)>::value_type;
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-          if constexpr (std::is_floating_point_v<Native>) {
-            if (!std::isfinite(samples[i]))
-              fail(name(i), std::isnan(samples[i]) ? "is not a number" : "is infinite",
-                   "replace such samples");
-          } else if constexpr (sizeof(Native) == 8) {
-            constexpr std::int64_t largest = std::int64_t{1} << 53;
-            if (!(std::cmp_less_equal(samples[i], largest) &&
-                  std::cmp_greater_equal(samples[i], -largest)))
-              fail(name(i), "is an integer that a double does not hold",
-                   "save the samples as double");
-          }
-        }
-      },
-      grid.samples);
-}
-
 }  // namespace
 
 VolumeFile grid_of_volume(Volume volume) {
-  VolumeFile file;
-  file.warnings = std::move(volume.warnings);
-  take_axes(volume, file.grid);
-  square(file.grid, file.warnings);
+  VolumeFile file = frame_of(volume);
   file.grid.samples = std::move(volume.samples);
-  check_samples(file.grid);
+  kernel::GridBox whole;
+  for (std::size_t k = 0; k < 3; ++k) whole.high[k] = static_cast<kernel::Index>(file.grid.size[k]);
+  check_samples(file.grid.samples, file.grid.dimension(), whole);
   return file;
 }
 
@@ -182,6 +153,42 @@ VolumeFile from_bytes(const std::string& name, std::string_view bytes, const Vol
 }
 
 }  // namespace
+
+VolumeFile frame_of(const Volume& volume) {
+  VolumeFile file;
+  file.warnings = volume.warnings;
+  take_axes(volume, file.grid);
+  square(file.grid, file.warnings);
+  return file;
+}
+
+void check_samples(const Samples& all, int dimension, const kernel::GridBox& box) {
+  const std::size_t nx = box.size()[0], ny = box.size()[1];
+  const auto name = [&](std::size_t i) {
+    const std::size_t x = box.low[0] + i % nx, y = box.low[1] + i / nx % ny,
+                      z = box.low[2] + i / (nx * ny);
+    return dimension == 2 ? fmt::format("pixel {},{}", x, y)
+                          : fmt::format("voxel {},{},{}", x, y, z);
+  };
+  std::visit(
+      [&](const auto& samples) {
+        using Native = typename std::decay_t<decltype(samples)>::value_type;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+          if constexpr (std::is_floating_point_v<Native>) {
+            if (!std::isfinite(samples[i]))
+              fail(name(i), std::isnan(samples[i]) ? "is not a number" : "is infinite",
+                   "replace such samples");
+          } else if constexpr (sizeof(Native) == 8) {
+            constexpr std::int64_t largest = std::int64_t{1} << 53;
+            if (!(std::cmp_less_equal(samples[i], largest) &&
+                  std::cmp_greater_equal(samples[i], -largest)))
+              fail(name(i), "is an integer that a double does not hold",
+                   "save the samples as double");
+          }
+        }
+      },
+      all);
+}
 
 bool is_volume_name(const std::string& path) {
   return reader_of(lower_extension(without_gz(path))) != nullptr;

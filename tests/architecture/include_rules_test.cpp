@@ -133,6 +133,7 @@ const std::map<std::string, std::vector<std::string>>& arrows() {
       {"io", {"kernel/"}},
       {"cli", {"kernel/", "certify/", "io/", "algorithms/"}},
       {"bindings", {"kernel/", "certify/", "io/", "algorithms/"}},
+      {"distributed", {"kernel/", "certify/", "io/", "algorithms/", "cli/"}},
       {"experiments", {"kernel/", "certify/", "io/", "algorithms/"}},
       {"tests", {"kernel/", "certify/", "io/", "algorithms/", "cli/"}},
   };
@@ -180,6 +181,8 @@ std::string objection(const std::string& file, const std::string& target) {
 std::string foreign_objection(const std::string& file, const std::string& target) {
   const std::string layer = layer_of(file);
   const bool outer = layer == "tests" || layer == "experiments";
+  if (target == "vtk_diy2.h" || target == "mpi.h" || target == "VTK_DIY2")
+    return layer == "distributed" ? "" : "only distributed knows MPI and DIY";
   if (has_prefix(target, "vtk") && layer != "io" && !outer) return "only io knows VTK";
   if (has_prefix(target, "pybind11/") && file != "bindings/python/module.cpp")
     return "only the module's own source knows Python";

@@ -14,8 +14,9 @@ namespace crest::tests {
 inline std::vector<std::string> project_files() {
   const fs::path root = CREST_SOURCE_DIR;
   std::vector<std::string> files;
-  for (const char* folder : {"kernel", "certify", "algorithms", "io", "cli", "bindings", "examples",
-                             "experiments", "tests", "cmake", "scripts", "docs", ".ci"}) {
+  for (const char* folder :
+       {"kernel", "certify", "algorithms", "io", "cli", "bindings", "distributed", "examples",
+        "experiments", "tests", "cmake", "scripts", "docs", ".ci"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), root).string());

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <complex>
 
+#include "algorithms/extremal/assembly.hpp"
 #include "algorithms/extremal/extraction.hpp"
 
 using namespace crest;
@@ -41,8 +42,9 @@ Fields singular_field(unsigned n) {
 TEST_CASE("line fields: one odd square a singularity, at every resolution") {
   for (const unsigned n : {17U, 33U, 65U}) {
     const Extraction e(singular_field(n), {});
-    const auto mesh = e.mesh(true);
-    const auto r = e.result(mesh);
+    const auto r = e.result(true);
+    const auto mesh =
+        extremal::Assembly(e.fields().grid(), {}, e.records({false, true})).mesh(true);
     INFO(n);
     CHECK(r.counts.odd_faces == 4);
     CHECK(r.counts.undecided_edges == 0);
@@ -79,7 +81,7 @@ TEST_CASE("line fields: proposition 2 as an identity on noise") {
     for (auto& c : t) c.push_back(noise());
   }
   const Extraction e(Fields(grid, extremal::Side::ridge, std::move(l), std::move(t)), {});
-  const auto r = e.result(e.mesh(true));
+  const auto r = e.result(true);
   CHECK(r.counts.odd_faces > 10);
   CHECK(r.counts.bisections.size() > 1);
   // Each face's holonomy by following the directions densely.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Where the mesh's vertices are put in cells, and what the fields have there.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "algorithms/extremal/fields.hpp"
+
+namespace crest::extremal {
+
+/// Places on edges and in cells are written in 65536ths.
+inline constexpr double kPlaces = 65536;
+
+/// Inside the edge: at a node the fans of several edges would meet.
+inline std::uint16_t snapped(double x) {
+  return static_cast<std::uint16_t>(std::clamp(std::round(x * kPlaces), 1.0, kPlaces - 1));
+}
+inline Vec3 as_vector(const Node& v) {
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+/// A place on an edge, in units of the grid.
+inline Vec3 zero_at(const Grid& grid, Index edge, std::uint16_t place) {
+  Vec3 x = as_vector(grid.node(edge / 3));
+  x[edge % 3] += place / kPlaces;
+  return x;
+}
+
+/// From a place of a cell along n to g = 0, inside the cell by 1/64 at least.
+Vec3 projected(const Fields& fields, const Node& cell, Vec3 t);
+
+/// What is kept of the mesh.
+struct Levels {
+  std::optional<double> value;  ///< keeps L >= it
+  double strength = 0;          ///< keeps s_nn >= it, if positive
+  bool any() const { return value || strength > 0; }
+};
+/// min(L - value, s_nn - strength), each only if given: kept is where it is 0 at least.
+double level_at(const Fields& fields, const Levels& levels, const Node& cell, const Vec3& t);
+
+/// What a result has at a place.
+struct AtPlace {
+  Vec3 normal;         ///< n, in either orientation
+  double slope, bend;  ///< g and s_nn
+  double s, plateness;
+};
+AtPlace at_place(const Local& local, bool plane);
+
+}  // namespace crest::extremal

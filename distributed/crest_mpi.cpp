@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crest-mpi: `mpirun -np N crest-mpi COMMAND ...` is `crest COMMAND ...`, with the same bytes.
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+// DIY's headers forget the first two.
+// clang-format off
+#include <stdexcept>
+#include <string>
+#include <vtk_diy2.h>
+#include VTK_DIY2(diy/mpi.hpp)
+// clang-format on
+
+#include "cli/command.hpp"
+#include "cli/program.hpp"
+#include "distributed/rank_engine.hpp"
+
+namespace {
+
+/// Whoever starts the ranks ends those that are left when one has died.
+void stop(int) {
+  constexpr std::string_view words =
+      "crest-mpi: stopped before the end, nothing was written (did a rank die? --restart FOLDER "
+      "goes on from what is done)\n";
+  // Whether it can be said or not.
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
+  _exit(crest::cli::kInternal);
+}
+
+int refuse(const char* what) {
+  std::fprintf(stderr, "crest-mpi: %s\n", what);
+  return crest::cli::kUsage;
+}
+
+int run(int argc, char** argv) {
+  if (argc < 2 || std::string_view(argv[1]) != "extremal")
+    return refuse("extremal is what several processes do (mpirun -np N crest-mpi extremal ...)");
+  crest::distributed::use_all_ranks();
+  return crest::cli::run_program(argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  diy::mpi::environment environment(argc, argv);
+  const diy::mpi::communicator world;
+  int code = 0;
+  if (world.rank() == 0) {
+    signal(SIGTERM, stop);
+    code = run(argc, argv);
+    crest::distributed::dismiss();
+    const bool quiet = std::any_of(
+        argv, argv + argc, [](const char* word) { return std::string_view(word) == "--quiet"; });
+    if (code == crest::cli::kDone && !quiet)
+      std::printf("processes: %d, which sent one another %zu bytes\n", world.size(),
+                  crest::distributed::bytes_exchanged());
+  } else {
+    crest::distributed::serve();
+  }
+  diy::mpi::broadcast(world, code, 0);
+  return code;
+}
