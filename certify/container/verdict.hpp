@@ -27,7 +27,7 @@ struct VerifyOptions {
   Arithmetic arithmetic = Arithmetic::doubles;
   std::optional<InputMesh> input;  ///< the data must agree with it
   /// Called with each line of the verdict as soon as it is proved.
-  std::function<void(const std::string&)> progress;
+  std::function<void(const std::string&)> progress = {};
 };
 
 /// How often each stage was reached.
