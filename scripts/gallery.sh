@@ -1,20 +1,28 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pages of docs/gallery, one a system: of real data where there is ../shared, else of
-# samples. `scripts/gallery.sh FOLDER` writes them elsewhere.
+# Makes the pages of docs/gallery, one a system, of samples.
+#   scripts/gallery.sh [--real] [FOLDER]
+# FOLDER: writes them there; --real: of scans and volumes of ../shared, which are not the project's
+# to publish, so that a FOLDER has to be given.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/steps.sh
 crest=$PWD/${CREST_BUILD:-build}/cli/crest
+real=no
+if [ "${1:-}" = --real ]; then
+  real=yes
+  shift
+  [ $# -gt 0 ] || { echo "usage: scripts/gallery.sh [--real] [FOLDER]" >&2; exit 2; }
+fi
 to=$(realpath -m "${1:-docs/gallery}")
 mkdir -p "$to"
 work=$(mktemp -d)
 trap 'rm -rf "$work"; rm -f "$steps_log"' EXIT
-data=$(realpath -m ../shared)/data
-[ -d "$data" ] || data=$(realpath -m ../../shared/data)
+data=$(realpath -m ../shared/data)
+[ $real = yes ] || data=$work/none
 cd "$work"
 
-# real NAME FILE SAMPLE...: NAME is the file of ../shared, where there is none a sample.
+# real NAME FILE SAMPLE...: NAME is the file of ../shared, or a sample.
 real() {
   name=$1 file=$2
   shift 2
@@ -24,19 +32,20 @@ real() {
 page() {
   name=$1
   shift
-  step "$name.html" "$crest" "$@" --page "$to/$name.html"
+  step "$name.html" "$crest" "$@" --page "$name.html"
+  mv "$name.html" "$to/"  # the page names the command
 }
 
 $crest sample blend --vertices 3000 -o blend.off --quiet
 page ridges ridges blend.off --all --certificate blend.crest
-real kitten.obj meshes/kitten.obj perturbed-torus --vertices 9000
-page ridges-scan ridges kitten.obj
+real scan.obj meshes/kitten.obj perturbed-torus --vertices 9000
+page ridges-scan ridges scan.obj
 page ridges-proven ridges --param '(1 + (0.45 + 0.1*cos(u))*cos(v))*cos(u); (1 + (0.45 + 0.1*cos(u))*cos(v))*sin(u); (0.45 + 0.1*cos(u))*sin(v) + 0.2*sin(u)' \
   --domain '0,2*pi,0,2*pi' --periodic uv --seconds 120
-real dino.off meshes/dino.off handles --vertices 4000
-page curvature curvature dino.off --method jet
-real fandisk.off meshes/fandisk.off handles --vertices 6000
-page features features fandisk.off --angle 25 --prune 2 --close-branches 3
+real animal.off meshes/dino.off handles --vertices 4000
+page curvature curvature animal.off --method jet
+real part.off meshes/fandisk.off handles --vertices 6000
+page features features part.off --angle 25 --prune 2 --close-branches 3
 $crest sample handles --parameters 3 --vertices 6000 -o handles.off --quiet
 page reeb reeb handles.off --expression 'x + 0.2*y' --linear
 $crest sample block-single --vertices 700 -o block.vtu --quiet
@@ -57,5 +66,5 @@ else
   $crest sample genus2-shell --nodes 32 -o shell.vti --quiet
   page spline spline shell.vti --isovalue 0.4
 fi
-page strips strips dino.off
-page lineart lineart dino.off --view 40,15 --spacing 1.4
+page strips strips animal.off
+page lineart lineart animal.off --view 40,15 --spacing 1.4
