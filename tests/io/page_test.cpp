@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -251,7 +251,7 @@ TEST_CASE("page: lines are divided where their kinds change") {
 
 TEST_CASE("page: the checker of the environment, or one line that says that it is not there") {
   const TemporaryFolder folder;
-  crest::tests::store(folder / "checker.js", "globalThis.crestVerify = null;");
+  crest::tests::write_text(folder / "checker.js", "globalThis.crestVerify = null;");
   setenv("CREST_VERIFY_JS", (folder / "checker.js").c_str(), 1);
   CHECK(page_checker() == "globalThis.crestVerify = null;");
   setenv("CREST_VERIFY_JS", (folder / "none.js").c_str(), 1);

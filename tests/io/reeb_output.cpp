@@ -27,7 +27,7 @@ struct Stage {
   crest::kernel::QuadraticMesh mesh;
   crest::reeb::TileComplex tiles = crest::reeb::tessellate(mesh);
   std::vector<crest::reeb::NodePlace> places = crest::reeb::node_places(mesh, tiles);
-  crest::reeb::LabelledGraph labelled =
+  crest::reeb::GraphAndArcs labelled =
       crest::reeb::reeb_graph_and_arcs(crest::reeb::ordered(tiles));
   ReebGraph graph = labelled.graph;
   std::vector<Index> arc_of_node = labelled.arc_of_vertex;

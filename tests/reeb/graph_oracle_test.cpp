@@ -20,7 +20,7 @@ constexpr int kSeeds = 40;
 void check(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const OracleGraph truth = slab_oracle(c.complex());
-  const reeb::LabelledGraph labelled = reeb::reeb_graph_and_arcs(c.complex());
+  const reeb::GraphAndArcs labelled = reeb::reeb_graph_and_arcs(c.complex());
   const reeb::ReebGraph& graph = labelled.graph;
   const OracleGraph ours = named(c.complex(), graph, labelled.arc_of_vertex);
   CHECK(ours.nodes == truth.nodes);
@@ -105,8 +105,8 @@ TEST_CASE("Reeb graphs do not depend on the triangles' order or direction") {
       INFO(r.name << ", trial " << trial);
       const std::vector<double> values = noise_values(s, random());
       const OrderedCase c(s, values), d(turned_at_random(s, random), values);
-      const reeb::LabelledGraph g = reeb::reeb_graph_and_arcs(c.complex());
-      const reeb::LabelledGraph h = reeb::reeb_graph_and_arcs(d.complex());
+      const reeb::GraphAndArcs g = reeb::reeb_graph_and_arcs(c.complex());
+      const reeb::GraphAndArcs h = reeb::reeb_graph_and_arcs(d.complex());
       CHECK(same_graph(g.graph, h.graph));
       CHECK(same_graph(g.graph, reeb::reeb_graph(c.complex())));
       CHECK(g.arc_of_vertex == h.arc_of_vertex);
