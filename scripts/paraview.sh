@@ -72,7 +72,7 @@ if [ "${1:-}" = "--pictures" ]; then
   "$paraview/bin/pvpython" "$tests/pictures.py" "$2"
   exit
 fi
-rm -f "$out"/work/*
+rm -f "$out/work"/*
 for test in certificates behaviour pictures; do
   echo "== $test"
   "$paraview/bin/pvpython" "$tests/$test.py"

@@ -15,27 +15,16 @@
 namespace crest::extremal {
 namespace {
 
-class Recorder {
- public:
-  Recorder(const Extraction& e, const kernel::GridPiece& piece)
+/// The piece and the numbers that its records have: those of the whole grid.
+class OnPiece {
+ protected:
+  OnPiece(const Extraction& e, const kernel::GridPiece& piece)
       : e_(e),
         grid_(e.fields().grid()),
         whole_(piece.size, grid_.spacing, {}),
         piece_(piece),
         dual_(grid_) {}
 
-  Records run(const Meshes& meshes) {
-    record_cells();
-    record_edges();
-    record_faces();
-    const auto cells = crossed_cells();
-    if (!dual_.plane()) count_split(cells);
-    if (meshes.extremal) r_.sheets[0] = sheets(cells, false);
-    if (meshes.critical) r_.sheets[1] = sheets(cells, true);
-    return std::move(r_);
-  }
-
- private:
   Node moved(const Node& v) const {
     return {v[0] + static_cast<int>(piece_.all.low[0]), v[1] + static_cast<int>(piece_.all.low[1]),
             v[2] + static_cast<int>(piece_.all.low[2])};
@@ -49,6 +38,33 @@ class Recorder {
   /// Of an edge or a face: three times its node, and more.
   Index global(Index x) const { return 3 * global(grid_.node(x / 3)) + x % 3; }
 
+  bool owned_edge(Index e) const { return owns(grid_.node(e / 3)); }
+  bool is_whole(Index e) const {
+    const auto cells = dual_.cells_at(e);
+    return std::all_of(cells.begin(), cells.begin() + dual_.sides,
+                       [&](const Node& c) { return dual_.inside(c); });
+  }
+
+  const Extraction& e_;
+  const Grid& grid_;
+  const Grid whole_;
+  const kernel::GridPiece& piece_;
+  const Dual dual_;
+};
+
+/// Of cells, edges and faces.
+class Recorder : OnPiece {
+ public:
+  Recorder(const Extraction& e, const kernel::GridPiece& piece) : OnPiece(e, piece) {}
+
+  Records run() {
+    record_cells();
+    record_edges();
+    record_faces();
+    return std::move(r_);
+  }
+
+ private:
   void record_cells() {
     const kernel::GridBox& own = piece_.owned;
     const auto at = [&](std::size_t k, Index x) {
@@ -115,13 +131,6 @@ class Recorder {
     return false;
   }
 
-  bool owned_edge(Index e) const { return owns(grid_.node(e / 3)); }
-  bool is_whole(Index e) const {
-    const auto cells = dual_.cells_at(e);
-    return std::all_of(cells.begin(), cells.begin() + dual_.sides,
-                       [&](const Node& c) { return dual_.inside(c); });
-  }
-
   void record_edges() {
     for (const BisectedEdge& b : e_.edges().bisected())
       if (owned_edge(b.edge)) r_.bisected.push_back({global(b.edge), b.transport});
@@ -167,6 +176,22 @@ class Recorder {
     }
   }
 
+  Records r_;
+};
+
+/// Of the sheets in cells.
+class SheetRecorder : OnPiece {
+ public:
+  SheetRecorder(const Extraction& e, const kernel::GridPiece& piece) : OnPiece(e, piece) {}
+
+  void run(const Meshes& meshes, Records& r) const {
+    const auto cells = crossed_cells();
+    if (!dual_.plane()) r.counts.sheets_split = count_split(cells);
+    if (meshes.extremal) r.sheets[0] = sheets(cells, false);
+    if (meshes.critical) r.sheets[1] = sheets(cells, true);
+  }
+
+ private:
   /// Owned cells (an image: squares) with critical edges, ascending.
   std::vector<Node> crossed_cells() const {
     std::vector<std::size_t> found;
@@ -183,11 +208,13 @@ class Recorder {
     return r;
   }
 
-  void count_split(const std::vector<Node>& cells) {
+  std::uint64_t count_split(const std::vector<Node>& cells) const {
+    std::uint64_t count = 0;
     for (const Node& c : cells) {
       const auto found = e_.faces().sheets(c);
-      r_.counts.sheets_split += *std::max_element(found.begin(), found.end()) > 0 ? 1 : 0;
+      count += *std::max_element(found.begin(), found.end()) > 0 ? 1 : 0;
     }
+    return count;
   }
 
   std::vector<SheetRecord> sheets(const std::vector<Node>& cells, bool critical) const {
@@ -281,19 +308,14 @@ class Recorder {
     }
     if (levels.any()) sheet.level = level_at(e_.fields(), levels, cell, written);
   }
-
-  const Extraction& e_;
-  const Grid& grid_;
-  const Grid whole_;
-  const kernel::GridPiece& piece_;
-  const Dual dual_;
-  Records r_;
 };
 
 }  // namespace
 
 Records Extraction::records(const Meshes& meshes) const {
-  return Recorder(*this, piece_).run(meshes);
+  Records records = Recorder(*this, piece_).run();
+  SheetRecorder(*this, piece_).run(meshes, records);
+  return records;
 }
 
 }  // namespace crest::extremal
