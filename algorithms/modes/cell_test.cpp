@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "algorithms/modes/cell_lanes.hpp"
-#include "kernel/arithmetic/wide_clones.hpp"
 #include "algorithms/modes/half_space.hpp"
+#include "kernel/arithmetic/wide_clones.hpp"
 
 namespace crest::modes {
 namespace {

@@ -23,8 +23,8 @@
 #include <type_traits>
 
 #include "kernel/arithmetic/approximate.hpp"
-#include "kernel/polynomial/bernstein_form.hpp"
 #include "kernel/arithmetic/lanes.hpp"
+#include "kernel/polynomial/bernstein_form.hpp"
 
 namespace crest::kernel {
 

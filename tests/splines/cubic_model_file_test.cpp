@@ -9,8 +9,8 @@
 
 #include "algorithms/splines/cubic_fit.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/splines/scattered_functions.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace crest;
 using namespace crest::tests;
