@@ -14,6 +14,7 @@
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "cli/vector_options.hpp"
+#include "io/page/scene.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
 #include "io/write/planar_field_writer.hpp"
 

@@ -16,6 +16,7 @@
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
 #include "io/formats/files.hpp"
+#include "io/page/scene.hpp"
 
 namespace crest::cli {
 namespace {

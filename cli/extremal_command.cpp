@@ -17,6 +17,7 @@
 #include "cli/volume_source.hpp"
 #include "io/extremal/extremal_picture.hpp"
 #include "io/extremal/extremal_writer.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/point_reader.hpp"
 #include "io/read/volume_reader.hpp"
 

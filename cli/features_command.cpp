@@ -20,6 +20,7 @@
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
+#include "io/page/scene.hpp"
 
 namespace crest::cli {
 namespace {

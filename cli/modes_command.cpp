@@ -22,6 +22,7 @@
 #include "io/formats/files.hpp"
 #include "io/modes/domain_outline.hpp"
 #include "io/modes/mode_writer.hpp"
+#include "io/page/scene.hpp"
 #include "io/read/tet_reader.hpp"
 
 namespace crest::cli {

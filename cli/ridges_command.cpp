@@ -16,6 +16,7 @@
 #include "cli/ridges_report.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_run.hpp"
+#include "io/page/scene.hpp"
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 

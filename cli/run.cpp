@@ -14,6 +14,7 @@
 #include "cli/references.hpp"
 #include "cli/version.hpp"
 #include "io/page/page.hpp"
+#include "io/page/scene.hpp"
 #include "io/picture/camera.hpp"
 #include "io/write/atomic_file.hpp"
 
@@ -58,6 +59,11 @@ void Run::write_certificate(const std::string& claim, std::span<const std::uint8
     if (wanted("--page")) page_certificate_.assign(bytes.begin(), bytes.end());
     report_.set_certificate(claim, undecided);
   });
+}
+
+void Run::show_page(const std::function<io::Scene()>& scene) {
+  if (!wanted("--page")) return;
+  step("page", "composing the page", [&] { scene_ = std::make_shared<io::Scene>(scene()); });
 }
 
 void Run::write_page(const Outcome& outcome) {

@@ -5,6 +5,7 @@
 // the keys it adds to the report and its lines on the terminal.
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,10 +16,13 @@
 #include "cli/common_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
-#include "io/page/scene.hpp"
 #include "io/read/mesh_reader.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "kernel/geometry/input_error.hpp"
+
+namespace crest::io {
+struct Scene;
+}
 
 namespace crest::cli {
 
@@ -96,9 +100,7 @@ class Run {
   }
   /// The scene of --page, made now if that is wanted and written at the end, with what was written
   /// to --certificate.
-  void show_page(const std::function<io::Scene()>& scene) {
-    if (wanted("--page")) scene_ = step("page", "composing the page", scene);
-  }
+  void show_page(const std::function<io::Scene()>& scene);
   /// Writes --certificate, if it is wanted, and reports its claim as certified but for `undecided`
   /// cells, of which it states nothing.
   void write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
@@ -115,7 +117,7 @@ class Run {
   Report report_;
   std::size_t certificate_bytes_ = 0;  ///< 0: none was written
   std::string page_certificate_;       ///< its bytes, if there is a page
-  std::optional<io::Scene> scene_;
+  std::shared_ptr<io::Scene> scene_;
   bool shows_;
 };
 

@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_report.hpp"
+#include "io/page/scene.hpp"
 #include "io/ridges/smooth_ridge_picture.hpp"
 #include "io/ridges/smooth_ridge_writer.hpp"
 

@@ -9,6 +9,7 @@
 #include "algorithms/splines/quadratic_certificate.hpp"
 #include "certify/certificate.hpp"
 #include "cli/spline_points_run.hpp"
+#include "io/page/scene.hpp"
 #include "io/splines/isosurface_writer.hpp"
 #include "io/splines/quadratic_model_file.hpp"
 #include "io/splines/ray_picture.hpp"

@@ -10,6 +10,7 @@
 #include "algorithms/strips/tree_links.hpp"
 #include "algorithms/strips/vertex_cache.hpp"
 #include "cli/run.hpp"
+#include "io/page/scene.hpp"
 #include "io/strips/strip_writer.hpp"
 
 namespace crest::cli {

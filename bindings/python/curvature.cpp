@@ -37,16 +37,14 @@ Output run_curvature(const Arguments& a, const Progress& progress) {
   if (a.has("normals")) options.normals = a.rows<3>("normals");
   const curvature::Result result =
       progress.step("estimating curvatures", [&] { return curvature::estimate(mesh, options); });
-  const bool corners =
-      options.method == curvature::Method::np || options.method == curvature::Method::ne;
   Output out;
   if (result.undetermined > 0)
     out.warnings.push_back(
         fmt::format("{} vertices have no finite estimate and are zero", result.undetermined));
   out.geometries["geometry"] = io::geometry_of(
       io::curvature_poly_data(mesh, result,
-                              corners ? curvature::corner_curvatures(mesh, result.normals)
-                                      : std::vector<curvature::CornerCurvatures>{}));
+                              a.flag("corners") ? curvature::corner_curvatures(mesh, result.normals)
+                                                : std::vector<curvature::CornerCurvatures>{}));
   if (a.has("picture")) progress.step("drawing", [&] { draw(a, mesh, result); });
   out.values["lowered"] = std::int64_t{result.lowered};
   out.values["complex"] = std::int64_t{result.complex};

@@ -291,15 +291,17 @@ METHODS = ("np", "ne", "cf", "qf", "qt", "jet", "normal-cycle")
 
 
 def curvature(V: ArrayLike, F: ArrayLike, *, method: str = "ne", normals: ArrayLike | None = None,
-              degree: int = 4, rings: int = 1, colour: str = "H", picture: Any = None,
+              degree: int = 4, rings: int = 1, corners: bool = False, colour: str = "H",
+              picture: Any = None,
               view: Sequence[float] | None = None, up: Sequence[float] | None = None,
               threads: int = 0, progress: Progress = None) -> Curvature:
     """Curvature tensors at the vertices of a mesh by one of seven methods (`crest curvature`).
 
     method: "np" (normal-based, with the normals given), "ne" (with estimated ones), "cf", "qf",
     "qt", "jet", "normal-cycle". normals: (n, 3) numbers of any length but 0. degree: of jet's
-    polynomial, 2 to 6. rings: of normal-cycle's region, 0 to 20. colour: what a picture shows, "K", "H",
-    "k1" or "k2".
+    polynomial, 2 to 6. rings: of normal-cycle's region, 0 to 20. corners: the tensors at the corners of
+    each triangle, too (np, ne; in what save() writes). colour: what a picture shows, "K", "H", "k1" or
+    "k2".
     V, F, picture, view, up, threads, progress, errors: as for ridges().
 
     >>> import crest
@@ -314,9 +316,11 @@ def curvature(V: ArrayLike, F: ArrayLike, *, method: str = "ne", normals: ArrayL
         raise InputError("normals: np needs them; take ne to have them estimated")
     if method == "ne" and normals is not None:
         raise InputError("normals: ne estimates them; take np")
+    if corners and method not in ("np", "ne"):
+        raise InputError("corners: only np and ne have them; leave corners out")
     arguments |= {
         "method": method, "degree": check.whole(degree, "degree", 2, 6),
-        "rings": check.whole(rings, "rings", 0, 20),
+        "rings": check.whole(rings, "rings", 0, 20), "corners": bool(corners),
         "normals": None if normals is None else check.same_rows(normals, "normals", 3,
                                                                 len(arguments["V"]), "vertex")}
     arguments |= _picture(picture, view, up) | {

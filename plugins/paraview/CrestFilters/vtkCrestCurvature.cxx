@@ -41,12 +41,9 @@ void vtkCrestCurvature::Work(vtkInformationVector** inputs, vtkInformationVector
   if (result.undetermined > 0)
     this->Warn(std::to_string(result.undetermined) +
                " vertices have no finite estimate and are zero");
-  const bool corners = *method == Method::np || *method == Method::ne;
   this->Step("writing", 0.9);
   const auto mesh =
-      io::curvature_poly_data(file.mesh, result,
-                              corners ? curvature::corner_curvatures(file.mesh, result.normals)
-                                      : std::vector<curvature::CornerCurvatures>{});
+      io::curvature_poly_data(file.mesh, result, std::vector<curvature::CornerCurvatures>{});
   PassArrays(InputSurface(inputs), file.numbers, *mesh);
   vtkPolyData::GetData(outputs)->ShallowCopy(mesh);
 }
