@@ -8,11 +8,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <map>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
+#include "algorithms/splines/edge_numbers.hpp"
 #include "algorithms/splines/partition.hpp"
 #include "algorithms/splines/quadratic.hpp"
 
@@ -28,24 +27,6 @@ constexpr bool precedes(const FinePoint& a, const FinePoint& b) {
   return a[2] != b[2] ? a[2] < b[2] : a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
 }
 
-struct FineEdge {
-  FinePoint low, high;  ///< precedes(low, high)
-  FineEdge(const FinePoint& a, const FinePoint& b)
-      : low(precedes(a, b) ? a : b), high(precedes(a, b) ? b : a) {}
-  friend bool operator==(const FineEdge&, const FineEdge&) = default;
-};
-struct FineEdgeHash {
-  std::size_t operator()(const FineEdge& e) const {
-    std::uint64_t h = 0;
-    for (const FinePoint* p : {&e.low, &e.high})
-      for (const std::int64_t x : *p) {
-        h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15U;
-        h ^= h >> 29;
-      }
-    return h;
-  }
-};
-
 /// Tetrahedron `number` of a cube, as 24 cube + number.
 using Root = std::uint64_t;
 
@@ -54,40 +35,61 @@ class Forest {
   static constexpr int kDeepest = 60;
 
   struct Node {
-    FineCorners corners;
-    std::int32_t first_child = -1;  ///< the second follows it
-    std::uint8_t tag = 0;           ///< 0: the root's own rule
+    std::array<kernel::Index, 4> corners;       ///< their numbers
+    kernel::Index first_child = kernel::kNone;  ///< the second follows it
+    std::uint8_t tag = 0;                       ///< 0: the root's own rule
     std::uint8_t depth = 0;
   };
-  using Tree = std::vector<Node>;  ///< the root first
+  struct Tree {
+    Root root;
+    kernel::Index node;  ///< the root's
+  };
+  /// Whether to bisect a leaf of a tree, by the tree's number.
+  using Refine = std::function<bool(kernel::Index tree, const Node& leaf)>;
 
   explicit Forest(const Cube& cubes) : cubes_(cubes) {}
 
   /// Bisects the leaves that `refine` asks to, and those that must follow for the leaves to be
   /// conforming, until none is left. `refine` is asked once a new leaf, of children and of roots
   /// that have to follow. Order, and so all numbers, depend on nothing but the roots' order.
-  void bisect(const std::vector<Root>& roots, const std::function<bool(Root, const Node&)>& refine);
+  void bisect(const std::vector<Root>& roots, const Refine& refine);
 
-  /// By root, ascending.
-  const std::map<Root, Tree>& trees() const { return trees_; }
+  /// In the order in which they were first bisected.
+  const std::vector<Tree>& trees() const { return trees_; }
+  const Node& node(kernel::Index i) const { return nodes_[i]; }
+  const FinePoint& corner(kernel::Index number) const { return points_[number]; }
+  FineCorners corners_of(const Node& node) const;
+  /// For the 24 tetrahedra of a cube the numbers of their trees, kNone where there is none; or null
+  /// if the cube has no tree.
+  using Planted = std::array<kernel::Index, kTetrahedra>;
+  const Planted* planted(const Cube& cube) const;
   int depth() const { return depth_; }
 
   FineCorners corners_of(Root root) const;
   Cube cube_of(Root root) const;
+  Root root_of(const Cube& cube, std::size_t tetrahedron) const;
 
  private:
   struct Place {
-    Root root;
-    std::int32_t node;
+    kernel::Index tree, node;
   };
+  kernel::Index number_of(const FinePoint& lattice_point);
+  void plant(Root root);
   bool must_follow(const Node& leaf) const;
   void split(const Place& place);
-  void follow(const FineEdge& edge);
-  void follow(Root root, const FineEdge& edge, const FinePoint& middle);
+  /// Queues the leaves that have the edge a b.
+  void follow(kernel::Index a, kernel::Index b, kernel::Index middle);
+  void follow(const Cube& cube, kernel::Index a, kernel::Index b, const FinePoint& middle);
+  void follow(kernel::Index tree, kernel::Index a, kernel::Index b,
+              const std::array<double, 4>& middle);
 
   Cube cubes_;
-  std::map<Root, Tree> trees_;
-  std::unordered_set<FineEdge, FineEdgeHash> split_;
+  std::vector<FinePoint> points_;
+  std::vector<Node> nodes_;
+  std::vector<Tree> trees_;
+  std::unordered_map<Root, Planted> planted_;                        ///< by the cube's first root
+  std::unordered_map<std::uint64_t, kernel::Index> lattice_points_;  ///< corners of roots
+  EdgeNumbers middles_;  ///< of edges that are bisected: their middles
   std::deque<Place> queue_;
   int depth_ = 0;
 };

@@ -17,18 +17,11 @@ using kernel::Sign;
 
 namespace {
 
-using Basis = kernel::SimplexBasis<3, 2>;
-
 /// Coefficients by pairs of corners.
 constexpr auto kPair = [] {
   std::array<std::array<std::uint8_t, 4>, 4> pair{};
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
-      Basis::Index index{};
-      ++index[i];
-      ++index[k];
-      pair[i][k] = static_cast<std::uint8_t>(Basis::position(index));
-    }
+    for (std::size_t k = 0; k < 4; ++k) pair[i][k] = static_cast<std::uint8_t>(pair_position(i, k));
   return pair;
 }();
 
@@ -56,7 +49,7 @@ std::array<T, 10> blossoms(const QuadraticNet<T>& root, const Cube& cube, std::s
 }
 
 std::array<Rational, 10> exact_net(const QuadraticSpline& spline, double level, const Cube& cube,
-                                   std::size_t t, const FineCorners& corners) {
+                                   std::size_t t, const FineCorners* corners) {
   QuadraticNet<Rational> root;
   if (spline.exact()) {
     const auto net = tetrahedron_net(cube_coefficients(spline.stencil<double>(cube)), t);
@@ -65,7 +58,7 @@ std::array<Rational, 10> exact_net(const QuadraticSpline& spline, double level, 
     root = tetrahedron_net(cube_coefficients(spline.stencil<Rational>(cube)), t);
   }
   for (Rational& x : root.c) x -= level;
-  return blossoms(root, cube, t, corners);
+  return corners ? blossoms(root, cube, t, *corners) : root.c;
 }
 
 /// Signs of numbers of degree 1 and 2 in the coefficients, the latter with factors of the shape;
@@ -178,16 +171,22 @@ bool is_settled(const std::array<T, 10>& b, const Edges<T>& x, Signs& signs) {
   return gradient_is_simple(b, x, signs);
 }
 
+/// Of all 24 tetrahedra, but for an isometry.
+constexpr std::array<std::array<int, 3>, 4> kTetrahedronShape = {
+    {{0, 0, 0}, {1, 1, -1}, {1, 1, 1}, {1, 0, 0}}};
+
 template <class T>
-Edges<T> edges_of(const FineCorners& corners) {
-  std::int64_t longest = 1;
-  for (const FinePoint& p : corners)
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] - corners[0][k]));
+Edges<T> edges_of(const FineCorners* corners) {
   Edges<T> x;
+  std::int64_t longest = 1;
+  const auto difference = [&](std::size_t i, std::size_t k) {
+    return corners ? (*corners)[i][k] - (*corners)[0][k] : kTetrahedronShape[i][k];
+  };
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(difference(i, k)));
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      x[i][k] =
-          T(static_cast<double>(corners[i][k] - corners[0][k]) / static_cast<double>(longest));
+      x[i][k] = T(static_cast<double>(difference(i, k)) / static_cast<double>(longest));
   return x;
 }
 
@@ -242,7 +241,7 @@ bool LeafTest::empty(const LeafNet& net) const {
 }
 
 bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
-                       const FineCorners& corners) const {
+                       const FineCorners* corners) const {
   if (empty(net)) return true;
   // Products have factors of at most 2^8 from a shape whose edges are at most 1 along each axis.
   const double rounded = net.error + 2 * kUnitRoundoff * net.largest;
@@ -250,26 +249,19 @@ bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
   // Signs are exact, zeros too.
   if (net.error == 0) filter.error = -1;
   if (net.exact_products) filter.product_error = -1;
-  const bool answer = is_settled(net.b, edges_of<double>(corners), filter);
+  static const Edges<double> kRoot = edges_of<double>(nullptr);
+  const bool answer = is_settled(net.b, corners ? edges_of<double>(corners) : kRoot, filter);
   if (!filter.unsure) return answer;
   Exact exact;
   return is_settled(exact_net(spline_, level_, cube, t, corners), edges_of<Rational>(corners),
                     exact);
 }
 
-bool LeafTest::below(const LeafNet& net, const Cube& cube, std::size_t t,
-                     const FineCorners& corners, std::size_t corner) const {
+Sign LeafTest::sign(const LeafNet& net, const Cube& cube, std::size_t t, const FineCorners* corners,
+                    std::size_t corner) const {
   const double x = net.b[kPair[corner][corner]];
-  if (net.error == 0 || std::fabs(x) > net.error) return x < 0;
-  return exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]] < 0;
-}
-
-bool LeafTest::on_level(const LeafNet& net, const Cube& cube, std::size_t t,
-                        const FineCorners& corners, std::size_t corner) const {
-  const double x = net.b[kPair[corner][corner]];
-  if (net.error == 0) return x == 0;
-  return !(std::fabs(x) > net.error) &&
-         exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]] == 0;
+  if (net.error == 0 || std::fabs(x) > net.error) return kernel::sign_of(x);
+  return kernel::sign_of(exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]]);
 }
 
 }  // namespace crest::splines

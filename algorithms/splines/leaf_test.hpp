@@ -4,8 +4,17 @@
 // Is a leaf of the bisection empty or simple (isosurface.hpp): doubles with one bound, then
 // rationals.
 #include "algorithms/splines/bisection.hpp"
+#include "kernel/arithmetic/sign.hpp"
 
 namespace crest::splines {
+
+/// Of the coefficient of two corners in a net.
+constexpr std::size_t pair_position(std::size_t i, std::size_t k) {
+  kernel::SimplexBasis<3, 2>::Index index{};
+  ++index[i];
+  ++index[k];
+  return kernel::SimplexBasis<3, 2>::position(index);
+}
 
 /// The net of a leaf less c, over its corners, with a bound of its coefficients' errors.
 struct LeafNet {
@@ -22,21 +31,19 @@ class LeafTest {
   CubeCoefficients<double> coefficients(const Cube& cube) const {
     return cube_coefficients(spline_.stencil<double>(cube));
   }
+  /// `corners`: of the leaf; null here and below: it is the tetrahedron.
   LeafNet net(const CubeCoefficients<double>& a, const Cube& cube, std::size_t tetrahedron,
               const FineCorners* corners) const;
 
   /// The coefficient of two corners.
   static double at(const LeafNet& net, std::size_t i, std::size_t k);
   bool empty(const LeafNet& net) const;
-  /// Empty or simple. `corners` of the leaf, in rationals or doubles.
+  /// Empty or simple.
   bool settled(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
-               const FineCorners& corners) const;
-  /// s < c at a corner.
-  bool below(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
-             const FineCorners& corners, std::size_t corner) const;
-  /// s = c at a corner.
-  bool on_level(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
-                const FineCorners& corners, std::size_t corner) const;
+               const FineCorners* corners) const;
+  /// The sign of s - c at a corner.
+  kernel::Sign sign(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
+                    const FineCorners* corners, std::size_t corner) const;
 
  private:
   const QuadraticSpline& spline_;
