@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/splines/isosurface.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -31,7 +34,7 @@ struct EdgeZero {
 /// b0 < 0 <= b2, exactly but for `error`.
 EdgeZero zero_of(double b0, double b1, double b2, double error) {
   const double f0 = -b0, f1 = -b1, f2 = -b2;
-  const double h = f0 - f1, q = f0 - 2 * f1 + f2, root = std::sqrt(std::fmax(0, h * h - q * f0));
+  const double h = f0 - f1, q = f0 - 2 * f1 + f2, root = std::sqrt(std::max(0.0, h * h - q * f0));
   EdgeZero zero;
   const double at = h > 0 ? f0 / (h + root) : (h - root) / q;
   zero.at = std::isfinite(at) ? std::clamp(at, 0.0, 1.0) : 1.0;
@@ -42,8 +45,8 @@ EdgeZero zero_of(double b0, double b1, double b2, double error) {
   const double slack = error + 0x1p-48 * (std::fabs(f0) + std::fabs(f1) + std::fabs(f2));
   // Wider until both sides are certain: there f is positive all the way from 0, and not positive.
   for (double wide = 0x1p-52;; wide *= 4) {
-    zero.low = std::fmax(0, zero.at - wide);
-    zero.high = std::fmin(1, zero.at + wide);
+    zero.low = std::max(0.0, zero.at - wide);
+    zero.high = std::min(1.0, zero.at + wide);
     // Positive on [0, low] if it is at both ends and (one zero) not at 1.
     const bool low = zero.low == 0 || (f(zero.low) > slack && f2 <= 0);
     const bool high = zero.high == 1 || f(zero.high) < -slack;
@@ -80,13 +83,14 @@ class Mesher {
     LeafNet net;
   };
 
-  /// Calls visit(cube, coefficients) for active cubes in their order.
+  /// Calls visit(cube, coefficients, signs) for active cubes of a layer in their order.
   template <class Visit>
-  void for_each_active(const Visit& visit) const;
+  void for_each_active(int z, const Visit& visit) const;
 
+  std::vector<Root> unsettled_roots();
   void bisect(int max_depth);
   void march();
-  void march_cube(const Cube& cube, const CubeCoefficients<double>& a);
+  void march_cube(const Cube& cube, const CubeCoefficients<double>& a, const CubeSigns& signs);
   void march_tree(const Forest::Tree& tree, Index node, const CubeCoefficients<double>& a);
   void march_leaf(const Leaf& leaf);
   void write_tree(Index node);
@@ -99,6 +103,7 @@ class Mesher {
   LeafTest test_;
   ActiveCubes active_;
   Forest forest_;
+  std::size_t met_ = 0;  ///< tetrahedra that are not empty
   Isosurface mesh_;
   EdgeLayers lattice_edges_;
   EdgeNumbers fine_edges_;
@@ -133,43 +138,57 @@ Isosurface Mesher::run(int max_depth) {
 }
 
 template <class Visit>
-void Mesher::for_each_active(const Visit& visit) const {
+void Mesher::for_each_active(int z, const Visit& visit) const {
   const Cube& n = spline_.cubes();
-  for (int z = 0; z < n[2]; ++z)
-    for (int y = 0; y < n[1]; ++y)
-      for (int x = 0; x < n[0]; ++x) {
-        // Four at once.
-        if ((x & 3) == 0 &&
-            (active_.word(0, x >> 2, y >> 2, z >> 2) >> ActiveCubes::bit(0, y, z) & 15) == 0) {
-          x += 3;
-          continue;
-        }
-        const Cube cube = {x, y, z};
-        if (active_.active(cube)) visit(cube, test_.coefficients(cube));
+  for (int y = 0; y < n[1]; ++y)
+    for (int x = 0; x < n[0]; ++x) {
+      // Four at once.
+      if ((x & 3) == 0 &&
+          (active_.word(0, x >> 2, y >> 2, z >> 2) >> ActiveCubes::bit(0, y, z) & 15) == 0) {
+        x += 3;
+        continue;
       }
+      const Cube cube = {x, y, z};
+      if (!active_.active(cube)) continue;
+      const auto a = test_.coefficients(cube);
+      visit(cube, a, test_.signs(a));
+    }
+}
+
+/// The tetrahedra that are not settled; by threads.
+std::vector<Root> Mesher::unsettled_roots() {
+  std::vector<std::vector<Root>> layers(static_cast<std::size_t>(spline_.cubes()[2]));
+  std::atomic<std::size_t> met{0};
+  tbb::parallel_for(0, spline_.cubes()[2], [&](int z) {
+    std::size_t here = 0;
+    for_each_active(
+        z, [&](const Cube& cube, const CubeCoefficients<double>& a, const CubeSigns& signs) {
+          for (std::size_t t = 0; t < kTetrahedra; ++t) {
+            if (LeafTest::empty(signs, t)) continue;
+            ++here;
+            if (!test_.settled(test_.net(a, cube, t, nullptr), cube, t, nullptr))
+              layers[static_cast<std::size_t>(z)].push_back(forest_.root_of(cube, t));
+          }
+        });
+    met += here;
+  });
+  met_ = met;
+  std::vector<Root> roots;
+  for (const auto& layer : layers) roots.insert(roots.end(), layer.begin(), layer.end());
+  return roots;
 }
 
 void Mesher::bisect(int max_depth) {
-  std::vector<Root> roots;
-  std::size_t met = 0;  // tetrahedra that are not empty
-  for_each_active([&](const Cube& cube, const CubeCoefficients<double>& a) {
-    for (std::size_t t = 0; t < kTetrahedra; ++t) {
-      const LeafNet net = test_.net(a, cube, t, nullptr);
-      if (test_.empty(net)) continue;
-      ++met;
-      if (test_.settled(net, cube, t, nullptr)) continue;
-      const Root root = forest_.root_of(cube, t);
-      if (max_depth > 0)
-        roots.push_back(root);
-      else
-        list(forest_.corners_of(root));
-    }
-  });
+  const std::vector<Root> roots = unsettled_roots();
+  if (max_depth == 0) {
+    for (const Root root : roots) list(forest_.corners_of(root));
+    return;
+  }
   std::vector<std::size_t> leaves;  // of each tree
   std::size_t all = 0;
   forest_.bisect(roots, [&](Index tree, const Forest::Node& node) {
     if (tree >= leaves.size()) leaves.resize(std::max(tree + std::size_t{1}, 2 * leaves.size()));
-    if (node.depth >= max_depth || leaves[tree] >= kMostLeaves || all >= most_leaves(met))
+    if (node.depth >= max_depth || leaves[tree] >= kMostLeaves || all >= most_leaves(met_))
       return false;
     const Root root = forest_.trees()[tree].root;
     const Cube cube = forest_.cube_of(root);
@@ -193,8 +212,9 @@ void Mesher::march() {
     write_tree(tree.node);
   }
   // Of cubes that are not active all leaves are empty.
-  for_each_active(
-      [&](const Cube& cube, const CubeCoefficients<double>& a) { march_cube(cube, a); });
+  for (int z = 0; z < spline_.cubes()[2]; ++z)
+    for_each_active(z, [&](const Cube& cube, const CubeCoefficients<double>& a,
+                           const CubeSigns& signs) { march_cube(cube, a, signs); });
 }
 
 void Mesher::write_tree(Index node) {
@@ -205,7 +225,8 @@ void Mesher::write_tree(Index node) {
   write_tree(child + 1);
 }
 
-void Mesher::march_cube(const Cube& cube, const CubeCoefficients<double>& a) {
+void Mesher::march_cube(const Cube& cube, const CubeCoefficients<double>& a,
+                        const CubeSigns& signs) {
   lattice_edges_.enter(cube);
   const Forest::Planted* trees = forest_.planted(cube);
   for (std::size_t t = 0; t < kTetrahedra; ++t) {
@@ -214,8 +235,7 @@ void Mesher::march_cube(const Cube& cube, const CubeCoefficients<double>& a) {
       march_tree(tree, tree.node, a);
       continue;
     }
-    const LeafNet net = test_.net(a, cube, t, nullptr);
-    if (test_.empty(net)) continue;
+    if (LeafTest::empty(signs, t)) continue;
     static const std::array<bool, kTetrahedra> kMirrored = [&] {
       std::array<bool, kTetrahedra> mirrored{};
       for (std::size_t i = 0; i < kTetrahedra; ++i)
@@ -228,7 +248,7 @@ void Mesher::march_cube(const Cube& cube, const CubeCoefficients<double>& a) {
                 {},
                 forest_.corners_of(forest_.root_of(cube, t)),
                 kMirrored[t],
-                net});
+                test_.net(a, cube, t, nullptr)});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "kernel/arithmetic/approximate.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/arithmetic/sign.hpp"
+#include "kernel/arithmetic/wide_clones.hpp"
 
 namespace crest::splines {
 
@@ -172,27 +173,38 @@ bool is_settled(const std::array<T, 10>& b, const Edges<T>& x, Signs& signs) {
 }
 
 /// Of all 24 tetrahedra, but for an isometry.
-constexpr std::array<std::array<int, 3>, 4> kTetrahedronShape = {
-    {{0, 0, 0}, {1, 1, -1}, {1, 1, 1}, {1, 0, 0}}};
+constexpr Edges<double> kTetrahedronShape = {{{0, 0, 0}, {1, 1, -1}, {1, 1, 1}, {1, 0, 0}}};
+
+/// The same with the shape folded in.
+CREST_WIDE_CLONES bool tetrahedron_is_settled(const std::array<double, 10>& b, Filter& filter) {
+  return is_settled(b, kTetrahedronShape, filter);
+}
 
 template <class T>
-Edges<T> edges_of(const FineCorners* corners) {
+Edges<T> edges_of(const FineCorners& corners) {
   Edges<T> x;
   std::int64_t longest = 1;
-  const auto difference = [&](std::size_t i, std::size_t k) {
-    return corners ? (*corners)[i][k] - (*corners)[0][k] : kTetrahedronShape[i][k];
-  };
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(difference(i, k)));
+  for (const FinePoint& p : corners)
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] - corners[0][k]));
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      x[i][k] = T(static_cast<double>(difference(i, k)) / static_cast<double>(longest));
+      x[i][k] =
+          T(static_cast<double>(corners[i][k] - corners[0][k]) / static_cast<double>(longest));
+  return x;
+}
+
+Edges<Rational> exact_edges(const FineCorners* corners) {
+  if (corners) return edges_of<Rational>(*corners);
+  Edges<Rational> x;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k) x[i][k] = kTetrahedronShape[i][k];
   return x;
 }
 
 }  // namespace
 
-LeafTest::LeafTest(const QuadraticSpline& spline, double c) : spline_(spline), level_(c) {
+LeafTest::LeafTest(const QuadraticSpline& spline, double c)
+    : spline_(spline), level_(c), error_(spline.exact() ? 0 : 0x1p-40 * spline.largest_sample()) {
   const double steps = c / spline.step();
   if (spline.exact() && std::fabs(steps) < 0x1p50 && std::floor(steps) == steps)
     bits_ = 1 + std::max(spline.bits(), steps == 0 ? 0 : std::ilogb(steps) + 1);
@@ -205,10 +217,9 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
   leaf.largest = 0;
   for (double& x : root.c) {
     x -= level_;
-    leaf.largest = std::fmax(leaf.largest, std::fabs(x));
+    leaf.largest = std::max(leaf.largest, std::fabs(x));
   }
-  leaf.error = 0;
-  if (!spline_.exact()) leaf.error = 0x1p-40 * spline_.largest_sample();
+  leaf.error = error_;
   int bits = bits_;
   if (corners) {
     leaf.b = blossoms(root, cube, t, *corners);
@@ -225,6 +236,25 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
   // point, sums below 2^9.
   leaf.exact_products = bits_ > 0 && 2 * bits + 13 <= 53;
   return leaf;
+}
+
+CubeSigns LeafTest::signs(const CubeCoefficients<double>& a) const {
+  static constexpr SlotBits kUsed = [] {
+    SlotBits used{};
+    for (const SlotBits& bits : kSlotBits)
+      for (const std::size_t k : {0, 1}) used[k] |= bits[k];
+    return used;
+  }();
+  CubeSigns signs;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::uint64_t left = kUsed[k]; left != 0; left &= left - 1) {
+      const auto bit = static_cast<unsigned>(std::countr_zero(left));
+      const double x = a[64 * k + bit] - level_;
+      signs.below[k] |= std::uint64_t{x < -error_} << bit;
+      // A difference of doubles has its exact sign.
+      signs.other[k] |= std::uint64_t{error_ == 0 ? x >= 0 : x > error_} << bit;
+    }
+  return signs;
 }
 
 double LeafTest::at(const LeafNet& net, std::size_t i, std::size_t k) {
@@ -249,12 +279,11 @@ bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
   // Signs are exact, zeros too.
   if (net.error == 0) filter.error = -1;
   if (net.exact_products) filter.product_error = -1;
-  static const Edges<double> kRoot = edges_of<double>(nullptr);
-  const bool answer = is_settled(net.b, corners ? edges_of<double>(corners) : kRoot, filter);
+  const bool answer = corners ? is_settled(net.b, edges_of<double>(*corners), filter)
+                              : tetrahedron_is_settled(net.b, filter);
   if (!filter.unsure) return answer;
   Exact exact;
-  return is_settled(exact_net(spline_, level_, cube, t, corners), edges_of<Rational>(corners),
-                    exact);
+  return is_settled(exact_net(spline_, level_, cube, t, corners), exact_edges(corners), exact);
 }
 
 Sign LeafTest::sign(const LeafNet& net, const Cube& cube, std::size_t t, const FineCorners* corners,

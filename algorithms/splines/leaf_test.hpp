@@ -23,6 +23,21 @@ struct LeafNet {
   bool exact_products = false;  ///< what the test computes in doubles is not rounded at all
 };
 
+/// A bit for each slot of a cube's coefficients.
+using SlotBits = std::array<std::uint64_t, 2>;
+
+/// Those whose coefficient is certainly below the level, or certainly is not.
+struct CubeSigns {
+  SlotBits below{}, other{};
+};
+
+inline constexpr auto kSlotBits = [] {
+  std::array<SlotBits, kTetrahedra> bits{};
+  for (std::size_t t = 0; t < kTetrahedra; ++t)
+    for (const std::uint8_t slot : kSlots[t]) bits[t][slot / 64] |= std::uint64_t{1} << slot % 64;
+  return bits;
+}();
+
 class LeafTest {
  public:
   LeafTest(const QuadraticSpline& spline, double c);
@@ -34,6 +49,16 @@ class LeafTest {
   /// `corners`: of the leaf; null here and below: it is the tetrahedron.
   LeafNet net(const CubeCoefficients<double>& a, const Cube& cube, std::size_t tetrahedron,
               const FineCorners* corners) const;
+
+  CubeSigns signs(const CubeCoefficients<double>& a) const;
+  /// Whether a tetrahedron is certainly empty.
+  static bool empty(const CubeSigns& signs, std::size_t tetrahedron) {
+    const auto holds = [&](const SlotBits& bits) {
+      const SlotBits& all = kSlotBits[tetrahedron];
+      return (bits[0] & all[0]) == all[0] && (bits[1] & all[1]) == all[1];
+    };
+    return holds(signs.below) || holds(signs.other);
+  }
 
   /// The coefficient of two corners.
   static double at(const LeafNet& net, std::size_t i, std::size_t k);
@@ -48,6 +73,7 @@ class LeafTest {
  private:
   const QuadraticSpline& spline_;
   double level_;
+  double error_;  ///< of a cube's coefficients
   int bits_ = 0;  ///< of coefficients less c, all multiples of one step; 0: not known
 };
 

@@ -141,24 +141,43 @@ Cube QuadraticSpline::cube_at(const Vec3& lattice) const {
 }
 
 ValueAndGradient QuadraticSpline::evaluate(const Vec3& p) const {
-  const Vec3 x = frame_.to_lattice(p);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(x[k] >= 0 && x[k] <= 2 * cubes_[k])) return {NAN, {NAN, NAN, NAN}};
-  const Cube cube = cube_at(x);
-  Vec3 from_centre;
-  for (std::size_t k = 0; k < 3; ++k) from_centre[k] = x[k] - (2 * cube[k] + 1);
-  const std::size_t t = locate(from_centre[0], from_centre[1], from_centre[2]);
-  const auto net = tetrahedron_net(cube_coefficients(stencil<double>(cube)), t);
-  const auto r = kernel::value_and_gradient_at(net, barycentric(t, from_centre));
-  return {r.value, frame_.gradient_to_world(gradient(t, r.gradient))};
+  ValueAndGradient one;
+  evaluate({&p, 1}, {&one, 1});
+  return one;
+}
+
+void QuadraticSpline::evaluate(std::span<const Vec3> points,
+                               std::span<ValueAndGradient> values) const {
+  Cube known = {-1, -1, -1};
+  CubeCoefficients<double> a;  // of the known cube: points in a row are often near
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 x = frame_.to_lattice(points[i]);
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) inside &= x[k] >= 0 && x[k] <= 2 * cubes_[k];
+    if (!inside) {
+      values[i] = {NAN, {NAN, NAN, NAN}};
+      continue;
+    }
+    const Cube cube = cube_at(x);
+    if (cube != known) {
+      known = cube;
+      a = cube_coefficients(stencil<double>(cube));
+    }
+    Vec3 from_centre;
+    for (std::size_t k = 0; k < 3; ++k) from_centre[k] = x[k] - (2 * cube[k] + 1);
+    const std::size_t t = locate(from_centre[0], from_centre[1], from_centre[2]);
+    const auto r =
+        kernel::value_and_gradient_at(tetrahedron_net(a, t), barycentric(t, from_centre));
+    values[i] = {r.value, frame_.gradient_to_world(gradient(t, r.gradient))};
+  }
 }
 
 std::vector<ValueAndGradient> QuadraticSpline::evaluate(std::span<const Vec3> points) const {
   std::vector<ValueAndGradient> values(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
                     [&](const auto& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        values[i] = evaluate(points[i]);
+                      evaluate(points.subspan(range.begin(), range.size()),
+                               std::span(values).subspan(range.begin(), range.size()));
                     });
   return values;
 }

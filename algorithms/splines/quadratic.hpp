@@ -134,6 +134,8 @@ class QuadraticSpline {
   std::vector<ValueAndGradient> evaluate(std::span<const Vec3> points) const;
 
  private:
+  void evaluate(std::span<const Vec3> points, std::span<ValueAndGradient> values) const;
+
   kernel::SampledGrid grid_;
   Border border_;
   LatticeFrame frame_;
