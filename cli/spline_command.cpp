@@ -110,10 +110,11 @@ void add_table_options(CLI::App& app, SplineOptions& o) {
 std::function<int()> add(CLI::App& app) {
   auto options = std::make_shared<SplineOptions>();
   SplineOptions& o = *options;
-  add_common_options(app, o.common,
-                     "a volume (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map), a table of "
-                     "samples x,y,z,value (.csv), or a saved spline (.vti)",
-                     "the spline (.vti)");
+  add_common_options(
+      app, o.common,
+      "a volume (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr), a table of "
+      "samples x,y,z,value (.csv), or a saved spline (.vti)",
+      "the spline (.vti)");
   app.add_option("--evaluate", o.evaluate, "points x,y,z to evaluate at (.csv)")->type_name("FILE");
   app.add_option("--values", o.values, "values and gradients there (.csv)")->type_name("FILE");
   add_volume_options(app, o);

@@ -4,7 +4,7 @@
 # and prints what was run, a row each.
 #   scripts/fuzz.sh [--seconds N] [TARGET...]
 # N: of processor time of each (default 600); TARGET: off obj ply stl vtk msh vtp vtu (the default),
-# field_vtu, volume_nrrd (mha vti nii mrc png pgm vtk xyz), planar_json (txt vec nrrd nc vti vtr vts vtk vtu vtp msh), expression, reeb and the others of tests/fuzz/CMakeLists.txt. A file that fails is left in
+# field_vtu, volume_nrrd (mha vti nii mrc cube inr png pgm vtk xyz), planar_json (txt vec nrrd nc vti vtr vts vtk vtu vtp msh), expression, reeb and the others of tests/fuzz/CMakeLists.txt. A file that fails is left in
 # build-fuzz/found/TARGET/; once it is mended it belongs into tests/fuzz/corpus/FORMAT/. Exit code 1
 # if there is one.
 set -eu

@@ -44,6 +44,8 @@ Volume read_vti(std::string_view bytes, const VolumeRequest& request);
 Volume read_structured_points(std::string_view bytes, const VolumeRequest& request);
 Volume read_nifti(std::string_view bytes, const VolumeRequest& request);
 Volume read_mrc(std::string_view bytes, const VolumeRequest& request);
+Volume read_cube(std::string_view bytes, const VolumeRequest& request);
+Volume read_inrimage(std::string_view bytes, const VolumeRequest& request);
 /// The samples of image data, of the array of points that is named, active or the only one.
 Volume volume_of(vtkImageData& data, const std::string& field);
 /// Images in row 0 = the topmost; y points up, as VTK has it. Of colours the luminance.

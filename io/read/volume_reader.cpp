@@ -31,17 +31,15 @@ Reader reader_of(const std::string& extension) {
       {".nrrd", read_nrrd},      {".nhdr", read_nrrd}, {".mha", read_meta_image},
       {".mhd", read_meta_image}, {".vti", read_vti},   {".vtk", read_structured_points},
       {".nii", read_nifti},      {".map", read_mrc},   {".mrc", read_mrc},
-      {".ccp4", read_mrc},       {".png", read_png},   {".pgm", read_pnm},
-      {".ppm", read_pnm},        {".pnm", read_pnm}};
+      {".ccp4", read_mrc},       {".cube", read_cube}, {".inr", read_inrimage},
+      {".png", read_png},        {".pgm", read_pnm},   {".ppm", read_pnm},
+      {".pnm", read_pnm}};
   const auto found = readers.find(extension);
   return found == readers.end() ? nullptr : found->second;
 }
 
 [[noreturn]] void refuse(const std::string& extension) {
   static const std::map<std::string, const char*> remedies = {
-      {".inr",
-       "cut off its 256 bytes of header and give --raw NX,NY,NZ,TYPE, or convert it to NRRD"},
-      {".cube", "convert it to NRRD, VTI or MRC"},
       {".tif", "convert it to PNG or PGM (a stack: to NRRD)"},
       {".tiff", "convert it to PNG or PGM (a stack: to NRRD)"},
       {".jpg", "convert it to PNG"},
@@ -56,8 +54,8 @@ Reader reader_of(const std::string& extension) {
        extension.empty() ? "has no extension"
                          : "volumes of the extension '" + extension + "' are not read",
        found != remedies.end() ? found->second
-                               : "use .nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .png or "
-                                 ".pgm, or --raw NX,NY,NZ,TYPE");
+                               : "use .nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr "
+                                 ".png or .pgm, or --raw NX,NY,NZ,TYPE");
 }
 
 /// Leaves out axes of one sample, those of space being two or three.

@@ -25,11 +25,11 @@ struct VolumeFile {
 /// Whether the file's name is that of a volume or an image (".nii.gz": by both extensions).
 bool is_volume_name(const std::string& path);
 
-/// Reads .nrrd .nhdr .mha .mhd .vti .vtk .nii .map .mrc .ccp4 .png .pgm .ppm .pnm, each compressed
-/// by gzip, too. Every sample is kept in the file's type; NIfTI's slope is applied, of colours the
-/// luminance taken. Guarantees: at least 4 nodes along each axis, all samples finite and exact as
-/// doubles, positive spacings. Axes off right angles are taken as if at right angles, with a
-/// warning. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line.
+/// Reads .nrrd .nhdr .mha .mhd .vti .vtk .nii .map .mrc .ccp4 .cube .inr .png .pgm .ppm .pnm,
+/// each compressed by gzip, too. Every sample is kept in the file's type; NIfTI's slope is applied,
+/// of colours the luminance taken. Guarantees: at least 4 nodes along each axis, all samples finite
+/// and exact as doubles, positive spacings. Axes off right angles are taken as if at right angles,
+/// with a warning. Throws: kernel::InputError "FILE: ELEMENT: PROBLEM; REMEDY", one line.
 VolumeFile read_volume(const std::string& path, const VolumeSource& source = {});
 
 /// The same for a file that is in memory: `name` gives the format and stands in messages. A header

@@ -34,12 +34,12 @@ const Expected kExpected[] = {
     {"iguana_ct.nii.gz", {210, 256, 179}, 0, 229, ""},
     {"ironProt.vtk", {68, 68, 68}, 0, 255, ""},
     {"isabel_windspeed_30.nrrd.xz", {125, 125, 25}, 0, 78.6594, ""},
-    {"m4_TotalDensity.cube", {0, 0, 0}, 0, 0, "convert it to NRRD, VTI or MRC"},
+    {"m4_TotalDensity.cube", {31, 22, 25}, 0, 0.4928, ""},
     {"male_head.nrrd.xz", {256, 256, 128}, 1, 254, ""},
     {"mri_head_256.nrrd.xz", {256, 256, 256}, 0, 242, ""},
     {"neghip.nrrd", {66, 66, 66}, 0, 255, ""},
     {"nut.nrrd", {68, 41, 59}, 0, 255, ""},
-    {"skull_2.9.inr", {0, 0, 0}, 0, 0, "convert it to NRRD"},
+    {"skull_2.9.inr", {64, 64, 64}, 0.0, 5.429, ""},
     {"stent_ct.nrrd.xz", {128, 128, 256}, 0, 2000, ""},
 };
 

@@ -33,6 +33,30 @@ inline std::string volume_words() {
   return text;
 }
 
+/// `changes`: lines that replace those of 4 x 5 x 6 samples "signed fixed".
+inline std::string inrimage(const std::string& changes, const std::string& samples) {
+  std::string header =
+      "#INRIMAGE-4#{\nXDIM=4\nYDIM=5\nZDIM=6\nVDIM=1\nTYPE=signed fixed\nPIXSIZE=16 bits\n"
+      "CPU=decm\nVX=2\nVY=3\nVZ=4\n" +
+      changes;
+  header.resize(252, '\n');
+  return header + "##}\n" + samples;
+}
+
+/// A Gaussian cube file of 4 x 5 x 6 samples, the last axis the fastest; `before`: samples.
+inline std::string cube(const std::string& atoms, const std::string& behind_header,
+                        const std::string& before) {
+  std::string text =
+      "title\nloop\n" + atoms + " 1 2 3\n4 2 0 0\n5 0 3 0\n6 0 0 4\n" + behind_header + before;
+  for (std::size_t x = 0; x < 4; ++x)
+    for (std::size_t y = 0; y < 5; ++y) {
+      for (std::size_t z = 0; z < 6; ++z)
+        text += std::to_string(static_cast<int>(volume_value(x, y, z))) + ".0E0 ";
+      text += "\n";
+    }
+  return text;
+}
+
 /// `header`: 31: gzip's, 15: zlib's.
 inline std::string deflated(const std::string& bytes, int header) {
   z_stream z{};

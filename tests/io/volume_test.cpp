@@ -143,6 +143,35 @@ TEST_CASE("MRC: axes in any order, cells off right angles, byte orders", "[io]")
       CHECK(dot(file.grid.directions[i], file.grid.directions[k]) == Approx(i == k).margin(1e-14));
 }
 
+TEST_CASE("Gaussian cubes: the last axis the fastest, atoms, one orbital", "[io]") {
+  for (const SampledGrid& grid :
+       {read("v.cube", cube("0", "", "")), read("v.cube", cube("1", "8 8.0 1 2 3\n", "")),
+        read("v.cube", cube("-1", "8 8.0 1 2 3\n1 7\n", ""))}) {
+    REQUIRE(grid.size == std::array<std::size_t, 3>{6, 5, 4});
+    CHECK(grid.spacing == Vec3{4, 3, 2});
+    CHECK(grid.to_world({5, 2, 1}) == Vec3{3, 8, 23});
+    std::size_t i = 0, wrong = 0;
+    for (std::size_t x = 0; x < 4; ++x)
+      for (std::size_t y = 0; y < 5; ++y)
+        for (std::size_t z = 0; z < 6; ++z) wrong += grid.at(i++) != volume_value(x, y, z) ? 1 : 0;
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("INRIMAGE: types, byte orders, spacings, longer headers", "[io]") {
+  const SampledGrid plain = read("v.inr", inrimage("", volume_samples<std::int16_t>()));
+  check_values(plain);
+  CHECK(plain.type() == SampleType::i16);
+  CHECK(plain.spacing == Vec3{2, 3, 4});
+  check_values(read("v.inr", inrimage("CPU=sun\n", volume_samples<std::int16_t>(true))));
+  const std::string f64 = inrimage("TYPE=float\nPIXSIZE=64 bits\nTX=7\n", volume_samples<double>());
+  check_values(read("v.inr.gz", deflated(f64, 31)));
+  CHECK(read("v.inr", f64).origin == Vec3{7, 0, 0});
+  std::string longer = inrimage("", volume_samples<std::int16_t>());
+  longer.insert(14, std::string(256, '\n'));
+  check_values(read("v.inr", longer));
+}
+
 TEST_CASE("VTI and legacy VTK: spacings, origins, one of several arrays", "[io]") {
   for (const SampledGrid& grid :
        {read("v.vti", vti("Int16", volume_words())),

@@ -629,7 +629,7 @@ def read_vectors(path: Any, vectors: str = "", *, cell_to_point: bool = False,
 
 def read_volume(path: Any, field: str = "", *, raw: str = "", threads: int = 0,
                 progress: Progress = None) -> Volume:
-    """A volume or an image from .nrrd .mha .mhd .vti .vtk .nii .mrc .map .png .pgm and others.
+    """A volume or an image from .nrrd .mha .mhd .vti .vtk .nii .mrc .cube .inr .png and others.
 
     field: of several arrays. raw: "NX,NY,NZ,TYPE" of samples without a header.
     threads, progress, errors: as for ridges().
