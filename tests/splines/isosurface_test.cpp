@@ -2,7 +2,10 @@
 // Isosurfaces as meshes: known topology, degenerate levels, the checker of their certificates.
 #include "algorithms/splines/isosurface.hpp"
 
+#include <tbb/global_control.h>
+
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "algorithms/splines/quadratic_certificate.hpp"
 #include "certify/verify.hpp"
@@ -33,6 +36,57 @@ Isosurface certified(const QuadraticSpline& spline, double c) {
 double torus(double x, double y, double z) {
   const double r = std::sqrt(x * x + y * y) - 0.6;
   return r * r + z * z;
+}
+
+/// A signed permutation of axes: sample and point x go to y[k] = x[axes[k]], from the other end if
+/// bit k of `flips` is set.
+struct Motion {
+  std::array<std::size_t, 3> axes;
+  int flips;
+
+  template <class T>
+  std::array<T, 3> operator()(const std::array<T, 3>& x, const std::array<T, 3>& last) const {
+    std::array<T, 3> y;
+    for (std::size_t k = 0; k < 3; ++k)
+      y[k] = flips >> k & 1 ? last[axes[k]] - x[axes[k]] : x[axes[k]];
+    return y;
+  }
+};
+
+kernel::SampledGrid moved(const kernel::SampledGrid& grid, const Motion& motion) {
+  kernel::SampledGrid other = grid;
+  std::array<std::size_t, 3> last, x;
+  for (std::size_t k = 0; k < 3; ++k) last[k] = grid.size[k] - 1;
+  for (std::size_t k = 0; k < 3; ++k) other.size[k] = grid.size[motion.axes[k]];
+  const auto& from = std::get<std::vector<std::int16_t>>(grid.samples);
+  auto& to = std::get<std::vector<std::int16_t>>(other.samples);
+  std::size_t i = 0;
+  for (x[2] = 0; x[2] <= last[2]; ++x[2])
+    for (x[1] = 0; x[1] <= last[1]; ++x[1])
+      for (x[0] = 0; x[0] <= last[0]; ++x[0]) {
+        const auto y = motion(x, last);
+        to[y[0] + other.size[0] * (y[1] + other.size[1] * y[2])] = from[i++];
+      }
+  return other;
+}
+
+/// Vertices to 2^-24.
+std::set<std::array<long long, 3>> places_of(const std::vector<Vec3>& points) {
+  std::set<std::array<long long, 3>> places;
+  for (const Vec3& p : points)
+    places.insert(
+        {std::llround(0x1p24 * p[0]), std::llround(0x1p24 * p[1]), std::llround(0x1p24 * p[2])});
+  return places;
+}
+
+/// Whether triangles are counter-clockwise seen from where s < c, in sum.
+bool faces_below(const Isosurface& surface) {
+  double sum = 0;
+  for (const auto& t : surface.triangles) {
+    const auto edge = [&](std::size_t k) { return surface.points[t[k]] - surface.points[t[0]]; };
+    sum += kernel::dot(kernel::cross(edge(1), edge(2)), surface.gradients[t[0]]);
+  }
+  return sum < 0;
 }
 
 /// Six times the volume that a closed surface encloses.
@@ -105,6 +159,68 @@ TEST_CASE(
   const auto samples = certified(spline, 4 * 9 + 3);
   CHECK(samples.euler_characteristic == 2);
   CHECK(samples.components == 1);
+}
+
+TEST_CASE("the 48 motions of the grid carry vertices into vertices, bisected tetrahedra too") {
+  const auto grid = random_volume<std::int16_t>({5, 6, 4}, 1000, kSeed + 30);
+  const auto plain = extract_isosurface(QuadraticSpline(grid), 17.3, 30);
+  REQUIRE(plain.bisected.size() > 100);
+  REQUIRE(plain.boundary_loops > 0);
+  Motion motion{{0, 1, 2}, 0};
+  do
+    for (motion.flips = 0; motion.flips < 8; ++motion.flips) {
+      const auto surface = extract_isosurface(QuadraticSpline(moved(grid, motion)), 17.3, 30);
+      std::vector<Vec3> points;
+      for (const Vec3& p : plain.points) points.push_back(motion(p, Vec3{4, 5, 3}));
+      CHECK(places_of(surface.points) == places_of(points));
+      CHECK(surface.triangles.size() == plain.triangles.size());
+      CHECK(surface.bisected.size() == plain.bisected.size());
+      CHECK(surface.trees.size() == plain.trees.size());
+      CHECK(surface.euler_characteristic == plain.euler_characteristic);
+      CHECK(surface.components == plain.components);
+      CHECK(surface.boundary_loops == plain.boundary_loops);
+      CHECK(faces_below(surface));
+    }
+  while (std::next_permutation(motion.axes.begin(), motion.axes.end()));
+}
+
+TEST_CASE("isosurfaces are the same for any number of threads") {
+  const QuadraticSpline spline(random_volume<float>({9, 8, 11}, 1000, kSeed + 31));
+  std::vector<certify::Bytes> files;
+  std::vector<std::vector<Vec3>> points, gradients;
+  for (const std::size_t threads : {1, 2, 3}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const auto surface = extract_isosurface(spline, 17.3, 30);
+    files.push_back(certify::encode(splines::isosurface_certificate(spline, 17.3, surface)));
+    points.push_back(surface.points);
+    gradients.push_back(surface.gradients);
+  }
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    CHECK(files[i] == files[0]);
+    CHECK(points[i] == points[0]);
+    CHECK(gradients[i] == gradients[0]);
+  }
+}
+
+TEST_CASE("without bisections what is not simple is listed") {
+  const QuadraticSpline spline(volume_of<float>(14, torus));
+  CHECK_FALSE(extract_isosurface(spline, 0.06, 0).undecided.empty());
+  CHECK(extract_isosurface(QuadraticSpline(sphere_volume(16)), sphere_level(4.813), 0)
+            .undecided.empty());
+}
+
+TEST_CASE("integer data with a plateau: undecided at its level, decided half a step of s from it") {
+  // 20 inside, falling outside: s is exactly 20 in a ball.
+  const QuadraticSpline spline(volume_of<std::int16_t>(9, [](double x, double y, double z) {
+    return std::min(20.0, std::round(45 - 40 * std::sqrt(x * x + y * y + z * z)));
+  }));
+  CHECK_FALSE(extract_isosurface(spline, 20, 4).undecided.empty());
+  // Coefficients are multiples of 1/128: at an odd multiple of 1/256 no corner is on the level.
+  const auto surface = certified(spline, 20 - 0x1p-8);
+  CHECK(surface.exact_corners == 0);
+  CHECK(surface.coincident == 0);
+  CHECK(surface.boundary_loops == 0);
+  CHECK(surface.euler_characteristic == 2);
 }
 
 TEST_CASE("a level at a saddle of a piece is not decided, and listed") {
