@@ -23,24 +23,22 @@ constexpr std::size_t kBatch = 256;  ///< cubes of a row at once: what is in bet
 
 using Row = std::array<float, kBatch + 2>;
 
-/// Nine rows of samples less c, and what is computed from them.
-struct Batch {
-  std::array<Row, 9> f;  ///< y + 3 z
-  std::array<float, kBatch> low, high;
-};
+/// Nine rows of samples less c, by y + 3 z.
+using Rows = std::array<const float*, 9>;
 
 /// Least and greatest of a cube's a_v, a_e, a_c: these span the others.
-CREST_CLONES void hull(Batch& b, std::size_t count) {
+CREST_CLONES void hull(const Rows& f, std::size_t count, float* lows, float* highs) {
+  std::array<float, kBatch> low_of, high_of;  // which no row may overlap
   std::array<std::array<Row, 2>, 2> sum;  // over {y, y + 1} x {z, z + 1}
   std::array<Row, 2> along_y, along_z;    // over {z, z + 1} at y = 1; over {y, y + 1} at z = 1
   for (std::size_t i = 0; i < count + 2; ++i) {
     float pair[3][2];
     for (std::size_t z = 0; z < 3; ++z)
-      for (std::size_t s = 0; s < 2; ++s) pair[z][s] = b.f[s + 3 * z][i] + b.f[s + 1 + 3 * z][i];
+      for (std::size_t s = 0; s < 2; ++s) pair[z][s] = f[s + 3 * z][i] + f[s + 1 + 3 * z][i];
     for (std::size_t s = 0; s < 2; ++s) {
       for (std::size_t u = 0; u < 2; ++u) sum[s][u][i] = pair[u][s] + pair[u + 1][s];
       along_z[s][i] = pair[1][s];
-      along_y[s][i] = b.f[1 + 3 * s][i] + b.f[4 + 3 * s][i];
+      along_y[s][i] = f[1 + 3 * s][i] + f[4 + 3 * s][i];
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -63,15 +61,17 @@ CREST_CLONES void hull(Batch& b, std::size_t count) {
           take(0.5F * ((ex + ey) + (ez - v)));
         }
       }
-    b.low[i] = low;
-    b.high[i] = high;
+    low_of[i] = low;
+    high_of[i] = high;
   }
+  std::copy_n(low_of.begin(), count, lows);
+  std::copy_n(high_of.begin(), count, highs);
 }
 
 /// One sample row, at indices that may lie one beyond the volume.
 template <class Native>
 void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples, double c, int from,
-              std::size_t count, int y, int z, Row& row) {
+              std::size_t count, int y, int z, float* row) {
   const auto& size = spline.grid().size;
   const auto weight_of = [](int v, std::size_t n, int k) {
     const bool beyond = v < 0 || v >= static_cast<int>(n);
@@ -116,32 +116,36 @@ void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples,
 void for_each_row_hull(const QuadraticSpline& spline, double c, const RowWork& work) {
   const Cube n = spline.cubes();
   const int from = spline.frame().first() - 1;
+  const auto size = static_cast<std::size_t>(n[0]);
   struct Buffer {
-    Batch batch;
+    std::array<std::vector<float>, 9> samples;  ///< y % 3 + 3 z: from row to row six stay
     std::vector<float> low, high;
   };
   tbb::enumerable_thread_specific<Buffer> buffers;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, n[2], 4, 0, n[1], 64), [&](const auto& range) {
     Buffer& buffer = buffers.local();
-    buffer.low.resize(static_cast<std::size_t>(n[0]));
-    buffer.high.resize(static_cast<std::size_t>(n[0]));
+    for (auto& row : buffer.samples) row.resize(size + 2);
+    buffer.low.resize(size);
+    buffer.high.resize(size);
+    const int first = range.cols().begin();
     for (int z = range.rows().begin(); z < range.rows().end(); ++z)
-      for (int y = range.cols().begin(); y < range.cols().end(); ++y) {
-        for (std::size_t x = 0; x < buffer.low.size(); x += kBatch) {
-          const std::size_t count = std::min(kBatch, buffer.low.size() - x);
+      for (int y = first; y < range.cols().end(); ++y) {
+        Rows rows;
+        for (int k = 0; k < 9; ++k) {
+          auto& row = buffer.samples[static_cast<std::size_t>((y + k % 3) % 3 + k / 3 * 3)];
+          rows[static_cast<std::size_t>(k)] = row.data();
+          if (y > first && k % 3 < 2) continue;
           std::visit(
               [&](const auto& samples) {
-                for (int k = 0; k < 9; ++k)
-                  load_row(spline, samples, c, from + static_cast<int>(x), count + 2,
-                           y + from + k % 3, z + from + k / 3,
-                           buffer.batch.f[static_cast<std::size_t>(k)]);
+                load_row(spline, samples, c, from, size + 2, y + from + k % 3, z + from + k / 3,
+                         row.data());
               },
               spline.grid().samples);
-          hull(buffer.batch, count);
-          std::copy_n(buffer.batch.low.begin(), count,
-                      buffer.low.begin() + static_cast<std::ptrdiff_t>(x));
-          std::copy_n(buffer.batch.high.begin(), count,
-                      buffer.high.begin() + static_cast<std::ptrdiff_t>(x));
+        }
+        for (std::size_t x = 0; x < size; x += kBatch) {
+          Rows here;
+          for (std::size_t k = 0; k < 9; ++k) here[k] = rows[k] + x;
+          hull(here, std::min(kBatch, size - x), buffer.low.data() + x, buffer.high.data() + x);
         }
         work(y, z, buffer.low, buffer.high);
       }
