@@ -193,7 +193,7 @@ bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
   if (surface.coincident > 0)
     run.warn(
         fmt::format("{} vertices of the mesh coincide with others, {} corners of tetrahedra lie "
-                    "on the isosurface: shift --isovalue by a 256th of the data's step",
+                    "on the isosurface: shift --isovalue by 0.3141593 of the data's step, say",
                     surface.coincident, surface.exact_corners));
   const bool proven = surface.undecided.empty();
   std::string digest;
