@@ -77,6 +77,19 @@ Along<Number> Zeros::along(const Segment& segment, std::array<Number, 3> from,
   return {blossom(q, a, a) - c, blossom(q, a, b) - c, blossom(q, b, b) - c};
 }
 
+Quadratic<Rational> Zeros::quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
+                                        const Rational&) {
+  const auto near = quadratic_on(cube, tet, Interval(0));
+  Quadratic<Rational> exact;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (!is_defined(near[i][j]) || near[i][j].inf() != near[i][j].sup())
+        return quadratic(scene_.spline.neighbourhood<Rational>(cube), tet);
+      exact[i][j] = Rational(near[i][j].inf());
+    }
+  return exact;
+}
+
 Quadratic<Interval> Zeros::quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
                                         const Interval&) {
   if (!near_ || near_cube_ != cube) near_.emplace(scene_.spline.neighbourhood<Interval>(cube));

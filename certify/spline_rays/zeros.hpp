@@ -64,10 +64,9 @@ class Zeros {
            const Question& question);
   template <class Number>
   Along<Number> along(const Segment& segment, std::array<Number, 3> from, std::array<Number, 3> to);
+  /// Of integer samples intervals of coefficients are points: then these are the exact ones.
   Quadratic<kernel::Rational> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
-                                           const kernel::Rational&) const {
-    return quadratic(scene_.spline.neighbourhood<kernel::Rational>(cube), tet);
-  }
+                                           const kernel::Rational&);
   Quadratic<kernel::Interval> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
                                            const kernel::Interval&);
 
