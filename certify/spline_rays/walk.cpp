@@ -49,10 +49,6 @@ class Walk {
     for (std::size_t d = 0; d < 3; ++d)
       if (ray_.direction(d) != Sign::zero) look_ahead(d);
     for (;;) {
-      if (const auto* const block = empty_block()) {
-        if (!leave(block->side())) break;
-        continue;
-      }
       const Parameter next = next_plane();
       const bool skip = scene_.one_sided[scene_.spline.number(cube_)] != 0;
       if (!skip && pass(from_, next)) return verdict_;
@@ -64,33 +60,41 @@ class Walk {
 
  private:
   /// From and to where the ray is in the closed domain; false if nowhere.
-  bool enter();
+  bool enter() {
+    from_ = ray_.at(0);
+    bool bounded = false;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const std::int64_t end = 2 * std::int64_t{scene_.spline.cubes(d)};
+      const Sign direction = ray_.direction(d);
+      if (direction == Sign::zero) {
+        if (ray_.start(d, 0) == Sign::negative || ray_.start(d, end) == Sign::positive)
+          return false;
+        continue;
+      }
+      const bool up = direction == Sign::positive;
+      const Parameter in = ray_.crossing(d, up ? 0 : end), out = ray_.crossing(d, up ? end : 0);
+      if (ray_.compare(in, from_) == Sign::positive) from_ = in;
+      if (!bounded || ray_.compare(out, to_) == Sign::negative) to_ = out;
+      bounded = true;
+    }
+    return ray_.compare(from_, to_) != Sign::positive;
+  }
 
   /// The cube in which the ray is after `from_`, or that the point there has by the rule for signs.
   void find_cube(bool point) {
-    for (std::size_t d = 0; d < 3; ++d)
-      find_place(d, !point && ray_.direction(d) == Sign::negative);
-  }
-  void find_place(std::size_t d, bool down) {
-    std::int64_t i = 0;
-    if (from_.form == d) {
-      i = from_.plane / 2 - (down ? 1 : 0);
-    } else {
-      const auto floor = ray_.half_floor(d, from_);
-      i = floor.value - (down && floor.equal ? 1 : 0);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const bool down = !point && ray_.direction(d) == Sign::negative;
+      std::int64_t i = 0;
+      if (from_.form == d) {
+        i = from_.plane / 2 - (down ? 1 : 0);
+      } else {
+        const auto floor = ray_.half_floor(d, from_);
+        i = floor.value - (down && floor.equal ? 1 : 0);
+      }
+      const std::int64_t last = std::int64_t{scene_.spline.cubes(d)} - 1;
+      cube_[d] = static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, last));
     }
-    const std::int64_t last = std::int64_t{scene_.spline.cubes(d)} - 1;
-    cube_[d] = static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, last));
   }
-
-  /// The largest block that holds the cube and no zero; null if there is none.
-  const EmptyBlocks* empty_block() const {
-    for (const EmptyBlocks& blocks : scene_.blocks)
-      if (blocks.holds(cube_)) return &blocks;
-    return nullptr;
-  }
-  /// Out of the block of that side which holds the cube; false where the domain ends.
-  bool leave(std::uint32_t side);
 
   void look_ahead(std::size_t d) {
     const bool up = ray_.direction(d) == Sign::positive;
@@ -162,49 +166,6 @@ class Walk {
   unsigned leaving_ = 0;
   const char* verdict_ = nullptr;
 };
-
-bool Walk::enter() {
-  from_ = ray_.at(0);
-  bool bounded = false;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const std::int64_t end = 2 * std::int64_t{scene_.spline.cubes(d)};
-    const Sign direction = ray_.direction(d);
-    if (direction == Sign::zero) {
-      if (ray_.start(d, 0) == Sign::negative || ray_.start(d, end) == Sign::positive) return false;
-      continue;
-    }
-    const bool up = direction == Sign::positive;
-    const Parameter in = ray_.crossing(d, up ? 0 : end), out = ray_.crossing(d, up ? end : 0);
-    if (ray_.compare(in, from_) == Sign::positive) from_ = in;
-    if (!bounded || ray_.compare(out, to_) == Sign::negative) to_ = out;
-    bounded = true;
-  }
-  return ray_.compare(from_, to_) != Sign::positive;
-}
-
-bool Walk::leave(std::uint32_t side) {
-  std::array<Parameter, 3> out;
-  std::array<bool, 3> ends{};  // the domain does, in that plane
-  std::size_t first = 3;
-  for (std::size_t d = 0; d < 3; ++d) {
-    if (ray_.direction(d) == Sign::zero) continue;
-    const bool up = ray_.direction(d) == Sign::positive;
-    const std::uint32_t low = cube_[d] / side * side, last = scene_.spline.cubes(d);
-    const std::uint32_t border = up ? std::min(low + side, last) : low;
-    ends[d] = border == (up ? last : 0);
-    out[d] = ray_.crossing(d, 2 * std::int64_t{border});
-    if (first == 3 || ray_.compare(out[d], out[first]) == Sign::negative) first = d;
-  }
-  from_ = out[first];
-  for (std::size_t d = 0; d < 3; ++d)
-    if (ends[d] && ray_.compare(out[d], from_) == Sign::zero) return false;
-  for (std::size_t d = 0; d < 3; ++d) {
-    if (ray_.direction(d) == Sign::zero) continue;
-    find_place(d, ray_.direction(d) == Sign::negative);
-    look_ahead(d);
-  }
-  return true;
-}
 
 bool Walk::pass(const Parameter& from, const Parameter& to) {
   unsigned signs = 0;  // before all cuts

@@ -7,25 +7,8 @@ using kernel::Interval;
 using kernel::Rational;
 using kernel::Sign;
 
-EmptyBlocks::EmptyBlocks(const QuadraticSpline& spline, const std::vector<std::uint8_t>& one_sided,
-                         std::uint32_t side)
-    : side_(side) {
-  for (std::size_t d = 0; d < 3; ++d) blocks_[d] = (spline.cubes(d) + side - 1) / side;
-  empty_.assign(std::size_t{blocks_[0]} * blocks_[1] * blocks_[2], 1);
-  std::size_t i = 0;
-  CubePosition cube;
-  for (cube[2] = 0; cube[2] < spline.cubes(2); ++cube[2])
-    for (cube[1] = 0; cube[1] < spline.cubes(1); ++cube[1])
-      for (cube[0] = 0; cube[0] < spline.cubes(0); ++cube[0])
-        if (one_sided[i++] == 0) empty_[number(cube)] = 0;
-}
-
 Scene::Scene(const SplineVolume& v)
-    : volume(v),
-      spline(v),
-      one_sided(spline.one_sided()),
-      blocks{EmptyBlocks(spline, one_sided, 32), EmptyBlocks(spline, one_sided, 8)},
-      exact(exact_frame(v)) {
+    : volume(v), spline(v), one_sided(spline.one_sided()), exact(exact_frame(v)) {
   const kernel::RoundUpward guard;
   near = frame_enclosure(v);
   for (unsigned signs = 0; signs < 64; ++signs)

@@ -8,24 +8,6 @@
 
 namespace crest::certify::spline_rays {
 
-/// Blocks of side^3 cubes, the last ones less, of which all are one-sided.
-class EmptyBlocks {
- public:
-  EmptyBlocks(const QuadraticSpline& spline, const std::vector<std::uint8_t>& one_sided,
-              std::uint32_t side);
-  std::uint32_t side() const { return side_; }
-  bool holds(const CubePosition& cube) const { return empty_[number(cube)] != 0; }
-
- private:
-  std::size_t number(const CubePosition& cube) const {
-    return cube[0] / side_ +
-           blocks_[0] * (cube[1] / side_ + std::size_t{blocks_[1]} * (cube[2] / side_));
-  }
-  std::uint32_t side_;
-  CubePosition blocks_;
-  std::vector<std::uint8_t> empty_;
-};
-
 /// What all rays share.
 struct Scene {
   explicit Scene(const SplineVolume& volume);
@@ -33,7 +15,6 @@ struct Scene {
   const SplineVolume& volume;
   QuadraticSpline spline;
   std::vector<std::uint8_t> one_sided;  ///< a cube: it holds no zero
-  std::array<EmptyBlocks, 2> blocks;    ///< the larger ones first
   LatticeFrame<kernel::Interval> near;
   LatticeFrame<kernel::Rational> exact;
   std::array<std::uint8_t, 64> tetrahedra;  ///< by signs
