@@ -149,7 +149,7 @@ TEST_CASE("Gaussian cubes: the last axis the fastest, atoms, one orbital", "[io]
         read("v.cube", cube("-1", "8 8.0 1 2 3\n1 7\n", ""))}) {
     REQUIRE(grid.size == std::array<std::size_t, 3>{6, 5, 4});
     CHECK(grid.spacing == Vec3{4, 3, 2});
-    CHECK(grid.to_world({5, 2, 1}) == Vec3{3, 8, 23});
+    CHECK(grid.to_world({20, 6, 2}) == Vec3{3, 8, 23});
     std::size_t i = 0, wrong = 0;
     for (std::size_t x = 0; x < 4; ++x)
       for (std::size_t y = 0; y < 5; ++y)
