@@ -29,8 +29,8 @@ using Rows = std::array<const float*, 9>;
 /// Least and greatest of a cube's a_v, a_e, a_c: these span the others.
 CREST_CLONES void hull(const Rows& f, std::size_t count, float* lows, float* highs) {
   std::array<float, kBatch> low_of, high_of;  // which no row may overlap
-  std::array<std::array<Row, 2>, 2> sum;  // over {y, y + 1} x {z, z + 1}
-  std::array<Row, 2> along_y, along_z;    // over {z, z + 1} at y = 1; over {y, y + 1} at z = 1
+  std::array<std::array<Row, 2>, 2> sum;      // over {y, y + 1} x {z, z + 1}
+  std::array<Row, 2> along_y, along_z;        // over {z, z + 1} at y = 1; over {y, y + 1} at z = 1
   for (std::size_t i = 0; i < count + 2; ++i) {
     float pair[3][2];
     for (std::size_t z = 0; z < 3; ++z)
