@@ -23,6 +23,15 @@ function(crest_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
+# crest_precompiled(<name> LINK ... HEADERS ...): nothing but headers, for crest_reuse_precompiled.
+function(crest_precompiled name)
+  cmake_parse_arguments(ARG "" "" "LINK;HEADERS" ${ARGN})
+  file(CONFIGURE OUTPUT headers.cpp CONTENT "")
+  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  crest_precompile(${name} ${ARG_HEADERS})
+endfunction()
+
 # The headers that <owner> precompiles, for a target with the same flags: gcc reads them with the
 # flags of the unit that wrote them, and other ones (rounding!) would be lost without a word.
 function(crest_reuse_precompiled target owner)
@@ -37,6 +46,8 @@ function(crest_reuse_precompiled target owner)
     message(FATAL_ERROR "${target} and ${owner} have different flags: ${flags_${target}}; ${flags_${owner}}")
   endif()
   target_precompile_headers(${target} REUSE_FROM ${owner})
+  # False alarms of gcc 12 in a precompiled std::string (its bug 105651).
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endfunction()
 
 # crest_library(<name> SOURCES ... LINK ... [ROUNDING])

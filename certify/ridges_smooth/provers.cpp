@@ -40,6 +40,22 @@ std::optional<bool> steep_in(const SmoothFaceRecord& record, bool implicit) {
 
 }  // namespace
 
+// Here, since every file that makes or destroys provers would compile those of all orders.
+FaceProvers::FaceProvers(const Claim& claim) : claim_(claim) {}
+FaceProvers::~FaceProvers() = default;
+
+template <class M>
+FaceProver<M>& FaceProvers::get(std::unique_ptr<FaceProver<M>>& prover) {
+  if (!prover) prover = std::make_unique<FaceProver<M>>(claim_.surface, claim_.certificate);
+  return *prover;
+}
+template FaceProver<Model3>& FaceProvers::get(std::unique_ptr<FaceProver<Model3>>&);
+template FaceProver<Model4>& FaceProvers::get(std::unique_ptr<FaceProver<Model4>>&);
+template FaceProver<Model5>& FaceProvers::get(std::unique_ptr<FaceProver<Model5>>&);
+template FaceProver<MpModel3>& FaceProvers::get(std::unique_ptr<FaceProver<MpModel3>>&);
+template FaceProver<MpModel4>& FaceProvers::get(std::unique_ptr<FaceProver<MpModel4>>&);
+template FaceProver<MpModel5>& FaceProvers::get(std::unique_ptr<FaceProver<MpModel5>>&);
+
 void FaceProvers::prepare(std::uint32_t first, std::uint32_t last, bool has_witnesses) {
   if (claim_.arithmetic == Arithmetic::mpfr) return;
   const RidgesSmoothCertificate& c = claim_.certificate;

@@ -44,7 +44,8 @@ bool is_inside(const SmoothPatchRecord& patch, const std::array<kernel::Range, 3
 
 class FaceProvers {
  public:
-  explicit FaceProvers(const Claim& claim) : claim_(claim) {}
+  explicit FaceProvers(const Claim& claim);
+  ~FaceProvers();
 
   /// Calls f with the prover of this order.
   template <class F>
@@ -106,10 +107,7 @@ class FaceProvers {
   static constexpr int kFurther = 4;
 
   template <class M>
-  FaceProver<M>& get(std::unique_ptr<FaceProver<M>>& prover) {
-    if (!prover) prover = std::make_unique<FaceProver<M>>(claim_.surface, claim_.certificate);
-    return *prover;
-  }
+  FaceProver<M>& get(std::unique_ptr<FaceProver<M>>& prover);
   void prove(std::uint32_t face, const Piece& piece, unsigned open, Method method,
              WitnessReader& in, FaceFindings* findings, int depth);
   /// Whole faces by models of one order.

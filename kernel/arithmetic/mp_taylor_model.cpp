@@ -63,6 +63,21 @@ std::vector<std::vector<MpInterval>> bernstein_table(mpfr_prec_t bits) {
 }  // namespace
 
 template <int Order>
+MpTaylorModel<Order>::MpTaylorModel(const MpTaylorModel& other) = default;
+
+template <int Order>
+MpTaylorModel<Order>::MpTaylorModel(MpTaylorModel&& other) noexcept = default;
+
+template <int Order>
+MpTaylorModel<Order>& MpTaylorModel<Order>::operator=(const MpTaylorModel& other) = default;
+
+template <int Order>
+MpTaylorModel<Order>& MpTaylorModel<Order>::operator=(MpTaylorModel&& other) noexcept = default;
+
+template <int Order>
+MpTaylorModel<Order>::~MpTaylorModel() = default;
+
+template <int Order>
 MpTaylorModel<Order>::MpTaylorModel(const MpInterval& constant) : MpTaylorModel() {
   c[0] = constant;
 }

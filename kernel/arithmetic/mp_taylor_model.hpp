@@ -35,6 +35,12 @@ class MpTaylorModel {
   MpInterval remainder;
 
   MpTaylorModel() : remainder(kBits) { c.fill(remainder); }
+  // Defined once: inline, the loops over the coefficients are most of what jets of models compile.
+  MpTaylorModel(const MpTaylorModel& other);
+  MpTaylorModel(MpTaylorModel&& other) noexcept;
+  MpTaylorModel& operator=(const MpTaylorModel& other);
+  MpTaylorModel& operator=(MpTaylorModel&& other) noexcept;
+  ~MpTaylorModel();
   MpTaylorModel(double constant)
       : MpTaylorModel(MpInterval(constant, kBits)) {}  // NOLINT: as there
   explicit MpTaylorModel(const MpInterval& constant);
