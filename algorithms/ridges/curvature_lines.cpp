@@ -19,6 +19,28 @@ double component(const CurvatureLines::Velocity& v, std::size_t corner) {
   return corner == 0 ? -v[0] - v[1] : v[corner - 1];
 }
 
+/// A face's plane, spanned by its sides from corner 0.
+class Plane {
+ public:
+  Plane(const kernel::TriangleMesh& mesh, Index f) {
+    const auto [a, b, c] = mesh.faces()[f];
+    u_ = mesh.points()[b] - mesh.points()[a];
+    v_ = mesh.points()[c] - mesh.points()[a];
+    uu_ = dot(u_, u_);
+    uv_ = dot(u_, v_);
+    vv_ = dot(v_, v_);
+    det_ = uu_ * vv_ - uv_ * uv_;
+  }
+  CurvatureLines::Velocity velocity(const Vec3& direction) const {
+    const double du = dot(direction, u_), dv = dot(direction, v_);
+    return {(vv_ * du - uv_ * dv) / det_, (uu_ * dv - uv_ * du) / det_};
+  }
+
+ private:
+  Vec3 u_, v_;
+  double uu_, uv_, vv_, det_;
+};
+
 }  // namespace
 
 CurvatureLines::Field CurvatureLines::field(Index f, Colour c) const {
@@ -28,19 +50,16 @@ CurvatureLines::Field CurvatureLines::field(Index f, Colour c) const {
   Field field;
   if (first * sign_of(dot(d[1], d[2])) * last <= 0) return field;
   field.sign = {1, static_cast<std::int8_t>(first), static_cast<std::int8_t>(last)};
+  const Plane plane(mesh_, f);
   for (std::size_t k = 0; k < 3; ++k) {
-    field.corner[k] = velocity(f, d[k]);
+    field.corner[k] = plane.velocity(d[k]);
     for (double& x : field.corner[k]) x *= field.sign[k];
   }
   return field;
 }
 
 CurvatureLines::Velocity CurvatureLines::velocity(Index f, const Vec3& direction) const {
-  const auto [a, b, c] = mesh_.faces()[f];
-  const Vec3 u = mesh_.points()[b] - mesh_.points()[a], v = mesh_.points()[c] - mesh_.points()[a];
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), det = uu * vv - uv * uv;
-  const double du = dot(direction, u), dv = dot(direction, v);
-  return {(vv * du - uv * dv) / det, (uu * dv - uv * du) / det};
+  return Plane(mesh_, f).velocity(direction);
 }
 
 Vec3 CurvatureLines::direction(Index f, const Velocity& v) const {
