@@ -97,9 +97,10 @@ class Descent {
     if (ended_) return false;
     const std::size_t i = next_++;
     if (y->length < beyond_) return true;
-    const double model = model_error(i, *y) / 2;
+    const double model = model_error(i, *y);
     if (!(drop > 0)) return true;
-    const double variance = x_.error * x_.error + y->error * y->error + model * model;
+    const double noise = x_.error * x_.error + y->error * y->error;
+    const double variance = noise + std::max(0.0, model * model - noise) / 4;
     measure_.significance = std::max(measure_.significance, drop / std::sqrt(variance));
     measure_.drop = std::max(measure_.drop, drop);
     return true;
@@ -143,10 +144,9 @@ Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double ed
   Descent a(*sides[0], x, peak, sense, beyond(sides[0]), buffers[0].differences);
   Descent b(*sides[1], x, peak, sense, beyond(sides[1]), buffers[1].differences);
   const auto least = [&](double Measure::*of) {
-    const auto lesser_steps = [&] {
-      return (a.so_far().*of <= b.so_far().*of ? a : b).step();
-    };
-    while (lesser_steps()) {}
+    const auto lesser_steps = [&] { return (a.so_far().*of <= b.so_far().*of ? a : b).step(); };
+    while (lesser_steps()) {
+    }
     return std::min(a.so_far().*of, b.so_far().*of);
   };
   return {least(&Measure::significance), least(&Measure::drop)};
