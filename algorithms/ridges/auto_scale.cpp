@@ -8,6 +8,7 @@ namespace crest::ridges {
 namespace {
 
 constexpr std::array kSupports = {30, 45, 68, 100, 150, 230, 340};
+constexpr double kEnough = 0.97;  // of the largest mean
 
 double quotient(double s, double length) {
   return length > 0 ? s * s / length : 0;
@@ -42,6 +43,17 @@ void judge_by_significant(std::vector<SupportTrial>& trials) {
   }
 }
 
+/// The mean of J over each trial, twice, and its neighbours; an end is its own neighbour.
+std::vector<double> smoothed(const std::vector<SupportTrial>& trials) {
+  std::vector<double> mean;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const double before = trials[i > 0 ? i - 1 : i].j;
+    const double after = trials[i + 1 < trials.size() ? i + 1 : i].j;
+    mean.push_back((before + 2 * trials[i].j + after) / 4);
+  }
+  return mean;
+}
+
 }  // namespace
 
 SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions& options,
@@ -51,17 +63,14 @@ SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions&
     choice.trials.push_back(tried(mesh, options, points, graph_options, salience));
     if (falling(choice.trials)) break;
   }
-  const auto less = [](const SupportTrial& a, const SupportTrial& b) { return a.j < b.j; };
-  const auto largest = [&] {
-    return std::max_element(choice.trials.begin(), choice.trials.end(), less)->j;
-  };
-  if (!(largest() > 0)) judge_by_significant(choice.trials);
-  const double enough = 0.95 * largest();
+  if (std::all_of(choice.trials.begin(), choice.trials.end(),
+                  [](const SupportTrial& t) { return !(t.j > 0); }))
+    judge_by_significant(choice.trials);
+  const std::vector<double> j = smoothed(choice.trials);
+  const double enough = kEnough * *std::max_element(j.begin(), j.end());
   if (!(enough > 0)) return choice;
-  choice.points =
-      std::find_if(choice.trials.begin(), choice.trials.end(), [&](const SupportTrial& t) {
-        return t.j >= enough;
-      })->points;
+  const auto first = std::find_if(j.begin(), j.end(), [&](double x) { return x >= enough; });
+  choice.points = choice.trials[static_cast<std::size_t>(first - j.begin())].points;
   return choice;
 }
 

@@ -5,8 +5,10 @@
 // that they follow the local density:  J = S^2 / L,  S the length of the salient pieces before a
 // weight is asked for, L the length of the whole graph. If no support has a salient piece S is the
 // length of all significant ones, as far as the support before or the one after has as much: what a
-// single support shows is that support's. The smallest support with J >= 95 % of the largest is
-// taken; two decreases of J in a row end the search. Where nothing is significant it is 30 points.
+// single support shows is that support's. Two decreases of J in a row end the search. Taken is the
+// smallest support where the mean of J over it, twice, and its neighbours is 97 % of the largest:
+// noise of another seed moves a single J by some 10 % and would change the support. Where nothing
+// is significant it is 30 points.
 #include "algorithms/ridges/salience.hpp"
 
 namespace crest::ridges {
@@ -18,7 +20,7 @@ struct SupportTrial {
 
 struct SupportChoice {
   int points = 30;
-  std::vector<SupportTrial> trials;  ///< in the order tried; J of each by the S that was used
+  std::vector<SupportTrial> trials;  ///< in the order tried; J of each itself
 };
 
 /// Requires: nothing of options but degree and smooth matters. Guarantees: the same for any number

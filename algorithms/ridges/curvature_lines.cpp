@@ -19,6 +19,28 @@ double component(const CurvatureLines::Velocity& v, std::size_t corner) {
   return corner == 0 ? -v[0] - v[1] : v[corner - 1];
 }
 
+/// A face's plane, spanned by its sides from corner 0.
+class Plane {
+ public:
+  Plane(const kernel::TriangleMesh& mesh, Index f) {
+    const auto [a, b, c] = mesh.faces()[f];
+    u_ = mesh.points()[b] - mesh.points()[a];
+    v_ = mesh.points()[c] - mesh.points()[a];
+    uu_ = dot(u_, u_);
+    uv_ = dot(u_, v_);
+    vv_ = dot(v_, v_);
+    det_ = uu_ * vv_ - uv_ * uv_;
+  }
+  CurvatureLines::Velocity velocity(const Vec3& direction) const {
+    const double du = dot(direction, u_), dv = dot(direction, v_);
+    return {(vv_ * du - uv_ * dv) / det_, (uu_ * dv - uv_ * du) / det_};
+  }
+
+ private:
+  Vec3 u_, v_;
+  double uu_, uv_, vv_, det_;
+};
+
 }  // namespace
 
 CurvatureLines::Field CurvatureLines::field(Index f, Colour c) const {
@@ -28,19 +50,16 @@ CurvatureLines::Field CurvatureLines::field(Index f, Colour c) const {
   Field field;
   if (first * sign_of(dot(d[1], d[2])) * last <= 0) return field;
   field.sign = {1, static_cast<std::int8_t>(first), static_cast<std::int8_t>(last)};
+  const Plane plane(mesh_, f);
   for (std::size_t k = 0; k < 3; ++k) {
-    field.corner[k] = velocity(f, d[k]);
+    field.corner[k] = plane.velocity(d[k]);
     for (double& x : field.corner[k]) x *= field.sign[k];
   }
   return field;
 }
 
 CurvatureLines::Velocity CurvatureLines::velocity(Index f, const Vec3& direction) const {
-  const auto [a, b, c] = mesh_.faces()[f];
-  const Vec3 u = mesh_.points()[b] - mesh_.points()[a], v = mesh_.points()[c] - mesh_.points()[a];
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), det = uu * vv - uv * uv;
-  const double du = dot(direction, u), dv = dot(direction, v);
-  return {(vv * du - uv * dv) / det, (uu * dv - uv * du) / det};
+  return Plane(mesh_, f).velocity(direction);
 }
 
 Vec3 CurvatureLines::direction(Index f, const Velocity& v) const {
@@ -82,7 +101,7 @@ LineWalk::LineWalk(const CurvatureLines& lines, Index edge, double weight, Colou
 
 void LineWalk::enter(Index face, Index p, Index q) {
   face_ = face;
-  field_ = lines_.field(face, colour_);
+  known_ = false;
   const kernel::Triangle& t = lines_.mesh().faces()[face];
   for (std::size_t k = 0; k < 3; ++k) {
     at_[k] = t[k] == p ? 1 - weight_ : t[k] == q ? weight_ : 0;
@@ -94,7 +113,8 @@ void LineWalk::enter(Index face, Index p, Index q) {
 void LineWalk::enter_at(Index vertex) {
   ends_ = {vertex, vertex};
   weight_ = 0;
-  sign_ = 0;
+  sign_ = carried_ = 0;
+  known_ = false;
   Vec3 d = lines_.principal(vertex, colour_);
   if (dot(d, direction_) < 0) d = -1.0 * d;
   face_ = kernel::kNone;
@@ -111,11 +131,20 @@ void LineWalk::enter_at(Index vertex) {
     at_[k] = 1;
     from_ = i > j ? (k + 1) % 3 : (k + 2) % 3;
   }
-  if (face_ != kernel::kNone) field_ = lines_.field(face_, colour_);
+}
+
+// The field's sign is carried over by the vector at the first end of the side of entry.
+void LineWalk::look() {
+  field_ = lines_.field(face_, colour_);
+  known_ = true;
+  if (carried_ == 0) return;
+  const kernel::Triangle& t = lines_.mesh().faces()[face_];
+  sign_ = carried_ * field_.sign[t[0] == ends_[0] ? 0 : t[1] == ends_[0] ? 1 : 2];
 }
 
 // The line's velocity at at_, into the triangle if it can.
 LineWalk::Lead LineWalk::velocity_here(Velocity& v) {
+  if (!known_) look();
   if (field_.coherent()) {
     for (std::size_t i = 0; i < 2; ++i) {
       v[i] = at_[0] * field_.corner[0][i] + at_[1] * field_.corner[1][i] +
@@ -195,16 +224,10 @@ void LineWalk::move(const Velocity& v, const Exit& out) {
   weight_ = sum > 0 ? at_[j] / sum : 0.5;
   go_to((1 - weight_) * points[t[i]] + weight_ * points[t[j]]);
 
-  // The field's sign is carried over by the vector at an end of the side.
-  const int at_vertex = sign_ * field_.sign[i];
-  const Index other = lines_.mesh().neighbour(face_, static_cast<int>(i));
-  const Index vertex = t[i];
-  face_ = kernel::kNone;
-  if (other == kernel::kNone) return;
-  enter(other, ends_[0], ends_[1]);
-  const kernel::Triangle& u = lines_.mesh().faces()[other];
-  const std::size_t k = u[0] == vertex ? 0 : u[1] == vertex ? 1 : 2;
-  sign_ = at_vertex * field_.sign[k];
+  carried_ = sign_ * field_.sign[i];
+  sign_ = 0;
+  face_ = lines_.mesh().neighbour(face_, static_cast<int>(i));
+  if (face_ != kernel::kNone) enter(face_, ends_[0], ends_[1]);
 }
 
 }  // namespace crest::ridges

@@ -69,6 +69,7 @@ class LineWalk {
   };
   void enter(Index face, Index p, Index q);
   void enter_at(Index vertex);
+  void look();
   enum class Lead { in, back, nowhere };
   Lead velocity_here(Velocity& v);
   bool slide();
@@ -80,11 +81,12 @@ class LineWalk {
   Colour colour_;
   double straight_;
   Index face_ = kernel::kNone;
-  CurvatureLines::Field field_;  ///< of that face
-  std::array<double, 3> at_{};   ///< barycentric
-  std::size_t from_ = 0;         ///< the corner opposite the side of entry
-  int sign_ =
-      0;  ///< of the field at corner 0, as the line uses it; 0: not known, take direction_'s
+  CurvatureLines::Field field_;  ///< of that face, if known_: few walks use their last one
+  bool known_ = false;
+  std::array<double, 3> at_{};  ///< barycentric
+  std::size_t from_ = 0;        ///< the corner opposite the side of entry
+  int sign_ = 0;     ///< of the field at corner 0, as the line uses it; 0: take direction_'s
+  int carried_ = 0;  ///< the same at ends_[0], from the face before
   Vec3 direction_{}, point_{};
   double length_ = 0;
   int steps_ = 0;

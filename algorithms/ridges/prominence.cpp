@@ -30,9 +30,9 @@ Place place_of(const FitResult& fit, Colour c, Index p, Index q, double weight, 
           blue ? mix(a.k1, b.k1, weight) : mix(a.k2, b.k2, weight), length};
 }
 
-/// What a thread's walks use again and again.
+/// What a thread's walks use again and again, by side.
 struct Buffers {
-  std::array<std::vector<Place>, 2> places;
+  std::vector<Place> places;
   std::vector<std::pair<std::size_t, double>> differences;
 };
 
@@ -77,37 +77,60 @@ struct Measure {
   double significance = 0, drop = 0;
 };
 
-/// beyond: the peak's place, if it is on this side.
-Measure measure_side(Side& side, const Place& x, const Place& peak, int sense, double beyond,
-                     std::vector<std::pair<std::size_t, double>>& largest) {
-  Measure m;
-  const auto difference = [&](const Place& y) {
-    return std::fabs((peak.k - y.k) - (peak.wide - y.wide));
-  };
-  std::size_t first = 0;  // of the places no farther than R / 2 back
-  // From `front` on places that are no farther, each with a larger difference than all later ones.
-  std::size_t front = 0;
-  largest.clear();
-  for (std::size_t i = 0; const Place* y = side.at(i); ++i) {
-    const double drop = sense * (peak.k - y->k), length = y->length;
-    if (drop < 0) break;  // a higher place: within an edge there is none
-    if (length < beyond) continue;
-    while (side.at(first)->length < std::max(beyond, length - side.window())) ++first;
-    const double here = difference(*y);
-    while (largest.size() > front && largest.back().second <= here) largest.pop_back();
-    largest.emplace_back(i, here);
-    while (largest[front].first < first) ++front;
-    if (!(drop > 0)) continue;
-    const double model = largest[front].second / 2;
-    const double variance = x.error * x.error + y->error * y->error + model * model;
-    m.significance = std::max(m.significance, drop / std::sqrt(variance));
-    m.drop = std::max(m.drop, drop);
+/// The largest z and drop of a side, as far as it is followed.
+class Descent {
+ public:
+  /// beyond: the peak's place, if it is on this side.
+  Descent(Side& side, const Place& x, const Place& peak, int sense, double beyond,
+          std::vector<std::pair<std::size_t, double>>& differences)
+      : side_(side), x_(x), peak_(peak), sense_(sense), beyond_(beyond), largest_(differences) {
+    largest_.clear();
   }
-  return m;
-}
 
+  const Measure& so_far() const { return measure_; }
+
+  /// Goes on by a place. False: the side has ended.
+  bool step() {
+    const Place* y = ended_ ? nullptr : side_.at(next_);
+    const double drop = y ? sense_ * (peak_.k - y->k) : -1;
+    ended_ = drop < 0;  // a higher place: within an edge there is none
+    if (ended_) return false;
+    const std::size_t i = next_++;
+    if (y->length < beyond_) return true;
+    const double model = model_error(i, *y);
+    if (!(drop > 0)) return true;
+    const double noise = x_.error * x_.error + y->error * y->error;
+    const double variance = noise + std::max(0.0, model * model - noise) / 4;
+    measure_.significance = std::max(measure_.significance, drop / std::sqrt(variance));
+    measure_.drop = std::max(measure_.drop, drop);
+    return true;
+  }
+
+ private:
+  /// The largest |drop - drop'| of the places up to i, y, that are no farther than R / 2 back.
+  double model_error(std::size_t i, const Place& y) {
+    const double here = std::fabs((peak_.k - y.k) - (peak_.wide - y.wide));
+    while (side_.at(first_)->length < std::max(beyond_, y.length - side_.window())) ++first_;
+    while (largest_.size() > front_ && largest_.back().second <= here) largest_.pop_back();
+    largest_.emplace_back(i, here);
+    while (largest_[front_].first < first_) ++front_;
+    return largest_[front_].second;
+  }
+
+  Side& side_;
+  const Place &x_, &peak_;
+  int sense_;
+  double beyond_;
+  /// From front_ on places of the window, each with a larger difference than all later ones.
+  std::vector<std::pair<std::size_t, double>>& largest_;
+  std::size_t front_ = 0, first_ = 0, next_ = 0;
+  Measure measure_;
+  bool ended_ = false;
+};
+
+/// The lesser side's; a side is followed only while it is the lesser.
 Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double edge,
-                Buffers& buffers) {
+                std::array<Buffers, 2>& buffers) {
   Place peak = x;
   const Side* on = nullptr;
   for (Side* side : sides)
@@ -117,13 +140,16 @@ Measure measure(std::array<Side*, 2> sides, const Place& x, int sense, double ed
       peak = *y;
       on = side;
     }
-  const auto by = [&](Side* side) {
-    return measure_side(*side, x, peak, sense, on == side ? peak.length : 0, buffers.differences);
+  const auto beyond = [&](const Side* side) { return on == side ? peak.length : 0; };
+  Descent a(*sides[0], x, peak, sense, beyond(sides[0]), buffers[0].differences);
+  Descent b(*sides[1], x, peak, sense, beyond(sides[1]), buffers[1].differences);
+  const auto least = [&](double Measure::*of) {
+    const auto lesser_steps = [&] { return (a.so_far().*of <= b.so_far().*of ? a : b).step(); };
+    while (lesser_steps()) {
+    }
+    return std::min(a.so_far().*of, b.so_far().*of);
   };
-  const Measure a = by(sides[0]);
-  if (!(a.drop > 0)) return {};
-  const Measure b = by(sides[1]);
-  return {std::min(a.significance, b.significance), std::min(a.drop, b.drop)};
+  return {least(&Measure::significance), least(&Measure::drop)};
 }
 
 /// 1: a maximum of k, -1: a minimum, 0: neither is claimed.
@@ -141,14 +167,14 @@ double mean_edge_length(const kernel::TriangleMesh& mesh) {
 
 /// Sets the crossing's numbers; returns the prominence as a maximum of |k| if it is on the crest.
 double mark(const CurvatureLines& lines, const FitResult& fit, double edge, Colour colour,
-            Crossing& x, Buffers& buffers) {
+            Crossing& x, std::array<Buffers, 2>& buffers) {
   x.significance = x.prominence = x.crest_significance = 0;
   const kernel::Edge& e = lines.mesh().edges()[x.edge];
   const Place here = place_of(fit, colour, e.v0, e.v1, x.weight, 0);
   if (std::isinf(here.error)) return 0;
   const double radius = mix(fit.errors[e.v0].radius, fit.errors[e.v1].radius, x.weight);
-  Side ahead(lines, fit, x, colour, true, radius, buffers.places[0]);
-  Side behind(lines, fit, x, colour, false, radius, buffers.places[1]);
+  Side ahead(lines, fit, x, colour, true, radius, buffers[0].places);
+  Side behind(lines, fit, x, colour, false, radius, buffers[1].places);
   const std::array<Side*, 2> sides = {&ahead, &behind};
   const int sense = sense_of_type(x, colour);
   const int crest_sense = !on_crest(x, colour) ? 0 : colour == Colour::blue ? 1 : -1;
@@ -178,9 +204,9 @@ std::vector<std::vector<double>> mark_prominence(const kernel::TriangleMesh& mes
     drops[r].resize(graph.ridges[r].crossings.size());
     begin.push_back(begin.back() + drops[r].size());
   }
-  tbb::enumerable_thread_specific<Buffers> buffers;
+  tbb::enumerable_thread_specific<std::array<Buffers, 2>> buffers;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
-    Buffers& own = buffers.local();
+    std::array<Buffers, 2>& own = buffers.local();
     auto r = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), range.begin()) -
                                       begin.begin() - 1);
     for (std::size_t i = range.begin(); i != range.end(); ++i) {

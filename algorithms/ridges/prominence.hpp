@@ -8,12 +8,14 @@
 // largest sense k within one mean edge of x; a side ends where sense k exceeds it. At y, on the
 // peak's own side beyond it,
 //   drop(y) = sense (k_peak - k(y)),       drop' likewise with the wider fit's k',
-//   z(y)    = drop / sqrt(sigma_x^2 + sigma_y^2 + m^2 / 4),  m = max |drop - drop'| over the last R
-//   / 2.
+//   z(y)    = drop / sqrt(n + max(0, m^2 - n) / 4),
+//   n = sigma_x^2 + sigma_y^2,  m = max |drop - drop'| over the last R / 2.
 // m is the model's error: truncation changes by more than itself from one support to the other, a
-// crease (k ~ 1 / R) by a fifth; the largest, because drop and drop' may cross by chance. A side's
-// z and drop are the largest of its walk; the significance and the prominence of a crossing are
-// those of the lesser side.
+// crease (k ~ 1 / R) by a fifth; the largest, because drop and drop' may cross by chance. Noise
+// alone makes m^2 about n, which is counted already: the least squares of all points that both fits
+// hold have var(k - k') = var k - var k', here 0.74 var k, and m is the largest of several.
+// A side's z and drop are the largest of its walk; the significance and the prominence of a
+// crossing are those of the lesser side.
 #include "algorithms/ridges/curvature_lines.hpp"
 
 namespace crest::ridges {

@@ -12,8 +12,8 @@ Rgb casing(Rgb colour) {
   return {darker(colour.red), darker(colour.green), darker(colour.blue)};
 }
 
-bool in_sight(const Camera& camera, const Canvas& surface, const Vec3& pixel) {
-  return surface.visible(pixel, 0.003 * camera.width);
+bool in_sight(const Camera& camera, const Canvas& surface, const Vec3& pixel, double slack) {
+  return surface.visible(pixel, slack * 0.003 * camera.width);
 }
 
 void StrokeMaker::add(const Vec3& from, const Vec3& to, std::size_t stroke_class) {
@@ -26,9 +26,9 @@ void StrokeMaker::add(const Vec3& from, const Vec3& to, std::size_t stroke_class
     const double t = static_cast<double>(i) / steps;
     return combine(1 - t, p, t, q);
   };
-  bool before = in_sight(camera_, surface_, p);
+  bool before = in_sight(camera_, surface_, p, slack_);
   for (int i = 1; i <= steps; ++i) {
-    const bool now = in_sight(camera_, surface_, at(i));
+    const bool now = in_sight(camera_, surface_, at(i), slack_);
     if (before && now && stroke_.empty()) stroke_.push_back(at(i - 1));
     if (!now && before && !stroke_.empty()) {
       stroke_.push_back(at(i - 1));

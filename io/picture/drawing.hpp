@@ -49,14 +49,15 @@ struct Drawing {
 Rgb casing(Rgb colour);
 
 /// Whether the eye sees a point of the surface; the bias only covers rounding and what polylines
-/// cut off.
-bool in_sight(const Camera& camera, const Canvas& surface, const kernel::Vec3& pixel);
+/// cut off. slack: so many times that bias.
+bool in_sight(const Camera& camera, const Canvas& surface, const kernel::Vec3& pixel,
+              double slack = 1);
 
 /// Adds the visible parts of a line on the surface, a stroke for each run of one class.
 class StrokeMaker {
  public:
-  StrokeMaker(const Camera& camera, const Canvas& surface, Drawing& drawing)
-      : camera_(camera), surface_(surface), drawing_(drawing) {}
+  StrokeMaker(const Camera& camera, const Canvas& surface, Drawing& drawing, double slack = 1)
+      : camera_(camera), surface_(surface), drawing_(drawing), slack_(slack) {}
   /// Requires: `from` is where the last segment ended, or end() was called.
   void add(const kernel::Vec3& from, const kernel::Vec3& to, std::size_t stroke_class);
   void end();
@@ -65,6 +66,7 @@ class StrokeMaker {
   const Camera& camera_;
   const Canvas& surface_;
   Drawing& drawing_;
+  double slack_;
   std::size_t class_ = 0;
   std::vector<kernel::Vec3> stroke_;
 };

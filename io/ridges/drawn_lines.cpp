@@ -2,6 +2,7 @@
 #include "io/ridges/drawn_lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace crest::io {
 namespace {
@@ -54,7 +55,39 @@ std::size_t spur_points(std::size_t count, const At& at, double spur) {
   return points;
 }
 
-void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LinePoint>& line) {
+/// How many ridges of each colour end at each umbilic.
+using UmbilicEnds = std::vector<std::array<int, 2>>;
+
+UmbilicEnds umbilic_ends(const ridges::RidgeGraph& graph) {
+  UmbilicEnds ends(graph.umbilics.size());
+  for (const ridges::Ridge& ridge : graph.ridges)
+    for (const ridges::RidgeEnd& end : ridge.ends)
+      if (end.kind == ridges::EndKind::umbilic)
+        ++ends[end.umbilic][ridge.colour == kernel::Colour::blue];
+  return ends;
+}
+
+/// Whether the picture leaves a ridge's end open.
+bool is_open(const ridges::RidgeGraph& graph, const UmbilicEnds& ends, kernel::Colour colour,
+             const ridges::RidgeEnd& end) {
+  if (end.kind != ridges::EndKind::umbilic) return end.kind == ridges::EndKind::cut;
+  return graph.umbilics[end.umbilic].region_twice_index == 0 &&
+         ends[end.umbilic][colour == kernel::Colour::blue] == 1;
+}
+
+/// Whether all of the line is within `spur`, measured by the box around it.
+bool within(const std::vector<LinePoint>& line, double spur) {
+  Vec3 low = line.front().point, high = low;
+  for (const LinePoint& p : line)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p.point[k]);
+      high[k] = std::max(high[k], p.point[k]);
+    }
+  return kernel::distance(low, high) < spur;
+}
+
+void prune(const ridges::Ridge& ridge, const bool (&open)[2], double spur, int level,
+           std::vector<LinePoint>& line) {
   const auto lesser = [&](const LinePoint& p) { return p.spur || p.level < level; };
   const auto first = std::find_if(line.begin(), line.end(), lesser);
   if (ridge.loop && first == line.end()) return;
@@ -66,10 +99,10 @@ void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LineP
     const std::size_t count = end - i;
     if (count < 2) continue;
     std::size_t front = 0, back = 0;
-    if (i > 0 || ridge.loop || ridge.ends[0].kind == ridges::EndKind::cut)
+    if (i > 0 || ridge.loop || open[0])
       front = spur_points(
           count, [&](std::size_t k) { return line[i + k].point; }, spur);
-    if (end < n || ridge.loop || ridge.ends[1].kind == ridges::EndKind::cut)
+    if (end < n || ridge.loop || open[1])
       back = spur_points(
           count, [&](std::size_t k) { return line[end - 1 - k].point; }, spur);
     for (std::size_t k = 0; k < front; ++k) line[i + k].spur = true;
@@ -80,13 +113,22 @@ void prune(const ridges::Ridge& ridge, double spur, int level, std::vector<LineP
 
 }  // namespace
 
-std::vector<LinePoint> drawn_line(const kernel::TriangleMesh& mesh,
-                                  const std::vector<Vec3>& normals, const ridges::Ridge& ridge,
-                                  double spur, int full_level) {
-  std::vector<LinePoint> line = line_points(ridge);
-  smooth(mesh, normals, ridge.loop, line);
-  for (const int level : {1, full_level}) prune(ridge, spur, level, line);
-  return line;
+std::vector<std::vector<LinePoint>> drawn_lines(const kernel::TriangleMesh& mesh,
+                                                const std::vector<Vec3>& normals,
+                                                const ridges::RidgeGraph& graph, double spur,
+                                                int full_level) {
+  const UmbilicEnds ends = umbilic_ends(graph);
+  std::vector<std::vector<LinePoint>> lines;
+  for (const ridges::Ridge& ridge : graph.ridges) {
+    std::vector<LinePoint>& line = lines.emplace_back(line_points(ridge));
+    const bool open[2] = {is_open(graph, ends, ridge.colour, ridge.ends[0]),
+                          is_open(graph, ends, ridge.colour, ridge.ends[1])};
+    if (ridge.loop && within(line, spur))
+      for (LinePoint& p : line) p.spur = true;
+    smooth(mesh, normals, ridge.loop, line);
+    for (const int level : {1, full_level}) prune(ridge, open, spur, level, line);
+  }
+  return lines;
 }
 
 }  // namespace crest::io

@@ -15,6 +15,7 @@ using ridges::RidgeType;
 using ridges::UmbilicKind;
 
 constexpr Rgb kGrey = {128, 128, 128};
+constexpr double kNearly = 5;  ///< slack (io/picture/drawing.hpp) of what is nearly seen
 
 /// Tells which points the eye can see.
 class Sight {
@@ -23,17 +24,20 @@ class Sight {
         const std::vector<Vec3>& normals)
       : camera_(camera), surface_(surface), mesh_(mesh), normals_(normals), outward_(side(mesh)) {}
 
-  bool free(const Vec3& pixel) const { return in_sight(camera_, surface_, pixel); }
+  bool free(const Vec3& pixel, double slack = 1) const {
+    return in_sight(camera_, surface_, pixel, slack);
+  }
 
   /// The back of a closed surface is hidden even where the bias does not tell, at its outline.
-  bool faces_eye(kernel::Index v, kernel::Index w) const {
+  bool faces_eye(kernel::Index v, kernel::Index w, double most = 0.1) const {
     if (!mesh_.closed()) return true;
     const Vec3 n = combine(1, normals_[v], 1, normals_[w]);
-    return outward_ * dot(normalised(n, combine(-1, camera_.forward, 0, n)), camera_.forward) < 0.1;
+    const Vec3 unit = normalised(n, combine(-1, camera_.forward, 0, n));
+    return outward_ * dot(unit, camera_.forward) < most;
   }
-  bool faces_eye(const ridges::Crossing& crossing) const {
+  bool faces_eye(const ridges::Crossing& crossing, double most = 0.1) const {
     const kernel::Edge& e = mesh_.edges()[crossing.edge];
-    return faces_eye(e.v0, e.v1);
+    return faces_eye(e.v0, e.v1, most);
   }
   bool faces_eye(const ridges::Umbilic& umbilic) const {
     const kernel::Triangle& f = mesh_.faces()[umbilic.face];
@@ -63,26 +67,87 @@ class Sight {
   double outward_;
 };
 
+enum class Seen : std::uint8_t { no, nearly, yes };
+
+/// Nearly: a little behind what hides it.
+Seen seen(const Sight& sight, const LinePoint& p) {
+  constexpr double kTurned = 0.6;
+  if (p.spur) return Seen::no;
+  const Vec3 pixel = sight.camera().project(p.point);
+  if ((p.crossing == nullptr || sight.faces_eye(*p.crossing)) && sight.free(pixel))
+    return Seen::yes;
+  const bool turned = p.crossing != nullptr && !sight.faces_eye(*p.crossing, kTurned);
+  return !turned && sight.free(pixel, kNearly) ? Seen::nearly : Seen::no;
+}
+
+/// Calls visit(first, end) for the runs of numbers below n with in(i).
+template <class In, class Visit>
+void for_runs(std::size_t n, const In& in, const Visit& visit) {
+  for (std::size_t i = 0, end = 0; i < n; i = end + 1) {
+    for (end = i; end < n && in(end);) ++end;
+    if (end > i) visit(i, end);
+  }
+}
+
+/// Which points of a line a picture by salience draws. At an outline a line weaves in and out of
+/// sight: short stretches that are nearly seen are drawn, glimpses are not.
+std::vector<bool> points_in_sight(const Sight& sight, const std::vector<LinePoint>& line) {
+  constexpr double kBridge = 0.03, kGlimpse = 0.012;  // of the picture's width
+  const std::size_t n = line.size();
+  std::vector<Seen> state;
+  std::vector<double> place = {0};
+  for (const LinePoint& p : line) state.push_back(seen(sight, p));
+  for (std::size_t i = 1; i < n; ++i) {
+    const Vec3 way = combine(1, sight.camera().project(line[i].point), -1,
+                             sight.camera().project(line[i - 1].point));
+    place.push_back(place.back() + std::hypot(way[0], way[1]) / sight.camera().width);
+  }
+  std::vector<bool> drawn(n);
+  for (std::size_t i = 0; i < n; ++i) drawn[i] = state[i] == Seen::yes;
+  for_runs(
+      n, [&](std::size_t i) { return state[i] == Seen::nearly; },
+      [&](std::size_t first, std::size_t end) {
+        if (first > 0 && end < n && drawn[first - 1] && drawn[end] &&
+            place[end] - place[first - 1] < kBridge)
+          std::fill_n(drawn.begin() + static_cast<std::ptrdiff_t>(first), end - first, true);
+      });
+  for_runs(
+      n, [&](std::size_t i) { return drawn[i]; },
+      [&](std::size_t first, std::size_t end) {
+        if ((first > 0 || end < n) && place[end - 1] - place[first] < kGlimpse)
+          std::fill_n(drawn.begin() + static_cast<std::ptrdiff_t>(first), end - first, false);
+      });
+  return drawn;
+}
+
+/// Those of a picture of the whole graph.
+std::vector<bool> points_facing(const Sight& sight, const std::vector<LinePoint>& line) {
+  std::vector<bool> drawn;
+  for (const LinePoint& p : line)
+    drawn.push_back(p.crossing == nullptr || sight.faces_eye(*p.crossing));
+  return drawn;
+}
+
 /// The ridges' strokes.
-template <class LineOf>
 void add_strokes(const Sight& sight, const Canvas& surface, const ridges::RidgeGraph& graph,
-                 const LineOf& line_of, const PictureOptions& options, Drawing& drawing) {
+                 const std::vector<std::vector<LinePoint>>& lines, const PictureOptions& options,
+                 Drawing& drawing) {
   const std::size_t full = options.by_salience ? kRidgeClasses : 0;
-  StrokeMaker maker(sight.camera(), surface, drawing);
-  const auto hidden = [&](const LinePoint& p) {
-    return p.crossing != nullptr && !sight.faces_eye(*p.crossing);
-  };
-  for (const ridges::Ridge& ridge : graph.ridges) {
-    const std::vector<LinePoint> line = line_of(ridge);
+  StrokeMaker maker(sight.camera(), surface, drawing, options.by_salience ? kNearly : 1);
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    const ridges::Ridge& ridge = graph.ridges[r];
+    const std::vector<LinePoint>& line = lines[r];
+    const std::vector<bool> drawn =
+        options.by_salience ? points_in_sight(sight, line) : points_facing(sight, line);
     const std::size_t n = line.size();
     for (std::size_t i = 0; i + (ridge.loop ? 0 : 1) < n; ++i) {
       const LinePoint& next = line[(i + 1) % n];
       const std::size_t stroke_class = segment_class(ridge, line[i], next, options);
       drawing.classes[stroke_class % kRidgeClasses + full].in_graph = true;
-      if (line[i].spur || next.spur || hidden(line[i]) || hidden(next))
-        maker.end();
-      else
+      if (drawn[i] && drawn[(i + 1) % n])
         maker.add(line[i].point, next.point, stroke_class);
+      else
+        maker.end();
     }
     maker.end();
   }
@@ -197,11 +262,15 @@ bool is_region(const ridges::Umbilic& u) {
   return u.region_twice_index != 0 && u.level == 0;
 }
 
-std::vector<LinePoint> shown_line(const kernel::TriangleMesh& mesh,
-                                  const std::vector<Vec3>& normals, const ridges::Ridge& ridge,
-                                  const PictureOptions& options) {
-  return options.by_salience ? drawn_line(mesh, normals, ridge, options.spur, options.full_level)
-                             : line_points(ridge);
+std::vector<std::vector<LinePoint>> shown_lines(const kernel::TriangleMesh& mesh,
+                                                const std::vector<Vec3>& normals,
+                                                const ridges::RidgeGraph& graph,
+                                                const PictureOptions& options) {
+  if (options.by_salience)
+    return drawn_lines(mesh, normals, graph, options.spur, options.full_level);
+  std::vector<std::vector<LinePoint>> lines;
+  for (const ridges::Ridge& ridge : graph.ridges) lines.push_back(line_points(ridge));
+  return lines;
 }
 
 std::size_t segment_class(const ridges::Ridge& ridge, const LinePoint& from, const LinePoint& to,
@@ -228,10 +297,7 @@ Drawing make_drawing(const Camera& camera, const Canvas& surface, const kernel::
   Drawing drawing{};
   drawing.classes = options.by_salience ? classes_by_salience() : ridge_classes();
   const Sight sight(camera, surface, mesh, normals);
-  const auto line_of = [&](const ridges::Ridge& ridge) {
-    return shown_line(mesh, normals, ridge, options);
-  };
-  add_strokes(sight, surface, graph, line_of, options, drawing);
+  add_strokes(sight, surface, graph, shown_lines(mesh, normals, graph, options), options, drawing);
   const std::vector<ridges::Umbilic> umbilics = shown_umbilics(graph, options);
   add_dots(sight, umbilics, drawing);
   set_sizes(camera, drawing);

@@ -20,10 +20,11 @@ std::size_t ridge_class(kernel::Colour colour, kernel::RidgeType type);
 /// The same with thin, pale ones before them, for what is not salient.
 std::vector<StrokeClass> classes_by_salience();
 
-/// The ridge as a picture with these options shows it.
-std::vector<LinePoint> shown_line(const kernel::TriangleMesh& mesh,
-                                  const std::vector<kernel::Vec3>& normals,
-                                  const ridges::Ridge& ridge, const PictureOptions& options);
+/// The graph's ridges as a picture with these options shows them. They refer to the graph.
+std::vector<std::vector<LinePoint>> shown_lines(const kernel::TriangleMesh& mesh,
+                                                const std::vector<kernel::Vec3>& normals,
+                                                const ridges::RidgeGraph& graph,
+                                                const PictureOptions& options);
 /// Which of the classes the segment between two of its points takes.
 std::size_t segment_class(const ridges::Ridge& ridge, const LinePoint& from, const LinePoint& to,
                           const PictureOptions& options);

@@ -53,8 +53,10 @@ SceneLayer ridge_layer(const kernel::TriangleMesh& mesh, const std::vector<Vec3>
                  {"from", {"nothing", "an umbilic", "the boundary", "a filter's cut"}},
                  {"to", {"nothing", "an umbilic", "the boundary", "a filter's cut"}},
                  {"level", {"not significant", "significant", "salient"}}};
-  for (const ridges::Ridge& ridge : graph.ridges) {
-    const std::vector<LinePoint> line = shown_line(mesh, normals, ridge, options);
+  const std::vector<std::vector<LinePoint>> lines = shown_lines(mesh, normals, graph, options);
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    const ridges::Ridge& ridge = graph.ridges[r];
+    const std::vector<LinePoint>& line = lines[r];
     add_row(ridge, salience, layer.add_item());
     std::vector<Vec3> points;
     for (const LinePoint& p : line) points.push_back(p.point);

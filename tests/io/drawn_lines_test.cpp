@@ -31,9 +31,16 @@ ridges::Ridge ridge_of(const std::vector<kernel::Vec3>& points, ridges::EndKind 
   return ridge;
 }
 
-std::vector<io::LinePoint> drawn(const ridges::Ridge& ridge, double spur) {
+/// In a graph of two umbilics, the first of which is shown; others: more of its ridges.
+std::vector<io::LinePoint> drawn(const ridges::Ridge& ridge, double spur,
+                                 const std::vector<ridges::Ridge>& others = {}) {
   const std::vector<kernel::Vec3> normals(4, {0, 0, 1});
-  return io::drawn_line(square(), normals, ridge, spur, 2);
+  ridges::RidgeGraph graph;
+  graph.umbilics.resize(2);
+  graph.umbilics[0].region_twice_index = 1;
+  graph.ridges = {ridge};
+  graph.ridges.insert(graph.ridges.end(), others.begin(), others.end());
+  return io::drawn_lines(square(), normals, graph, spur, 2).front();
 }
 
 std::ptrdiff_t pruned(const std::vector<io::LinePoint>& line) {
@@ -67,8 +74,25 @@ TEST_CASE("drawn lines: a short piece that turns off at a cut end is pruned") {
   // What is longer than a spur, or ends at something, stays.
   CHECK(pruned(drawn(ridge_of(hook, kCut, kCut), 3)) == 0);
   CHECK(pruned(drawn(ridge_of(hook, kBoundary, kCut), 15)) == 0);
+  // So does what ends at an umbilic that is shown, or at which another ridge of the colour ends.
+  ridges::Ridge at_umbilic = ridge_of(hook, ridges::EndKind::umbilic, kCut);
+  at_umbilic.ends[0].umbilic = 0;
+  CHECK(pruned(drawn(at_umbilic, 15)) == 0);
+  at_umbilic.ends[0].umbilic = 1;
+  CHECK(pruned(drawn(at_umbilic, 15)) == pruned(line));
+  CHECK(pruned(drawn(at_umbilic, 15, {at_umbilic})) == 0);
   std::reverse(hook.begin(), hook.end());
   CHECK(pruned(drawn(ridge_of(hook, kBoundary, kCut), 15)) == pruned(line));
+}
+
+TEST_CASE("drawn lines: a loop smaller than a spur is left out") {
+  std::vector<kernel::Vec3> ring;
+  for (int i = 0; i < 12; ++i) ring.push_back({2 * std::cos(0.5 * i), 2 * std::sin(0.5 * i), 0});
+  ridges::Ridge loop = ridge_of(ring, ridges::EndKind::none, ridges::EndKind::none);
+  loop.loop = true;
+  CHECK(pruned(drawn(loop, 6)) == 12);
+  CHECK(pruned(drawn(loop, 5)) == 0);
+  CHECK(pruned(drawn(ridge_of(ring, kBoundary, kBoundary), 6)) == 0);
 }
 
 TEST_CASE("drawn lines: a loop without a cut end has no spur, a run inside a ridge has cut ends") {

@@ -322,6 +322,35 @@ TEST_CASE("a picture by salience draws salient lines wide, others thin, and sign
   CHECK(marks("region.svg", "<circle") == 0);
 }
 
+TEST_CASE("a picture by salience draws a line whole where it weaves along an outline", "[io]") {
+  const TriangleMesh mesh = sphere(32, 160);
+  const Ridge front = latitude(mesh, 0.05, Colour::blue, RidgeType::elliptic);
+  const Ridge back = latitude(mesh, -0.15, Colour::blue, RidgeType::elliptic);
+  REQUIRE(front.crossings.size() == 320);
+  REQUIRE(back.crossings.size() == 320);
+  const TemporaryFolder folder;
+  // The strokes of a loop of which in every `period` crossings those from `first` on are behind.
+  const auto strokes = [&](std::size_t period, std::size_t first, bool by_salience) {
+    RidgeGraph graph;
+    graph.ridges = {front};
+    for (std::size_t i = 0; i < 320; ++i)
+      if (i % period >= first) graph.ridges[0].crossings[i] = back.crossings[i];
+    PictureOptions options;
+    options.width = 600;
+    options.show_legend = false;
+    options.view = Vec3{0, 0, -1};
+    options.by_salience = by_salience;
+    crest::io::write_picture(folder / "woven.svg", mesh, graph, options);
+    const std::string svg = read_text(folder / "woven.svg");
+    return std::count(svg.begin() + static_cast<std::ptrdiff_t>(svg.find("<g ")), svg.end(), 'M') /
+           2;  // each stroke has a rim
+  };
+  CHECK(strokes(10, 8, false) == 32);
+  CHECK(strokes(10, 8, true) == 1);
+  CHECK(strokes(64, 32, true) == 5);  // too long a stretch to be drawn
+  CHECK(strokes(10, 1, true) == 0);   // glimpses
+}
+
 TEST_CASE("pictures repeat byte by byte and refuse nonsense", "[io]") {
   const TriangleMesh mesh = sphere(16, 24);
   const RidgeGraph graph = two_ridges(mesh);

@@ -87,12 +87,19 @@ TEST_CASE("prominence: a minimum stands out as a minimum, not as a crest") {
 TEST_CASE("prominence: what the wider fit does not confirm is the model's error") {
   const double drop = 1 - kStep / 2;
   for (const double wide : {0.5, 0.0, -1.0}) {
-    const double model = (1 - wide) * drop / 2;
+    const double noise = 2 * kSigma * kSigma, model = (1 - wide) * drop;
     const ridges::Crossing c = marked(patch(hill, 1, wide));
     CHECK(c.prominence == Approx(drop));
-    CHECK(c.significance == Approx(drop / std::sqrt(2 * kSigma * kSigma + model * model)));
+    CHECK(c.significance == Approx(drop / std::sqrt(noise + (model * model - noise) / 4)));
     CHECK((wide > 0 ? c.significance > 4 * 0.9 : c.significance < 4));
   }
+}
+
+TEST_CASE("prominence: a difference that noise explains is no model's error") {
+  const double drop = 1 - kStep / 2, explained = kSigma * std::sqrt(2.0) / drop;
+  const double z = drop / (kSigma * std::sqrt(2.0));
+  CHECK(marked(patch(hill, 1, 1 - 0.99 * explained)).significance == Approx(z));
+  CHECK(marked(patch(hill, 1, 1 - 3 * explained)).significance == Approx(z / std::sqrt(3.0)));
 }
 
 TEST_CASE("prominence: a walk ends where k exceeds the peak, and at four times the radius") {
