@@ -82,10 +82,13 @@ class Strip {
         last_(last),
         own_(static_cast<std::size_t>(last - first) * static_cast<std::size_t>(b.width), 0) {}
 
-  /// Under a stroke of these widths: take(pixel, share).
+  /// Under a hatch of these widths: take(pixel, share). Ends at contours are cut, others round.
   template <class WidthOf, class Take>
-  void cover(const std::vector<Vec2>& p, WidthOf&& width_of, Take&& take) {
-    for (std::size_t i = 1; i < p.size(); ++i) add(p[i - 1], p[i], width_of(i - 1), width_of(i));
+  void cover(const Hatch& hatch, WidthOf&& width_of, Take&& take) {
+    const std::vector<Vec2>& p = hatch.stroke.points;
+    for (std::size_t i = 1; i < p.size(); ++i)
+      add(p[i - 1], p[i], width_of(i - 1), width_of(i), i == 1 && !hatch.free_start,
+          i + 1 == p.size() && !hatch.free_end);
     const std::size_t begin = static_cast<std::size_t>(first_) * static_cast<std::size_t>(b_.width);
     for (const std::size_t at : touched_) {
       take(begin + at, own_[at]);
@@ -95,7 +98,7 @@ class Strip {
   }
 
  private:
-  void add(const Vec2& p, const Vec2& q, double w0, double w1) {
+  void add(const Vec2& p, const Vec2& q, double w0, double w1, bool cut_p, bool cut_q) {
     const double reach = 0.5 * std::max(w0, w1) + b_.pixel;
     const auto range = [&](std::size_t k, int from, int to) {
       return std::pair{
@@ -110,7 +113,9 @@ class Strip {
     for (int y = j0; y <= j1; ++y)
       for (int x = i0; x <= i1; ++x) {
         const Vec2 from = Vec2{(x + 0.5) * b_.pixel, (y + 0.5) * b_.pixel} - p;
-        const double t = squared > 0 ? std::clamp(dot(from, d) / squared, 0.0, 1.0) : 0;
+        const double along = squared > 0 ? dot(from, d) / squared : 0;
+        if ((cut_p && along < 0) || (cut_q && along > 1)) continue;
+        const double t = std::clamp(along, 0.0, 1.0);
         // A box across the stroke: its mean over all places is the width, however thin.
         const double r = norm(from - t * d) / b_.pixel,
                      half = 0.5 * (w0 + t * (w1 - w0)) / b_.pixel;
@@ -218,10 +223,10 @@ std::vector<float> coverage(const Buffers& b, const std::vector<Hatch>& hatches)
       const Stroke& s = hatches[h].stroke;
       if (s.band > 0)
         strip.cover(
-            s.points, [&](std::size_t) { return s.band; },
+            hatches[h], [&](std::size_t) { return s.band; },
             [&](std::size_t at, float share) { covered[at] *= 1 - share; });
       strip.cover(
-          s.points, [&](std::size_t i) { return s.widths[i]; },
+          hatches[h], [&](std::size_t i) { return s.widths[i]; },
           [&](std::size_t at, float share) { covered[at] = std::min(1.0F, covered[at] + share); });
     }
   });

@@ -78,8 +78,9 @@ void name_faces(const Drawing& drawing, std::vector<Hatch>& hatches) {
     std::optional<Index> face;
     for (; first + 2 < s.points.size() && !face; ++first) face = locator.at(s.points[first]);
     if (!face) continue;
-    s.points.erase(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(first - 1));
-    s.widths.erase(s.widths.begin(), s.widths.begin() + static_cast<std::ptrdiff_t>(first - 1));
+    const auto skipped = static_cast<std::ptrdiff_t>(first - 1);
+    s.points.erase(s.points.begin(), s.points.begin() + skipped);
+    if (!s.widths.empty()) s.widths.erase(s.widths.begin(), s.widths.begin() + skipped);
     s.face = *face;
     kept.push_back(std::move(h));
   }
@@ -189,12 +190,14 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     const auto singular = seen_singularities(mesh, field, view, buffers);
     make_strokes({buffers, barriers, singular, spacing, options.cross_field}, options, drawing,
                  first);
+    name_faces(drawing, first);
     owned = owned_area(buffers, first, 1.5 * spacing);
     if (!options.cross_hatch) return;
     if (options.cross_field) follow_first_layer(first, owned, buffers);
     // Where the families change places its lines end, or they would run along the first.
     add_even_streamlines({buffers, barriers, singular, spacing, false}, options.tone.darkest,
                          Family::backbone, second);
+    name_faces(drawing, second);
   });
   phase("tone", [&] {
     const ToneOptions& tone = options.tone;
@@ -214,7 +217,6 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   });
   for (std::vector<Hatch>* layer : {&first, &second}) {
     cut_ends(barriers, *layer);
-    name_faces(drawing, *layer);
     for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));
   }
   count_over_contours(barriers, drawing);

@@ -14,7 +14,7 @@ using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kStop = 0.6;  // spacings
 constexpr double kHug = 0.6;   // spacings
-constexpr double kBrief = 6;   // spacings: shorter lines along a contour are dashes
+constexpr double kBrief = 5;   // spacings: shorter lines along a contour are dashes
 
 Hatch joined(const Trace& back, const Trace& ahead) {
   Hatch hatch;
@@ -148,7 +148,7 @@ bool too_short(const Hatch& hatch, double spacing) {
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
   const double s = tracer.spacing();
   const bool brief = stroke.length() < kBrief * s;
-  const double reach = (brief ? 1.0 : kHug) * s, cosine = brief ? 0.866 : 0.966;
+  const double reach = (brief ? 0.8 : kHug) * s, cosine = brief ? 0.9 : 0.966;
   std::size_t close = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i) {
     const auto near = tracer.barriers().nearest(stroke.points[i], reach);
