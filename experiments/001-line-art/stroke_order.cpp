@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
       for (const Panel& panel : kPanels) {
         std::string row;
         for (const double x : luminances(painted(panel, ink))) row += fmt::format(" {:.2f}", x);
-        fmt::print("| {} | {} |{} |\n", panel.name, 1 - ink, row);
+        fmt::print("| {} | {:.1f} |{} |\n", panel.name, 1 - ink, row);
       }
     if (!out.empty()) draw(out, 0.5);
     return 0;

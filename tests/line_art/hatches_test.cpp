@@ -151,10 +151,14 @@ TEST_CASE("A drawing's hatches keep off contours, and its certificate holds") {
     HatchOptions options;
     options.style = style;
     options.cross_hatch = true;
-    const Drawing drawing = draw(ring(30, 16), {1, 0.8, 1.2}, options);
+    const Drawing drawing = draw(ring(30, 16), {1, 0.8, 1.2}, options, 100);
     CHECK(drawing.counts.over_contours == 0);
     CHECK(drawing.hatches.size() > 50);
-    CHECK(drawing.counts.tone.mean < 0.05);
+    const ToneError& tone = drawing.counts.tone;
+    CHECK(tone.cells.size() > 50);
+    CHECK(tone.mean < 0.01);
+    CHECK(tone.p95 < 0.035);
+    CHECK(tone.max < 0.1);
     const auto verdict = certify::verify(certify::encode(line_art_record(drawing)));
     CHECK(verdict.reason == "");
     CHECK(verdict.accepted);
