@@ -11,6 +11,7 @@
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/line_art/certificate.hpp"
 #include "algorithms/line_art/line_art.hpp"
+#include "algorithms/line_art/sheets.hpp"
 #include "certify/lineart/encode.hpp"
 #include "certify/verify.hpp"
 #include "cli/lineart_report.hpp"
@@ -123,6 +124,8 @@ Outcome work(Run& run, const LineArtOptions& o) {
         line_art::draw_contours(drawing.scene, drawing.view, drawing.contours, {o.line_width});
   });
   if (o.style != Style::contours) {
+    run.step("sheets", "faces through one another",
+             [&] { drawing.one_sheet = !line_art::meeting_faces(drawing.scene); });
     line_art::HatchOptions hatch = o.hatch;
     hatch.crease = crease;
     if (!o.sidecar.empty()) hatch.steering = io::read_sidecar(o.sidecar, drawing.view);

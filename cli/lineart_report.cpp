@@ -28,7 +28,7 @@ Json contours(const Drawing& drawing) {
           {"suppressed",
            {{"count", drawing.lines.suppressed}, {"length", drawing.lines.suppressed_length}}},
           {"visible_length", drawing.lines.visible_length},
-          {"sheets", "not claimed"}};
+          {"sheets", drawing.one_sheet ? "proved" : "not claimed"}};
 }
 
 void report_hatches(Report& report, const Drawing& drawing) {
@@ -42,8 +42,10 @@ void report_hatches(Report& report, const Drawing& drawing) {
                             {"spacing", {{"p5", h.p5}, {"median", h.median}, {"p95", h.p95}}},
                             {"bare", h.bare},
                             {"over_contours", h.over_contours}});
-  report["tone_error"] = Json(
-      {{"mean", h.tone.mean}, {"p95", h.tone.p95}, {"max", h.tone.max}, {"cells", h.tone.cells}});
+  report["tone_error"] = Json({{"mean", h.tone.mean},
+                               {"p95", h.tone.p95},
+                               {"max", h.tone.max},
+                               {"cells", h.tone.cells.size()}});
 }
 
 }  // namespace

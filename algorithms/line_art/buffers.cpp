@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/line_art/buffers.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,10 +27,12 @@ struct Corner {
   double curvature;
 };
 
+/// Paints the rows from `first` on, before `last`.
 class Painter {
  public:
-  Painter(const Model& model, const View& view, const LightOptions& light, Buffers& out)
-      : model_(model), view_(view), out_(out) {
+  Painter(const Model& model, const View& view, const LightOptions& light, int first, int last,
+          Buffers& out)
+      : model_(model), view_(view), first_(first), last_(last), out_(out) {
     const Vec3 l = unit(light.light);
     light_ = l[0] * view.x + l[1] * view.y + (-l[2]) * view.z;
   }
@@ -48,13 +52,13 @@ class Painter {
     }
     const double area = cross(c[1].page - c[0].page, c[2].page - c[0].page);
     if (area == 0 || !std::isfinite(area)) return;
-    const auto bound = [&](std::size_t k, int limit) {
+    const auto bound = [&](std::size_t k, int from, int to) {
       const auto [low, high] = std::minmax({c[0].page[k], c[1].page[k], c[2].page[k]});
-      return std::pair{std::clamp(static_cast<int>(std::floor(low / out_.pixel - 0.5)), 0, limit),
-                       std::clamp(static_cast<int>(std::ceil(high / out_.pixel + 0.5)), 0, limit)};
+      return std::pair{std::clamp(static_cast<int>(std::floor(low / out_.pixel - 0.5)), from, to),
+                       std::clamp(static_cast<int>(std::ceil(high / out_.pixel + 0.5)), from, to)};
     };
-    const auto [i0, i1] = bound(0, out_.width);
-    const auto [j0, j1] = bound(1, out_.height);
+    const auto [i0, i1] = bound(0, 0, out_.width);
+    const auto [j0, j1] = bound(1, first_, last_);
     for (int j = j0; j < j1; ++j)
       for (int i = i0; i < i1; ++i) {
         const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(out_.width) +
@@ -114,6 +118,7 @@ class Painter {
 
   const Model& model_;
   const View& view_;
+  int first_, last_;
   Buffers& out_;
   Vec3 light_;
 };
@@ -146,6 +151,26 @@ class CornerNormals {
   std::vector<Vec3> areas_;
   std::vector<double> lengths_;
 };
+
+constexpr int kRows = 32;  // of a strip
+
+/// The faces that may reach each strip of the page.
+std::vector<std::vector<Index>> by_strip(const kernel::TriangleMesh& mesh, const View& view,
+                                         const Buffers& b) {
+  std::vector<std::vector<Index>> strips(static_cast<std::size_t>((b.height + kRows - 1) / kRows));
+  std::vector<double> row;
+  for (const Vec3& p : mesh.points()) row.push_back(view.project(p)[1] / b.pixel);
+  const auto strip = [&](double y) {
+    const double last = static_cast<double>(strips.size()) - 1;
+    return static_cast<std::size_t>(std::clamp(y / kRows, 0.0, last));
+  };
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& [u, v, w] = mesh.faces()[f];
+    const auto [low, high] = std::minmax({row[u], row[v], row[w]});
+    for (std::size_t k = strip(low - 1); k <= strip(high + 2); ++k) strips[k].push_back(f);
+  }
+  return strips;
+}
 
 /// Marks the links between centres of neighbouring pixels that a barrier crosses.
 void close_links(const Barriers& barriers, Buffers& b) {
@@ -193,8 +218,13 @@ Buffers fill_buffers(const Model& model, const View& view, const Barriers& barri
   b.backbone.assign(n, {0, 0});
   b.closed.assign(n, 0);
   const CornerNormals normals(model.mesh, crease);
-  Painter painter(model, view, light, b);
-  for (Index f = 0; f < model.mesh.face_count(); ++f) painter.paint(f, normals.of(f));
+  // Pixels of a strip are one thread's: faces meet them in their own order.
+  const auto strips = by_strip(model.mesh, view, b);
+  tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
+    const int first = static_cast<int>(k) * kRows;
+    Painter painter(model, view, light, first, std::min(b.height, first + kRows), b);
+    for (const Index f : strips[k]) painter.paint(f, normals.of(f));
+  });
   close_links(barriers, b);
   return b;
 }

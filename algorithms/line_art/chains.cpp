@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "algorithms/line_art/inked_parts.hpp"
+
 namespace crest::line_art {
 namespace {
 
@@ -58,7 +60,8 @@ class Chainer {
   }
 
  private:
-  using Node = std::tuple<int, Index, Index>;  // 0: vertex; 1: break k of an edge
+  using Node =
+      std::tuple<int, Index, Index>;  // 0: vertex; 1: break k of an edge; 2: an end of its own
 
   Vec2 at(const ContourEdge& e, double t) const {
     const Vec3 &a = scene_.points[e.a], &b = scene_.points[e.b];
@@ -66,21 +69,20 @@ class Chainer {
   }
 
   void collect() {
-    for (Index i = 0; i < contours_.edges.size(); ++i) {
-      const ContourEdge& e = contours_.edges[i];
-      if (e.end_on) continue;
-      for (Index k = 0; k < e.pieces; ++k) {
-        const Piece& p = contours_.pieces[e.first_piece + k];
-        if (!p.drawn()) continue;
-        const auto end = static_cast<Index>(2 * segments_.size());
-        segments_.push_back({at(e, p.from), at(e, p.to), e.crease});
-        visible_length += norm(segments_.back().to - segments_.back().from);
-        nodes_[k == 0 ? Node{0, e.a, 0} : Node{1, i, k}].push_back(end);
-        nodes_[k + 1 == e.pieces ? Node{0, e.b, 0} : Node{1, i, k + 1}].push_back(end + 1);
-        // At a break an edge in front ends it; at a vertex alone it ends freely.
-        held_.push_back(k > 0);
-        held_.push_back(k + 1 < e.pieces);
-      }
+    for (const InkedPart& part : inked_parts(scene_, view_, contours_)) {
+      const ContourEdge& e = contours_.edges[part.edge];
+      const Index k = part.piece, end = static_cast<Index>(2 * segments_.size());
+      segments_.push_back({at(e, part.from), at(e, part.to), e.crease});
+      visible_length += norm(segments_.back().to - segments_.back().from);
+      // Where another edge goes on over it no chain is joined.
+      const bool first = part.whole_from && k == 0, last = part.whole_to && k + 1 == e.pieces;
+      const Node from = part.whole_from ? Node{1, part.edge, k} : Node{2, end, 0};
+      const Node to = part.whole_to ? Node{1, part.edge, k + 1} : Node{2, end + 1, 0};
+      nodes_[first ? Node{0, e.a, 0} : from].push_back(end);
+      nodes_[last ? Node{0, e.b, 0} : to].push_back(end + 1);
+      // At a break an edge in front ends it; at a vertex alone it ends freely.
+      held_.push_back(!first);
+      held_.push_back(!last);
     }
     for (const auto& [node, ends] : nodes_)
       if (ends.size() > 2)

@@ -19,8 +19,7 @@ using std::numbers::pi;
 constexpr double kTurn = 2.2;       // radians, of a backbone
 constexpr double kLeaves = 0.25;    // radians between a blended rib and the field
 constexpr double kDeviation = 0.9;  // spacings between a blended rib and the traced one
-constexpr double kOthers = 0.6;     // spacings to ribs of other segments
-constexpr double kOwn = 0.6;        // spacings to ribs of its own
+constexpr double kApart = 0.6;      // spacings between ribs
 constexpr std::size_t kParts = 24;  // key ribs to begin with, less one
 
 double turn_between(const Vec2& a, const Vec2& b) {
@@ -205,10 +204,8 @@ class Boner {
   }
   bool blocked(const Vec2& p, Index rib) const {
     if (!hatchable(p)) return true;
-    if (points_.distance(p, kOwn * s_, [&](Index line, Index) { return line != rib; }) < kOwn * s_)
-      return true;
-    return points_.distance(p, kOthers * s_, [&](Index line, Index) { return line < first_rib_; }) <
-           kOthers * s_;
+    return points_.distance(p, kApart * s_, [&](Index line, Index) { return line != rib; }) <
+           kApart * s_;
   }
 
   void add_rib(const Sample& sample, const Rib& rib, Index segment, Index rank) {

@@ -78,8 +78,9 @@ void name_faces(const Drawing& drawing, std::vector<Hatch>& hatches) {
     std::optional<Index> face;
     for (; first + 2 < s.points.size() && !face; ++first) face = locator.at(s.points[first]);
     if (!face) continue;
-    s.points.erase(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(first - 1));
-    s.widths.erase(s.widths.begin(), s.widths.begin() + static_cast<std::ptrdiff_t>(first - 1));
+    const auto skipped = static_cast<std::ptrdiff_t>(first - 1);
+    s.points.erase(s.points.begin(), s.points.begin() + skipped);
+    if (!s.widths.empty()) s.widths.erase(s.widths.begin(), s.widths.begin() + skipped);
     s.face = *face;
     kept.push_back(std::move(h));
   }
@@ -186,32 +187,36 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   std::vector<Hatch> first, second;
   OwnedArea owned;
   phase("strokes", [&] {
-    const Tracer tracer(buffers, barriers, seen_singularities(mesh, field, view, buffers), spacing,
-                        options.cross_field);
-    make_strokes(tracer, options, drawing, first);
+    const auto singular = seen_singularities(mesh, field, view, buffers);
+    make_strokes({buffers, barriers, singular, spacing, options.cross_field}, options, drawing,
+                 first);
+    name_faces(drawing, first);
     owned = owned_area(buffers, first, 1.5 * spacing);
     if (!options.cross_hatch) return;
     if (options.cross_field) follow_first_layer(first, owned, buffers);
-    add_even_streamlines(tracer, options.tone.darkest, Family::backbone, second);
+    // Where the families change places its lines end, or they would run along the first.
+    add_even_streamlines({buffers, barriers, singular, spacing, false}, options.tone.darkest,
+                         Family::backbone, second);
+    name_faces(drawing, second);
   });
   phase("tone", [&] {
     const ToneOptions& tone = options.tone;
-    std::vector<float> ink = layer_ink(buffers, tone);
-    if (options.tone_style == ToneStyle::width) set_widths(buffers, ink, tone, owned, first);
-    if (options.tone_style == ToneStyle::bands) set_bands(buffers, ink, tone, first);
-    std::vector<float> black = coverage(buffers, first);
-    if (options.cross_hatch) {
-      const auto crossing = crossing_ink(buffers, tone, options.tone_style == ToneStyle::bands);
-      set_widths(buffers, crossing, tone, owned_area(buffers, second, 1.5 * spacing), second);
-      black = crossed(std::move(black), coverage(buffers, second));
-      ink = crossed(std::move(ink), crossing);
-    }
-    drawing.counts.tone = tone_error(buffers, black, ink, spacing);
+    const bool bands = options.tone_style == ToneStyle::bands;
+    const std::vector<float> ink = layer_ink(buffers, tone);
+    const std::vector<float> crossing = crossing_ink(buffers, tone, bands);
+    const OwnedArea owned_second = owned_area(buffers, second, 1.5 * spacing);
+    std::vector<Layer> layers;
+    if (options.tone_style == ToneStyle::width) layers.push_back({first, ink, owned});
+    if (bands) set_bands(buffers, ink, tone, first);
+    if (options.cross_hatch) layers.push_back({second, crossing, owned_second});
+    set_widths(buffers, layers, tone);
+    const auto black = crossed(coverage(buffers, first), coverage(buffers, second));
+    const auto wanted = options.cross_hatch ? crossed(ink, crossing) : ink;
+    drawing.counts.tone = tone_error(tone_cells(buffers, black, wanted, owned, spacing));
     measure(buffers, ink, first, owned, drawing.counts);
   });
   for (std::vector<Hatch>* layer : {&first, &second}) {
     cut_ends(barriers, *layer);
-    name_faces(drawing, *layer);
     for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));
   }
   count_over_contours(barriers, drawing);

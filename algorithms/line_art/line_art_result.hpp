@@ -10,9 +10,16 @@
 
 namespace crest::line_art {
 
+/// A cell of the page, means over the surface in it.
+struct ToneCell {
+  Vec2 corner;        ///< mm, the upper left
+  double black, ink;  ///< what is covered, what is wanted
+  double bare;        ///< share that is to be hatched but has no stroke near
+};
+
 struct ToneError {
   double mean = 0, p95 = 0, max = 0;  ///< of luminance in cells of five spacings
-  std::size_t cells = 0;
+  std::vector<ToneCell> cells;        ///< the worst first
 };
 
 struct HatchCounts {
@@ -55,6 +62,7 @@ struct Drawing {
   View view;
   Contours contours;
   DrawnContours lines;          ///< the contours' strokes
+  bool one_sheet = false;       ///< proved: no face goes through another (sheets.hpp)
   std::vector<Stroke> hatches;  ///< in the order of painting
   HatchCounts counts;           ///< of the hatches
   std::vector<Segment> segments;

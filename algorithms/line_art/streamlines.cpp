@@ -14,6 +14,7 @@ using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kStop = 0.6;  // spacings
 constexpr double kHug = 0.6;   // spacings
+constexpr double kBrief = 5;   // spacings: shorter lines along a contour are dashes
 
 Hatch joined(const Trace& back, const Trace& ahead) {
   Hatch hatch;
@@ -145,12 +146,15 @@ bool too_short(const Hatch& hatch, double spacing) {
 }
 
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
+  const double s = tracer.spacing();
+  const bool brief = stroke.length() < kBrief * s;
+  const double reach = (brief ? 0.8 : kHug) * s, cosine = brief ? 0.9 : 0.966;
   std::size_t close = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-    const auto near = tracer.barriers().nearest(stroke.points[i], kHug * tracer.spacing());
+    const auto near = tracer.barriers().nearest(stroke.points[i], reach);
     const Vec2 d = stroke.points[i] - stroke.points[i - 1];
     const double n = norm(d);
-    if (near && n > 0 && std::abs(dot(d, near->direction)) > 0.966 * n) ++close;
+    if (near && n > 0 && std::abs(dot(d, near->direction)) > cosine * n) ++close;
   }
   return 2 * close > stroke.points.size();
 }

@@ -17,7 +17,8 @@ struct Hatch {
 bool too_short(const Hatch& hatch, double spacing);
 
 /// Along a silhouette lines would show as a row of dashes: within 0.6 spacings of a contour and
-/// within 15 degrees of it, for more than half of their length.
+/// within 15 degrees of it, for more than half of their length; those of less than five spacings
+/// within 0.8 and 26 degrees.
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
 
 /// Lines added to those there are: a new one starts at the spacing from an old one and stops at

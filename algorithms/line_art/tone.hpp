@@ -2,8 +2,8 @@
 #pragma once
 
 // From grey to widths of strokes.
+#include "algorithms/line_art/coverage.hpp"
 #include "algorithms/line_art/line_art_result.hpp"
-#include "algorithms/line_art/streamlines.hpp"
 
 namespace crest::line_art {
 
@@ -13,25 +13,20 @@ struct ToneOptions {
   double brightest = 0.95;  ///< cmax: no stroke above
   double thinnest = 0.05;   ///< mm
   double cap = 0.85;        ///< of the spacing: no stroke wider
-  int corrections = 3;
 };
 
-/// The page's part and length that belong to every vertex of every hatch: pixels nearer to it than
-/// to any other, not across contours nor farther than one and a half spacings.
-struct OwnedArea {
-  std::vector<std::vector<double>> area, spacing;  ///< mm^2; area over length, mean over 2 mm
-  /// Whose a pixel is: hatch (kNone: nobody's) and vertex.
-  std::vector<std::pair<Index, Index>> owner;
+/// One direction of hatching: its lines, the share of black wanted of it at every pixel, what its
+/// lines own of the page.
+struct Layer {
+  std::vector<Hatch>& hatches;
+  const std::vector<float>& ink;
+  const OwnedArea& owned;
 };
-OwnedArea owned_area(const Buffers& buffers, const std::vector<Hatch>& hatches, double reach);
 
-/// How much of every pixel the strokes cover, 0 to 1.
-std::vector<float> coverage(const Buffers& buffers, const std::vector<Hatch>& hatches);
-
-/// Sets the widths: ink times the owned area over the length, then corrected by what the strokes
-/// cover. `ink`: wanted share of black at every pixel.
-void set_widths(const Buffers& buffers, const std::vector<float>& ink, const ToneOptions& options,
-                const OwnedArea& owned, std::vector<Hatch>& hatches);
+/// Sets the widths: ink times the owned area over the length, then corrected by what the layers
+/// cover together.
+void set_widths(const Buffers& buffers, const std::vector<Layer>& layers,
+                const ToneOptions& options);
 
 /// The thesis' way: bands of constant width, of which the ink's share is black, the rest white, in
 /// the order of painting that keeps the right ones: each segment's ribs by bit-reversed rank.
@@ -52,8 +47,11 @@ std::vector<float> crossing_ink(const Buffers& buffers, const ToneOptions& optio
 /// Of the shares of two layers that cross.
 std::vector<float> crossed(std::vector<float> a, const std::vector<float>& b);
 
-/// |black - ink| in cells of five spacings that the surface fills by half.
-ToneError tone_error(const Buffers& buffers, const std::vector<float>& black,
-                     const std::vector<float>& ink, double spacing);
+/// Cells of five spacings that the surface fills by half.
+std::vector<ToneCell> tone_cells(const Buffers& buffers, const std::vector<float>& black,
+                                 const std::vector<float>& ink, const OwnedArea& owned,
+                                 double spacing);
+/// Of |black - ink|.
+ToneError tone_error(std::vector<ToneCell> cells);
 
 }  // namespace crest::line_art

@@ -38,7 +38,9 @@ Tracer::Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec
       barriers_(barriers),
       singular_(std::move(singular)),
       spacing_(spacing),
-      crosses_(crosses) {}
+      crosses_(crosses) {
+  std::sort(singular_.begin(), singular_.end());
+}
 
 Vec2 Tracer::pick(std::size_t pixel, Family family, const Vec2& ahead) const {
   const Vec2 rib = wide(buffers_.rib[pixel]), backbone = wide(buffers_.backbone[pixel]);
@@ -73,8 +75,11 @@ std::optional<Vec2> Tracer::direction(const Vec2& p, Family family, const Vec2& 
 }
 
 bool Tracer::near_singularity(const Vec2& p) const {
-  return std::any_of(singular_.begin(), singular_.end(),
-                     [&](const Vec2& s) { return norm(s - p) < kShun * spacing_; });
+  const double reach = kShun * spacing_;
+  auto s = std::lower_bound(singular_.begin(), singular_.end(), Vec2{p[0] - reach, p[1]});
+  for (; s != singular_.end() && (*s)[0] < p[0] + reach; ++s)
+    if (norm(*s - p) < reach) return true;
+  return false;
 }
 
 Trace Tracer::trace(const Vec2& start, const Vec2& ahead, Family family, double most_turn,

@@ -25,16 +25,16 @@ class LinePoints {
   template <class Counts>
   double distance(const Vec2& p, double most, Counts&& counts) const {
     const auto [c, r] = cell(p);
-    double best = most;
+    double best = most * most;
     for (int j = std::max(0, r - 1); j <= std::min(rows_ - 1, r + 1); ++j)
       for (int i = std::max(0, c - 1); i <= std::min(columns_ - 1, c + 1); ++i)
         for (const Entry& e :
              cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
                     static_cast<std::size_t>(i)]) {
-          const double d = std::hypot(e.p[0] - p[0], e.p[1] - p[1]);
+          const double x = e.p[0] - p[0], y = e.p[1] - p[1], d = x * x + y * y;
           if (d < best && counts(e.line, e.number) && !barriers_.crosses(p, e.p)) best = d;
         }
-    return best;
+    return std::sqrt(best);
   }
   double distance(const Vec2& p, double most) const {
     return distance(p, most, [](Index, Index) { return true; });
@@ -90,7 +90,7 @@ class Tracer {
   const Barriers& barriers_;
   Vec2 pick(std::size_t pixel, Family family, const Vec2& ahead) const;
 
-  std::vector<Vec2> singular_;
+  std::vector<Vec2> singular_;  ///< from left to right
   double spacing_;
   bool crosses_;
 };

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <set>
 
-#include "algorithms/curvature/curvature.hpp"
 #include "algorithms/line_art/certificate.hpp"
 #include "algorithms/line_art/fishbone.hpp"
 #include "algorithms/line_art/line_art.hpp"
@@ -16,7 +15,7 @@
 #include "io/line_art/drawing_writer.hpp"
 #include "io/line_art/sidecar.hpp"
 #include "io/write/atomic_file.hpp"
-#include "tests/line_art/scenes.hpp"
+#include "tests/line_art/drawn.hpp"
 #include "tests/support/program.hpp"
 
 using namespace crest;
@@ -42,31 +41,6 @@ kernel::TriangleMesh ring(int m, int n) {
                    const double r = 3 + std::cos(v);
                    return Vec3{r * std::cos(u), r * std::sin(u), std::sin(v)};
                  }).scene());
-}
-
-std::vector<PrincipalFrame> frames_of(const kernel::TriangleMesh& mesh) {
-  const auto estimate = curvature::estimate(mesh, {});
-  std::vector<PrincipalFrame> frames;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const auto& c = estimate.vertices[v];
-    frames.push_back({c.k1, c.k2, c.d1, c.d2, estimate.normals[v]});
-  }
-  return frames;
-}
-
-Drawing draw(const kernel::TriangleMesh& mesh, const Vec3& eye, const HatchOptions& options,
-             double width = 60) {
-  Drawing drawing;
-  drawing.scene = weld(mesh.points(), mesh.faces());
-  ViewRequest request;
-  request.towards = eye;
-  request.width = width;
-  drawing.view = make_view(request, drawing.scene);
-  drawing.contours = find_contours(drawing.scene, drawing.view, {options.crease});
-  drawing.lines = draw_contours(drawing.scene, drawing.view, drawing.contours);
-  add_hatches(drawing, mesh, frames_of(mesh), options,
-              [](const char*, const std::function<void()>& work) { work(); });
-  return drawing;
 }
 
 }  // namespace
@@ -158,13 +132,16 @@ TEST_CASE("Inks of flat patches are those wanted, in bands and widths") {
     const auto ink = layer_ink(b, options);
     const OwnedArea owned = owned_area(b, hatches, 1.5 * options.spacing);
     std::vector<Hatch> wide = hatches, bands = hatches;
-    set_widths(b, ink, options, owned, wide);
-    const ToneError by_width = tone_error(b, coverage(b, wide), ink, options.spacing);
-    CHECK(by_width.cells > 50);
+    set_widths(b, {{wide, ink, owned}}, options);
+    const auto error = [&](const std::vector<Hatch>& lines) {
+      return tone_error(tone_cells(b, coverage(b, lines), ink, owned, options.spacing));
+    };
+    const ToneError by_width = error(wide);
+    CHECK(by_width.cells.size() > 50);
     CHECK(by_width.mean < 0.01);
     CHECK(by_width.max < 0.05);
     set_bands(b, ink, options, bands);
-    const ToneError by_bands = tone_error(b, coverage(b, bands), ink, options.spacing);
+    const ToneError by_bands = error(bands);
     CHECK(by_bands.mean < 0.02);
   }
 }
@@ -174,10 +151,14 @@ TEST_CASE("A drawing's hatches keep off contours, and its certificate holds") {
     HatchOptions options;
     options.style = style;
     options.cross_hatch = true;
-    const Drawing drawing = draw(ring(30, 16), {1, 0.8, 1.2}, options);
+    const Drawing drawing = draw(ring(30, 16), {1, 0.8, 1.2}, options, 100);
     CHECK(drawing.counts.over_contours == 0);
     CHECK(drawing.hatches.size() > 50);
-    CHECK(drawing.counts.tone.mean < 0.05);
+    const ToneError& tone = drawing.counts.tone;
+    CHECK(tone.cells.size() > 50);
+    CHECK(tone.mean < 0.01);
+    CHECK(tone.p95 < 0.035);
+    CHECK(tone.max < 0.1);
     const auto verdict = certify::verify(certify::encode(line_art_record(drawing)));
     CHECK(verdict.reason == "");
     CHECK(verdict.accepted);
