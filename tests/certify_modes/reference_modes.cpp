@@ -61,6 +61,12 @@ std::optional<std::array<double, 4>> positive_on(const std::vector<std::array<do
   return std::nullopt;
 }
 
+CellPieces check_one(const LevelContext& context, const Cell& cell, Worker& worker) {
+  CellPieces pieces;
+  check_cells(context, {&cell, 1}, {&pieces, 1}, worker);
+  return pieces;
+}
+
 class Producer {
  public:
   Producer(Field& field, const Domain& domain, const MadeLevel& level, unsigned most_depth)
@@ -194,10 +200,9 @@ class Producer {
           found.lambda = std::ldexp(found.lambda / 3, static_cast<int>(products.exponent));
       }
       try {
-        Witnessed<n> tried{corners, {}, std::nullopt};
+        Witnessed<n> tried{corners, {}, plain ? std::nullopt : std::optional(found.lambda)};
         for (std::size_t k = 0; k + 1 < n; ++k)
           tried.w[k] = found.w[k], tried.w[n - 1] -= found.w[k];
-        if (!plain) tried.lambda = found.lambda;
         check_witnesses(context, std::span<const Witnessed<n>>(&tried, 1), *worker_);
         return found;
       } catch (const Reject&) {
@@ -468,17 +473,13 @@ class Producer {
   }
 
   std::optional<CellPieces> try_pieces(const LevelContext& context, const Cell& cell) {
-    CellPieces pieces;
-    const auto check = [&] {
-      check_cells(context, {&cell, 1}, {&pieces, 1}, *worker_);
-      return pieces;
-    };
-    if (cell.code != modes_code::kGraphTet && cell.code != modes_code::kPlainTet) return check();
+    if (cell.code != modes_code::kGraphTet && cell.code != modes_code::kPlainTet)
+      return check_one(context, cell, *worker_);
     for (std::uint8_t plus = 0; plus < 6; ++plus)
       for (std::uint8_t minus = 0; minus < 6; ++minus) {
         made_.tet_witnesses[cell.witness].pieces = {plus, minus};
         try {
-          return check();
+          return check_one(context, cell, *worker_);
         } catch (const Reject&) {
         }
       }
