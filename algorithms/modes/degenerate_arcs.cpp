@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "algorithms/modes/degenerate_exact.hpp"
+#include "algorithms/modes/degenerate_order.hpp"
 #include "algorithms/modes/small_matrix.hpp"
 
 namespace crest::modes {
@@ -19,22 +20,6 @@ using kernel::operator+;
 using kernel::operator-;
 using kernel::operator*;
 
-struct TetForms {
-  SimplexForms<Ball, 4> forms;
-  std::optional<SpecialReason> special;
-};
-
-TetForms exact_forms_of(const std::array<const Tensor*, 4>& corners) {
-  const auto exact = exact_forms<4>(corners);
-  if (!exact) return {{}, SpecialReason::dependent};
-  if (exact->vanishing[0].det().is_zero()) return {{}, SpecialReason::line_pair};
-  TetForms f;
-  f.forms.vanishing[0] = ball(exact->vanishing[0], largest(exact->vanishing));
-  const Integer scale = largest(exact->coordinates);
-  for (std::size_t k = 0; k < 4; ++k) f.forms.coordinates[k] = ball(exact->coordinates[k], scale);
-  return f;
-}
-
 /// A point of the conic as a direction from the point inside it.
 struct Seen {
   Ball x, y;
@@ -44,14 +29,15 @@ struct Seen {
 /// The conic as seen from the point `eye`, where both linear forms of `across` vanish.
 class Circle {
  public:
-  /// turn: of the plane in which directions are compared.
-  Circle(const Conic<Ball>& conic, double turn) : conic_(conic) {
+  /// det: the conic's sign; turn: of the plane in which directions are compared.
+  Circle(const Conic<Ball>& conic, Sign det, double turn) : conic_(conic) {
     const auto& c = conic.c;
     const Eigensystem axes =
         eigensystem({Vec3{c[0].mid, c[3].mid, c[5].mid}, Vec3{c[3].mid, c[1].mid, c[4].mid},
                      Vec3{c[5].mid, c[4].mid, c[2].mid}});
-    // The eigenvalue whose sign is alone.
-    const std::size_t alone = axes.values[1] > 0 ? 2 : 0, second = (alone + 1) % 3,
+    // The eigenvalue whose sign is alone, that of det: of the others one may be too small for its
+    // sign to be seen.
+    const std::size_t alone = det == Sign::positive ? 0 : 2, second = (alone + 1) % 3,
                       third = (alone + 2) % 3;
     const Vec3 &a = axes.vectors[second], &b = axes.vectors[third];
     const double stretch_a = std::sqrt(std::fabs(axes.values[second])),
@@ -66,10 +52,8 @@ class Circle {
     }
     eye_ = kernel::cross(across_[0], across_[1]);
     polar_ = conic_.times(eye_);
-    const MaybeSign inside = certain_sign(kernel::dot(eye_, polar_));
-    defined_ = inside && *inside != Sign::zero;
-    if (!defined_) return;
-    if (*inside == Sign::positive) {
+    defined_ = certain_sign(kernel::dot(eye_, polar_)) == det;
+    if (det == Sign::positive) {
       for (Ball& x : conic_.c) x = -x;
       for (Ball& x : polar_) x = -x;
     }
@@ -116,8 +100,9 @@ using Weights = std::array<double, 4>;
 
 class TetConic {
  public:
-  TetConic(const TetForms& f, const std::array<Vec3, 4>& positions, double turn)
-      : forms_(&f.forms), positions_(&positions), circle_(f.forms.vanishing[0], turn) {}
+  TetConic(const SimplexForms<Ball, 4>& forms, Sign det, const std::array<Vec3, 4>& positions,
+           double turn)
+      : forms_(&forms), positions_(&positions), circle_(forms.vanishing[0], det, turn) {}
 
   /// False: not decided.
   bool run(std::span<const TetPoint> points, std::vector<TetArc>& arcs) {
@@ -146,9 +131,19 @@ class TetConic {
     for (std::size_t i = 0; i < n; ++i) {
       // Each point is a simple zero of one coordinate, so arcs alternate.
       if (inside[i] == inside[(i + 1) % n] && n > 1) return false;
-      if (inside[i]) arcs.push_back(arc(points, i));
+      if (inside[i]) arcs.push_back(arc(points, order_[i], order_[(i + 1) % n]));
     }
     return true;
+  }
+
+  /// Arcs that are known, each counterclockwise.
+  std::vector<TetArc> joined(std::span<const TetPoint> points, std::span<const Join> joins) {
+    const bool seen = circle_.defined() && order(points);
+    std::vector<TetArc> arcs;
+    for (const auto& [a, b] : joins)
+      arcs.push_back(seen && nothing_between(a, b) ? arc(points, a, b)
+                                                   : TetArc{{points[a].id, points[b].id}, {}});
+    return arcs;
   }
 
  private:
@@ -175,12 +170,20 @@ class TetConic {
     if (up + down == 4) return true;
     return std::nullopt;
   }
-  TetArc arc(std::span<const TetPoint> points, std::size_t i) const {
-    const std::size_t n = points.size(), a = order_[i], b = order_[(i + 1) % n];
+  /// From seen point a.
+  double turn_to(std::size_t a, std::size_t b) const {
+    const double turn = seen_[b].angle - seen_[a].angle;
+    return turn < 0 ? turn + 2 * std::numbers::pi : turn;
+  }
+  /// As doubles see it: neighbours may seem to be in the other order, the whole circle apart.
+  bool nothing_between(std::size_t a, std::size_t b) const {
+    for (std::size_t c = 0; c < seen_.size(); ++c)
+      if (c != a && c != b && turn_to(a, c) < turn_to(a, b)) return false;
+    return true;
+  }
+  TetArc arc(std::span<const TetPoint> points, std::size_t a, std::size_t b) const {
     TetArc result{{points[a].id, points[b].id}, {}};
-    const double from = seen_[a].angle;
-    double to = seen_[b].angle;
-    if (i + 1 == n) to += 2 * std::numbers::pi;
+    const double from = seen_[a].angle, to = from + turn_to(a, b);
     refine(from, place(weights(from)), to, place(weights(to)), 7, result.interior);
     return result;
   }
@@ -220,15 +223,38 @@ class TetConic {
   std::vector<std::size_t> order_;
 };
 
+/// Of all points, their exact twins: of several in one face the only one that may be it.
+std::optional<std::vector<ConicPoint>> exact_points(const std::array<const Tensor*, 4>& corners,
+                                                    std::span<const TetPoint> points) {
+  std::vector<ConicPoint> result;
+  std::array<std::vector<ExactPoint>, 4> found;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::any_of(points.begin(), points.end(), [&](const auto& p) { return p.opposite == k; }))
+      found[k] =
+          exact_face_points({corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]});
+  for (const TetPoint& p : points) {
+    const ExactPoint* match = nullptr;
+    for (const ExactPoint& e : found[p.opposite]) {
+      const Vector3<Ball> c = kernel::cross(e.near, p.v);
+      if (certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2])) continue;  // another one
+      if (match) return std::nullopt;
+      match = &e;
+    }
+    if (!match) return std::nullopt;
+    result.push_back({*match, p.type, p.opposite});
+  }
+  return result;
+}
+
 }  // namespace
 
 TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<Vec3, 4>& positions,
                  std::span<const TetPoint> points) {
   TetArcs result;
   if (points.empty()) return result;
-  const auto joined = [&](const TetForms& f) {
+  const auto joined = [&](const SimplexForms<Ball, 4>& forms, Sign det) {
     for (const double turn : {0.0, 0.7, 1.9, 2.6}) {
-      TetConic conic(f, positions, turn);
+      TetConic conic(forms, det, positions, turn);
       if (conic.run(points, result.arcs)) return true;
       result.arcs.clear();
     }
@@ -236,15 +262,22 @@ TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<V
   };
   if (const auto forms = triage_forms<4>(corners)) {
     const MaybeSign s = certain_sign(forms->vanishing[0].det());
-    if (s && *s != Sign::zero && joined({*forms, {}})) return result;
+    if (s && *s != Sign::zero && joined(*forms, *s)) return result;
   }
-  const TetForms exact = exact_forms_of(corners);
-  result.special = exact.special;
-  if (exact.special || joined(exact)) return result;
-  if (points.size() == 2)
-    result.arcs.push_back({{points[0].id, points[1].id}, {}});
-  else
-    result.decided = false;
+  const auto exact = exact_forms<4>(corners);
+  if (!exact) return {{}, SpecialReason::dependent};
+  const Sign det = kernel::sign_of(exact->vanishing[0].det());
+  if (det == Sign::zero) return {{}, SpecialReason::line_pair};
+  SimplexForms<Ball, 4> forms;
+  forms.vanishing[0] = ball(exact->vanishing[0], largest(exact->vanishing));
+  const Integer scale = largest(exact->coordinates);
+  for (std::size_t k = 0; k < 4; ++k) forms.coordinates[k] = ball(exact->coordinates[k], scale);
+  if (joined(forms, det)) return result;
+  const auto twins = exact_points(corners, points);
+  result.decided = twins.has_value();
+  if (twins)
+    result.arcs =
+        TetConic(forms, det, positions, 0).joined(points, joins_round_conic(*exact, *twins));
   return result;
 }
 

@@ -6,6 +6,7 @@
 //
 // The conic is seen from a point inside it: the direction of v modulo that point orders its points.
 // Between neighbours no coordinate vanishes where the others agree, so one sample decides an arc.
+// Stages: doubles with error radii; exact (degenerate_order.hpp).
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@ namespace crest::modes {
 
 struct TetPoint {
   std::uint32_t id;
+  std::size_t opposite;  ///< the corner that its face is opposite to
   DegenerateType type;
   kernel::Vector3<Ball> v;
 };
@@ -30,12 +32,11 @@ struct TetArc {
 struct TetArcs {
   std::vector<TetArc> arcs;
   std::optional<SpecialReason> special;  ///< dependent or line_pair
-  bool decided = true;
+  bool decided = true;  ///< false: some v is too wide to tell the points of its face apart
 };
 
 /// Requires: the four faces have no special points; points: all of theirs, distinct.
-/// Guarantees: every point ends one arc, unless special or undecided. Two points of a regular tet
-/// are joined whatever their order (an arc has two ends, and each point is the end of one).
+/// Guarantees: every point ends one arc, unless special or undecided.
 TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners,
                  const std::array<kernel::Vec3, 4>& positions, std::span<const TetPoint> points);
 

@@ -113,19 +113,6 @@ class Tracer {
   std::vector<bool> used_;
 };
 
-/// The exact root that no other point of the face can be.
-void sharpen_point(const FaceRoots& exact, Vector3<Ball>& v) {
-  const FaceRoot* match = nullptr;
-  int matches = 0;
-  for (std::size_t k = 0; k < exact.count; ++k) {
-    const Vector3<Ball> c = kernel::cross(exact.root[k].v, v);
-    if (certain_sign(c[0]) || certain_sign(c[1]) || certain_sign(c[2])) continue;  // another point
-    match = &exact.root[k];
-    ++matches;
-  }
-  if (matches == 1) v = match->v;
-}
-
 /// Faces of excluded tets have no points.
 void drop_excluded(std::span<const TetCorners> tets, const std::vector<char>& excluded,
                    const std::vector<FaceCorners>& faces, std::vector<FaceRoots>& roots) {
@@ -277,35 +264,18 @@ class Extraction {
     const TetCorners& c = tets_[active_[i]];
     std::vector<TetPoint> points;
     std::optional<SpecialReason> special;
-    for (const std::uint32_t f : faces_of_tet_[i]) {
+    for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+      const std::uint32_t f = faces_of_tet_[i][opposite];
       const FaceRoots& r = roots_[f];
       if (r.special) special = r.special;
-      for (std::size_t k = 0; k < r.count; ++k)
-        points.push_back(
-            {first_point_[f] + static_cast<std::uint32_t>(k), r.root[k].type, r.root[k].v});
+      for (std::uint32_t k = 0; k < r.count; ++k)
+        points.push_back({first_point_[f] + k, opposite, r.root[k].type, r.root[k].v});
     }
     if (special) return {{}, special, true};
     const std::array<const Tensor*, 4> corners{&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]],
                                                &tensors_[c[3]]};
     const std::array<Vec3, 4> places{points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]};
-    TetArcs arcs = tet_arcs(corners, places, points);
-    if (!arcs.decided) {
-      sharpen(faces_of_tet_[i], points);
-      arcs = tet_arcs(corners, places, points);
-    }
-    return arcs;
-  }
-
-  /// Exact enclosures for the points of triage.
-  void sharpen(const std::array<std::uint32_t, 4>& faces, std::vector<TetPoint>& points) const {
-    for (const std::uint32_t f : faces) {
-      if (roots_[f].stage != FaceStage::triage) continue;
-      const FaceCorners& c = faces_[f];
-      const FaceRoots exact = exact_face_roots({&tensors_[c[0]], &tensors_[c[1]], &tensors_[c[2]]});
-      for (TetPoint& p : points)
-        if (p.id >= first_point_[f] && p.id < first_point_[f] + roots_[f].count)
-          sharpen_point(exact, p.v);
-    }
+    return tet_arcs(corners, places, points);
   }
 
   std::span<const Vec3> points_;

@@ -11,6 +11,7 @@
 
 #include "algorithms/modes/degenerate_conic.hpp"
 #include "kernel/arithmetic/rational.hpp"
+#include "kernel/polynomial/algebraic_number.hpp"
 #include "kernel/polynomial/dyadic.hpp"
 #include "kernel/polynomial/integer_polynomial.hpp"
 
@@ -99,6 +100,15 @@ std::optional<SimplexForms<Integer, K>> exact_forms(const std::array<const Tenso
   } while (std::prev_permutation(pivots.begin(), pivots.end()));
   return std::nullopt;
 }
+
+/// A degenerate point inside a face: v up to a factor, polynomials at a real root.
+struct ExactPoint {
+  Vector3<Ball> near;
+  Vector3<kernel::IntegerPolynomial> v;
+  kernel::AlgebraicNumber root;
+};
+/// Requires: as for face_roots. Those of exact_face_roots, in its order.
+std::vector<ExactPoint> exact_face_points(const std::array<const Tensor*, 3>& corners);
 
 /// Whether all tensors of an edge are degenerate: its ends are, and are one another's positive
 /// multiples. (A mixture of s v v^T and r w w^T, less multiples of I, has one eigenvalue twice at

@@ -174,7 +174,7 @@ class RootPlace {
   RootPlace(const Seen& seen, const SimplexForms<Integer, 3>& forms)
       : seen_(seen), forms_(forms), curve_(seen.points()), b_(along(curve_)) {}
 
-  void add(const kernel::RealRoot& root, FaceRoots& result) const {
+  void add(const kernel::RealRoot& root, FaceRoots& result, std::vector<ExactPoint>& points) const {
     const auto [up, down] = signs(b_, root);
     if (up && down) return;  // outside
     if (root.multiplicity > 1) {
@@ -187,6 +187,8 @@ class RootPlace {
     }
     FaceRoot r{
         up ? DegenerateType::linear : DegenerateType::planar, enclose(curve_, root.value), {}};
+    points.push_back(
+        {r.v, {curve_[0].integer(), curve_[1].integer(), curve_[2].integer()}, root.value});
     const kernel::Vector3<Ball> b = enclose(coordinates(curve_), root.value);
     const Ball sum = b[0] + b[1] + b[2];
     for (std::size_t k = 0; k < 3; ++k) r.weights[k] = b[k] / sum;
@@ -226,9 +228,7 @@ class RootPlace {
   Signs b_;
 };
 
-}  // namespace
-
-FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
+FaceRoots solve(const std::array<const Tensor*, 3>& corners, std::vector<ExactPoint>& points) {
   FaceRoots result;
   const auto forms = exact_forms<3>(corners);
   if (!forms) {
@@ -262,8 +262,21 @@ FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
     return result;
   }
   const RootPlace place(*best, *forms);
-  for (const auto& root : roots.roots) place.add(root, result);
+  for (const auto& root : roots.roots) place.add(root, result, points);
   return result;
+}
+
+}  // namespace
+
+FaceRoots exact_face_roots(const std::array<const Tensor*, 3>& corners) {
+  std::vector<ExactPoint> points;
+  return solve(corners, points);
+}
+
+std::vector<ExactPoint> exact_face_points(const std::array<const Tensor*, 3>& corners) {
+  std::vector<ExactPoint> points;
+  solve(corners, points);
+  return points;
 }
 
 }  // namespace crest::modes

@@ -2,13 +2,15 @@
 #pragma once
 
 // Homogeneous polynomials on a simplex, in barycentrics, over doubles with one error bound for all
-// coefficients or over integers. A coefficient is that of a monomial: the Bernstein coefficient
-// times a positive number, so that products need no division and signs are the same.
+// coefficients, over eight such at once (lanes), or over integers. A coefficient is that of a
+// monomial: the Bernstein coefficient times a positive number, so that products need no division
+// and signs are the same.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "kernel/arithmetic/lanes.hpp"
 #include "kernel/arithmetic/rational.hpp"
 
 namespace crest::certify::modes {
@@ -71,33 +73,44 @@ constexpr auto product_places() {
   return table;
 }
 
-/// For double, |coefficient - exact| <= error, for all; error is infinite or not a number where
+using kernel::Lanes;
+inline Lanes& operator+=(Lanes& a, const Lanes& b) {
+  return a = a + b;
+}
+
+/// An error bound: one a lane.
+template <class Number>
+using Bound = std::conditional_t<std::is_same_v<Number, Lanes>, Lanes, double>;
+
+/// For doubles, |coefficient - exact| <= error, for all; error is infinite or not a number where
 /// that is not known.
 template <class Number, std::size_t n, std::size_t d>
 struct Form {
   std::array<Number, monomials(n, d)> c{};
-  double error = 0;
+  Bound<Number> error = 0;
 };
 
 inline constexpr double kUnit = 0x1p-53;
 /// What roundings of a bound and underflow below it may lose.
-inline double widened(double bound) {
+template <class Number>
+Number widened(const Number& bound) {
   return bound * 1.001 + 0x1p-900;
 }
 
 template <class Number>
-inline constexpr bool kApproximate = std::is_same_v<Number, double>;
+inline constexpr bool kApproximate =
+    std::is_same_v<Number, double> || std::is_same_v<Number, Lanes>;
 
-template <std::size_t n, std::size_t d>
-double largest(const Form<double, n, d>& a) {
-  double most = 0;
-  for (const double x : a.c) most = std::max(most, std::fabs(x));
+template <class Number, std::size_t n, std::size_t d>
+Number largest(const Form<Number, n, d>& a) {
+  Number most = 0;
+  for (const Number& x : a.c) most = kernel::larger(most, kernel::magnitude(x));
   return most;
 }
-template <std::size_t n, std::size_t d>
-double total(const Form<double, n, d>& a) {
-  double sum = 0;
-  for (const double x : a.c) sum += std::fabs(x);
+template <class Number, std::size_t n, std::size_t d>
+Number total(const Form<Number, n, d>& a) {
+  Number sum = 0;
+  for (const Number& x : a.c) sum += kernel::magnitude(x);
   return sum;
 }
 
@@ -111,7 +124,7 @@ Form<Number, n, a + b> operator*(const Form<Number, n, a>& x, const Form<Number,
   for (std::size_t i = 0; i < x.c.size(); ++i)
     for (std::size_t j = 0; j < y.c.size(); ++j) z.c[places[i][j]] += x.c[i] * y.c[j];
   if constexpr (kApproximate<Number>) {
-    const double sum = total(x) + static_cast<double>(x.c.size()) * x.error;
+    const Number sum = total(x) + static_cast<double>(x.c.size()) * x.error;
     const double terms = static_cast<double>(std::min(x.c.size(), y.c.size()) + 2);
     z.error = widened(x.error * total(y) + y.error * sum + terms * kUnit * sum * largest(y));
   }
@@ -138,8 +151,8 @@ Form<Number, n, d> scaled(const Number& factor, const Form<Number, n, d>& x, dou
   Form<Number, n, d> z;
   for (std::size_t i = 0; i < z.c.size(); ++i) z.c[i] = factor * x.c[i];
   if constexpr (kApproximate<Number>)
-    z.error =
-        widened(std::fabs(factor) * x.error * (1 + relative) + (relative + 2 * kUnit) * largest(z));
+    z.error = widened(kernel::magnitude(factor) * x.error * (1 + relative) +
+                      (relative + 2 * kUnit) * largest(z));
   return z;
 }
 
@@ -168,24 +181,64 @@ bool certainly_below(const Number& x, double error) {
     return x < 0;
 }
 
+/// What is certain of a form's coefficients: counts.
+struct CoefficientSigns {
+  std::int64_t above = 0, below = 0, open = 0;
+  std::int64_t corners_above = 0, corners_below = 0;
+
+  Hull hull(std::size_t corners) const {
+    const auto all = static_cast<std::int64_t>(corners);
+    if (above > 0 && below > 0) return Hull::mixed;
+    if (open > 0) return Hull::unknown;
+    if (corners_above == all) return Hull::positive;
+    if (corners_below == all) return Hull::negative;
+    return below > 0 ? Hull::mixed : Hull::nonnegative;
+  }
+};
+
+/// Whether coefficient i is that of a corner.
+template <std::size_t n, std::size_t d>
+constexpr auto corner_places() {
+  std::array<bool, monomials(n, d)> corner{};
+  constexpr auto exponents = all_exponents<n, d>();
+  for (std::size_t i = 0; i < corner.size(); ++i)
+    for (const auto e : exponents[i]) corner[i] |= e == d;
+  return corner;
+}
+
 template <class Number, std::size_t n, std::size_t d>
 Hull hull(const Form<Number, n, d>& f) {
-  constexpr auto exponents = all_exponents<n, d>();
-  bool plus = false, minus = false, open = false;
-  std::size_t corners_plus = 0, corners_minus = 0;
+  constexpr auto corner = corner_places<n, d>();
+  CoefficientSigns signs;
   for (std::size_t i = 0; i < f.c.size(); ++i) {
     const bool above = certainly_above(f.c[i], f.error), below = certainly_below(f.c[i], f.error);
-    plus |= above, minus |= below;
-    open |= kApproximate<Number> && !above && !below;
-    bool corner = false;
-    for (const auto e : exponents[i]) corner |= e == d;
-    corners_plus += corner && above, corners_minus += corner && below;
+    signs.above += above, signs.below += below;
+    signs.open += kApproximate<Number> && !above && !below;
+    signs.corners_above += corner[i] && above, signs.corners_below += corner[i] && below;
   }
-  if (plus && minus) return Hull::mixed;
-  if (open) return Hull::unknown;
-  if (corners_plus == n) return Hull::positive;
-  if (corners_minus == n) return Hull::negative;
-  return minus ? Hull::mixed : Hull::nonnegative;
+  return signs.hull(n);
+}
+
+/// Of each lane.
+using Hulls = std::array<Hull, Lanes::count>;
+template <std::size_t n, std::size_t d>
+Hulls hulls(const Form<Lanes, n, d>& f) {
+  constexpr auto corner = corner_places<n, d>();
+  using Counts = std::array<std::int64_t, Lanes::count>;
+  Counts above{}, below{}, open{}, corners_above{}, corners_below{};
+  for (std::size_t i = 0; i < f.c.size(); ++i)
+    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+      const double x = f.c[i].x[lane], error = f.error.x[lane];
+      const std::int64_t up = x > error ? 1 : 0, down = x < -error ? 1 : 0;
+      above[lane] += up, below[lane] += down, open[lane] += 1 - (up | down);
+      if (corner[i]) corners_above[lane] += up, corners_below[lane] += down;
+    }
+  Hulls found;
+  for (std::size_t lane = 0; lane < Lanes::count; ++lane)
+    found[lane] = CoefficientSigns{above[lane], below[lane], open[lane], corners_above[lane],
+                                   corners_below[lane]}
+                      .hull(n);
+  return found;
 }
 
 }  // namespace crest::certify::modes

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "certify/container/reject.hpp"
+#include "kernel/arithmetic/wide_clones.hpp"
 
 namespace crest::certify::modes {
 namespace {
@@ -186,33 +187,81 @@ ExactTensor ExactTensors::operator()(u32 v) {
   return exact;
 }
 
+namespace {
+
+/// A simplex' tensors divided by 2^exponent.
+template <std::size_t n>
+struct Divided {
+  std::array<Tensor<double>, n> t;
+  int exponent = 0;
+  double pair_error, triple_error;
+};
+
 /// Errors, with entries at most 1 + e, each wrong by e <= 2^-20: a product <A, B> has nine terms
 /// (three counted twice), so at most 9 (2 e + e^2) + 12 u 9 <= 19 e + 120 u; twice the symmetric
 /// product six terms an entry, 6 (2 e + e^2) + 8 u 6 <= 12.1 e + 50 u, at most 6.1; its product
 /// with a third tensor 9 ((12.1 e + 50 u) 1.1 + 6.1 e) + 12 u 60 <= 180 e + 1300 u.
 template <std::size_t n>
-Products<double, n> approximate_products(const Field& field, const std::array<u32, n>& corners) {
-  Products<double, n> p;
+Divided<n> divided(const Field& field, const std::array<u32, n>& corners) {
+  Divided<n> d;
   double most = 0, error = 0;
   for (const u32 v : corners) {
     most = std::max(most, field.approximate(v).largest);
     error = std::max(error, field.approximate(v).error);
   }
-  int exponent = 0;
   const bool finite = most > 0 && most < std::numeric_limits<double>::infinity();
-  if (finite) std::frexp(most, &exponent);
-  std::array<Tensor<double>, n> t;
+  if (finite) std::frexp(most, &d.exponent);
+  // 2^-exponent may be no double: in two steps, as exact as in one.
+  const double half = std::ldexp(1, -(d.exponent / 2)),
+               rest = std::ldexp(1, -(d.exponent - d.exponent / 2));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < 6; ++k)
-      t[i][k] = std::ldexp(field.approximate(corners[i]).entries[k], -exponent);
-  const double e = std::ldexp(error, -exponent) + 0x1p-1000;
-  multiply_out<double, n>(t, p);
+      d.t[i][k] = field.approximate(corners[i]).entries[k] * half * rest;
+  const double e = error * half * rest + 0x1p-1000;
   const bool known = finite && e < 0x1p-20;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  p.pair_error = known ? 20 * e + 128 * kUnit : kInfinite;
-  p.triple_error = known ? 190 * e + 1400 * kUnit : kInfinite;
-  p.exponent = exponent;
+  d.pair_error = known ? 20 * e + 128 * kUnit : kInfinite;
+  d.triple_error = known ? 190 * e + 1400 * kUnit : kInfinite;
+  return d;
+}
+
+template <std::size_t n>
+Products<Lanes, n> products_of_eight(const Field& field,
+                                     std::span<const std::array<u32, n>> simplices) {
+  std::array<Tensor<Lanes>, n> t;
+  Products<Lanes, n> p;
+  for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+    const Divided<n> d = divided<n>(field, simplices[std::min(lane, simplices.size() - 1)]);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < 6; ++k) t[i][k].x[lane] = d.t[i][k];
+    p.pair_error.x[lane] = d.pair_error;
+    p.triple_error.x[lane] = d.triple_error;
+    p.exponent[lane] = d.exponent;
+  }
+  multiply_out<Lanes, n>(t, p);
   return p;
+}
+
+}  // namespace
+
+template <std::size_t n>
+Products<double, n> approximate_products(const Field& field, const std::array<u32, n>& corners) {
+  const Divided<n> d = divided<n>(field, corners);
+  Products<double, n> p;
+  multiply_out<double, n>(d.t, p);
+  p.pair_error = d.pair_error;
+  p.triple_error = d.triple_error;
+  p.exponent = d.exponent;
+  return p;
+}
+
+CREST_WIDE_CLONES Products<Lanes, 3> approximate_products(
+    const Field& field, std::span<const std::array<u32, 3>> simplices) {
+  return products_of_eight<3>(field, simplices);
+}
+CREST_WIDE_CLONES Products<Lanes, 4> approximate_products(
+    const Field& field, std::span<const std::array<u32, 4>> simplices) {
+  return products_of_eight<4>(field, simplices);
 }
 
 template <std::size_t n>

@@ -81,13 +81,19 @@ template <class Number, std::size_t n>
 struct Products {
   std::array<std::array<Number, n>, n> pair;
   std::array<std::array<std::array<Number, n>, n>, n> triple;
-  double pair_error = 0, triple_error = 0;
-  long exponent = 0;  ///< the tensors were divided by 2^exponent
+  Bound<Number> pair_error = 0, triple_error = 0;
+  /// The tensors were divided by 2^exponent.
+  std::conditional_t<std::is_same_v<Number, Lanes>, std::array<int, Lanes::count>, long> exponent{};
 };
 
 /// In doubles: divided by a power of two, so that all entries are at most 1.
 template <std::size_t n>
 Products<double, n> approximate_products(const Field& field, const std::array<u32, n>& corners);
+/// The same of up to eight simplices; lanes that are left over repeat the last. The same bits.
+Products<Lanes, 3> approximate_products(const Field& field,
+                                        std::span<const std::array<u32, 3>> simplices);
+Products<Lanes, 4> approximate_products(const Field& field,
+                                        std::span<const std::array<u32, 4>> simplices);
 template <std::size_t n>
 Products<Integer, n> exact_products(ExactTensors& exact, const std::array<u32, n>& corners);
 

@@ -103,18 +103,19 @@ class Regions {
   std::vector<u32> edges_, first_;
 };
 
+Direction<4> direction(const LevelContext& context, const Cell& cell) {
+  const auto& w = context.stated.tet_witnesses[cell.witness].w;
+  return {w[0], w[1], w[2], -(w[0] + w[1] + w[2])};
+}
+
+/// Pieces of a cell whose witness holds.
 class CellCheck {
  public:
   CellCheck(const LevelContext& context, const Cell& cell, Worker& worker)
-      : context_(context), cell_(cell), worker_(worker) {}
+      : context_(context), cell_(cell), worker_(worker), w_(direction(context, cell)) {}
 
   CellPieces run() {
     const TetWitness& witness = context_.stated.tet_witnesses[cell_.witness];
-    w_ = {witness.w[0], witness.w[1], witness.w[2], -(witness.w[0] + witness.w[1] + witness.w[2])};
-    const bool plain = cell_.code == modes_code::kPlainTet;
-    require_here(!plain || witness.lambda == 0, "lambda is not 0");
-    check_witness(context_, cell_.corners, w_, plain ? std::nullopt : std::optional(witness.lambda),
-                  worker_);
     for (unsigned i = 0; i < 4; ++i) list_leaves(context_.trees, cell_.facets[i], leaves_[i]);
     number_roots();
     find_loops();
@@ -202,7 +203,7 @@ class CellCheck {
   const LevelContext& context_;
   const Cell& cell_;
   Worker& worker_;
-  Direction<4> w_{};
+  Direction<4> w_;
   std::array<std::vector<u32>, 4> leaves_;
   std::vector<FaceArc> arcs_;
   std::vector<u32> roots_, loop_of_;
@@ -243,10 +244,26 @@ void list_arcs(const LevelContext& context, u32 leaf, std::vector<FaceArc>& arcs
   }
 }
 
-CellPieces check_cell(const LevelContext& context, const Cell& cell, Worker& worker) {
-  if (cell.code == modes_code::kRejectedTet) check_rejected(context, cell.corners, worker);
-  if (cell.code == modes_code::kRejectedTet || cell.code == modes_code::kOpenTet) return {};
-  return CellCheck(context, cell, worker).run();
+void check_cells(const LevelContext& context, std::span<const Cell> cells,
+                 std::span<CellPieces> pieces, Worker& worker) {
+  std::vector<std::array<u32, 4>> rejected;
+  std::vector<Witnessed<4>> graphs;
+  std::vector<std::size_t> with_pieces;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell& cell = cells[i];
+    if (cell.code == modes_code::kRejectedTet) rejected.push_back(cell.corners);
+    if (cell.code == modes_code::kRejectedTet || cell.code == modes_code::kOpenTet) continue;
+    const double lambda = context.stated.tet_witnesses[cell.witness].lambda;
+    const bool plain = cell.code == modes_code::kPlainTet;
+    const auto [a, b, c, d] = cell.corners;
+    require(!plain || lambda == 0, "cell ({}, {}, {}, {}): lambda is not 0", a, b, c, d);
+    graphs.push_back(
+        {cell.corners, direction(context, cell), plain ? std::nullopt : std::optional(lambda)});
+    with_pieces.push_back(i);
+  }
+  check_rejected(context, rejected, worker);
+  check_witnesses(context, graphs, worker);
+  for (const std::size_t i : with_pieces) pieces[i] = CellCheck(context, cells[i], worker).run();
 }
 
 }  // namespace crest::certify::modes

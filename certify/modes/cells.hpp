@@ -38,8 +38,9 @@ constexpr bool is_pairing_known(u32 loops, u32 components) {
   return components == loops || components == 1;
 }
 
-/// Throws Reject unless the cell is rejected rightly, or its witness holds and its pieces are as
-/// many as listed and known.
-CellPieces check_cell(const LevelContext& context, const Cell& cell, Worker& worker);
+/// Throws Reject unless each cell is rejected rightly, or its witness holds and its pieces are as
+/// many as listed and known. `pieces` has room for one a cell.
+void check_cells(const LevelContext& context, std::span<const Cell> cells,
+                 std::span<CellPieces> pieces, Worker& worker);
 
 }  // namespace crest::certify::modes

@@ -26,9 +26,10 @@ void require_level(const ModeLevel& level) {
           "level: {} / {} is no fraction in [0, 1) in lowest terms", p, q);
 }
 
-/// Calls check(i, worker) for i < count on all cores; adds the workers' counts.
+/// Calls check(first, end, worker) for successive parts of 0 to count on all cores; adds the
+/// workers' counts.
 template <class Check>
-void check_all(std::size_t count, const Field& field, Verdict& verdict, const Check& check) {
+void check_parts(std::size_t count, const Field& field, Verdict& verdict, const Check& check) {
   std::mutex mutex;
   struct Counted : Worker {
     Counted(const Field& f, std::mutex& m, SignCounts& s) : Worker(f), guard(m), sum(s) {}
@@ -40,14 +41,35 @@ void check_all(std::size_t count, const Field& field, Verdict& verdict, const Ch
     std::mutex& guard;
     SignCounts& sum;
   };
-  constexpr std::size_t kBatch = 64;  // an atomic counter a batch
-  parallel_for((count + kBatch - 1) / kBatch,
+  constexpr std::size_t kPart = 64;  // an atomic counter a part
+  parallel_for((count + kPart - 1) / kPart,
                [&] { return std::make_unique<Counted>(field, mutex, verdict.signs); },
-               [&](auto& worker, std::size_t batch) {
-                 for (std::size_t i = batch * kBatch; i < std::min(count, (batch + 1) * kBatch);
-                      ++i)
-                   check(i, *worker);
+               [&](auto& worker, std::size_t part) {
+                 check(part * kPart, std::min(count, (part + 1) * kPart), *worker);
                });
+}
+/// Calls check(i, worker) for i < count.
+template <class Check>
+void check_all(std::size_t count, const Field& field, Verdict& verdict, const Check& check) {
+  check_parts(count, field, verdict, [&](std::size_t first, std::size_t end, Worker& worker) {
+    for (std::size_t i = first; i < end; ++i) check(i, worker);
+  });
+}
+
+/// Tetrahedra first to end that are not listed.
+void check_unlisted(const LevelContext& context, const Domain& domain,
+                    const std::vector<std::uint8_t>& listed, std::size_t first, std::size_t end,
+                    Worker& worker) {
+  std::vector<std::array<u32, 4>> rejected;
+  for (std::size_t t = first; t < end; ++t) {
+    if (listed[t] != 0) continue;
+    const auto corners = nonzero_corners(context.field, domain.tets[t]);
+    if (corners.size() == 4) rejected.push_back(domain.tets[t]);
+    if (corners.size() == 2)
+      require(zero_free(worker.exact, corners), "edge ({}, {}): the tensor is zero inside",
+              corners[0], corners[1]);
+  }
+  check_rejected(context, rejected, worker);
 }
 
 /// Steps 3 to 6 for all simplices that are listed or needed.
@@ -59,24 +81,18 @@ std::vector<CellPieces> check_simplices(const LevelContext& context, const Domai
     const EdgeNode& edge = trees.edges[i];
     if (edge.leaf() && edge.needed && !edge.open) check_edge(context, static_cast<u32>(i), worker);
   });
-  check_all(trees.faces.size(), field, verdict, [&](std::size_t i, Worker& worker) {
-    const FaceNode& face = trees.faces[i];
-    if (face.leaf() && face.needed && face.code != modes_code::kOpenFace)
-      check_face(context, static_cast<u32>(i), worker);
+  check_parts(trees.faces.size(), field, verdict, [&](auto first, auto end, Worker& worker) {
+    check_faces(context, first, end, worker);
   });
   std::vector<CellPieces> pieces(trees.cells.size());
-  check_all(trees.cells.size(), field, verdict, [&](std::size_t i, Worker& worker) {
-    pieces[i] = check_cell(context, trees.cells[i], worker);
+  check_parts(trees.cells.size(), field, verdict, [&](auto first, auto end, Worker& worker) {
+    check_cells(context, std::span(trees.cells).subspan(first, end - first),
+                std::span(pieces).subspan(first, end - first), worker);
   });
   std::vector<std::uint8_t> listed(domain.tets.size(), 0);
   for (const u32 t : context.stated.tets) listed[t] = 1;
-  check_all(domain.tets.size(), field, verdict, [&](std::size_t t, Worker& worker) {
-    const auto corners = nonzero_corners(field, domain.tets[t]);
-    if (listed[t] != 0) return;
-    if (corners.size() == 4) check_rejected(context, domain.tets[t], worker);
-    if (corners.size() == 2)
-      require(zero_free(worker.exact, corners), "edge ({}, {}): the tensor is zero inside",
-              corners[0], corners[1]);
+  check_parts(domain.tets.size(), field, verdict, [&](auto first, auto end, Worker& worker) {
+    check_unlisted(context, domain, listed, first, end, worker);
   });
   return pieces;
 }

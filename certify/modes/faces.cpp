@@ -152,18 +152,10 @@ std::vector<ArcPair> find_arcs(const LevelContext& context, const FaceNode& face
   return arcs;
 }
 
-void check_face(const LevelContext& context, u32 node, Worker& worker) {
-  const FaceNode& face = context.trees.faces[node];
+namespace {
+
+void check_arcs(const LevelContext& context, const FaceNode& face, Worker& worker) {
   const auto [a, b, c] = face.corners;
-  if (face.code == modes_code::kRejectedFace) {
-    check_rejected(context, face.corners, worker);
-    return;
-  }
-  const double lambda = context.stated.face_witnesses[face.witness].lambda;
-  const bool plain = face.code == modes_code::kPlainFace;
-  require(!plain || lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
-  check_witness(context, face.corners, direction(context, face),
-                plain ? std::nullopt : std::optional(lambda), worker);
   const auto arcs = find_arcs(context, face, worker);
   require(arcs.size() == face.arcs, "face ({}, {}, {}): {} arcs listed, {} found", a, b, c,
           face.arcs, arcs.size());
@@ -173,6 +165,31 @@ void check_face(const LevelContext& context, u32 node, Worker& worker) {
             "face ({}, {}, {}): roots {} and {} joined, listed are {} and {}", a, b, c,
             arcs[i].first, arcs[i].second, stated.first, stated.second);
   }
+}
+
+}  // namespace
+
+void check_faces(const LevelContext& context, std::size_t first, std::size_t end, Worker& worker) {
+  std::vector<std::array<u32, 3>> rejected;
+  std::vector<Witnessed<3>> graphs;
+  std::vector<const FaceNode*> with_arcs;
+  for (const FaceNode& face : std::span(context.trees.faces).subspan(first, end - first)) {
+    if (!face.leaf() || !face.needed || face.code == modes_code::kOpenFace) continue;
+    if (face.code == modes_code::kRejectedFace) {
+      rejected.push_back(face.corners);
+      continue;
+    }
+    const double lambda = context.stated.face_witnesses[face.witness].lambda;
+    const bool plain = face.code == modes_code::kPlainFace;
+    const auto [a, b, c] = face.corners;
+    require(!plain || lambda == 0, "face ({}, {}, {}): lambda is not 0", a, b, c);
+    graphs.push_back(
+        {face.corners, direction(context, face), plain ? std::nullopt : std::optional(lambda)});
+    with_arcs.push_back(&face);
+  }
+  check_rejected(context, rejected, worker);
+  check_witnesses(context, graphs, worker);
+  for (const FaceNode* face : with_arcs) check_arcs(context, *face, worker);
 }
 
 }  // namespace crest::certify::modes

@@ -32,36 +32,37 @@ class SimplexForms {
     const auto square = cube_ * cube_;
     const auto norms = norm_ * norm_ * norm_;
     if constexpr (kApproximate<Number>)
-      return scaled(3.0, square) - scaled(2 * level.square, norms, 16 * kUnit);
+      return scaled(Number(3), square) - scaled(Number(2 * level.square), norms, 16 * kUnit);
     else
       return scaled(Integer(3 * level.q2), square) - scaled(Integer(2 * level.p2), norms);
   }
 
+  /// A direction, and lambda for these tensors as doubles: as they are divided by 2^exponent.
+  using Numbers = std::array<std::conditional_t<kApproximate<Number>, Number, std::int32_t>, n>;
+  using Factor = std::conditional_t<kApproximate<Number>, Number, double>;
+
   /// 2 D_w.
-  Form<Number, n, 4> plain(const Direction<n>& w) const {
-    return along(w) * norm_ - cube_ * inner(w);
-  }
+  Form<Number, n, 4> plain(const Numbers& w) const { return along(w) * norm_ - cube_ * inner(w); }
 
   /// A multiple of D_w |T|^2 + lambda f.
-  Form<Number, n, 6> witness(const Direction<n>& w, double lambda, const Level& level) const {
+  Form<Number, n, 6> witness(const Numbers& w, const Factor& lambda, const Level& level) const {
     const auto derivative = plain(w) * norm_;
     const auto f = pair(level);
     if constexpr (kApproximate<Number>) {
-      return derivative +
-             scaled(3 * std::ldexp(lambda, -static_cast<int>(products_.exponent)), f, 4 * kUnit);
+      return derivative + scaled(3 * lambda, f, 4 * kUnit);
     } else {
       const auto [a, b] = weights(products_.exponent, lambda);
       return scaled(Integer(level.q2 * a), derivative) + scaled(Integer(3 * b), f);
     }
   }
 
-  /// A multiple of <T^2, W> + lambda det.
-  Form<Number, n, 3> neutral_witness(const Direction<n>& w, double lambda) const {
+  /// A multiple of <T^2, W> + lambda det; lambda of the tensors as they are.
+  Form<Number, n, 3> neutral_witness(const Numbers& w, const Factor& lambda) const {
     Form<Number, n, 1> sum;
     for (auto& c : sum.c) c = 1;
     const auto derivative = along(w) * sum;
     if constexpr (kApproximate<Number>) {
-      return scaled(3.0, derivative) + scaled(lambda, cube_);
+      return scaled(Number(3), derivative) + scaled(lambda, cube_);
     } else {
       const auto [a, b] = weights(0, lambda);
       return scaled(Integer(3 * a), derivative) + scaled(b, cube_);
@@ -80,14 +81,14 @@ class SimplexForms {
             mantissa << static_cast<unsigned>(of_lambda - least)};
   }
 
-  static double absolute(const Direction<n>& w) {
-    double sum = 0;
-    for (const auto x : w) sum += std::fabs(static_cast<double>(x));
+  static Bound<Number> absolute(const Numbers& w) {
+    Bound<Number> sum = 0;
+    for (const auto& x : w) sum += kernel::magnitude(x);
     return sum;
   }
 
   /// 2 <T^2, W>.
-  Form<Number, n, 2> along(const Direction<n>& w) const {
+  Form<Number, n, 2> along(const Numbers& w) const {
     Form<Number, n, 2> form;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i; j < n; ++j) {
@@ -104,7 +105,7 @@ class SimplexForms {
   }
 
   /// <T, W>.
-  Form<Number, n, 1> inner(const Direction<n>& w) const {
+  Form<Number, n, 1> inner(const Numbers& w) const {
     Form<Number, n, 1> form;
     for (std::size_t i = 0; i < n; ++i) {
       Number x = 0;

@@ -84,10 +84,10 @@ TEST_CASE("modes: a derivative that is only not negative is no witness") {
   const modes::LevelContext context(neutral, field, {});
   modes::Worker worker(field);
   for (const double lambda : {-4.0, -1.0, 0.0, 1.0, 4.0})
-    for (const int sign : {-1, 1})
-      CHECK_THROWS_AS(modes::check_witness(context, std::array<modes::u32, 4>{0, 1, 2, 3},
-                                           modes::Direction<4>{sign, -sign, 0, 0}, lambda, worker),
-                      Reject);
+    for (const int sign : {-1, 1}) {
+      const modes::Witnessed<4> stated{{0, 1, 2, 3}, {sign, -sign, 0, 0}, lambda};
+      CHECK_THROWS_AS(modes::check_witnesses(context, {&stated, 1}, worker), Reject);
+    }
 }
 
 TEST_CASE("modes: an edge that the level touches has two roots from below, none from above") {

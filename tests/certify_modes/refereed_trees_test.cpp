@@ -191,7 +191,8 @@ TEST_CASE("modes: hole 8, no cell is rejected on f <= 0 with f = 0 at a corner")
     level.numerator = 143, level.denominator = 343;
     const modes::LevelContext context(level, field, {});
     modes::Worker worker(field);
-    modes::check_rejected(context, std::array<modes::u32, 4>{0, 1, 2, 3}, worker);
+    const std::array<modes::u32, 4> tet{0, 1, 2, 3};
+    modes::check_rejected(context, {&tet, 1}, worker);
   };
   // Mode 143 / 343 at diag(-11, 13, -2), lower at diag(-12, 13, -1), higher at diag(-10, 13, -3).
   const Traceless at = {-11, 13, 0, 0, 0}, lower = {-12, 13, 0, 0, 0}, higher = {-10, 13, 0, 0, 0};

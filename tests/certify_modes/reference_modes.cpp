@@ -61,6 +61,12 @@ std::optional<std::array<double, 4>> positive_on(const std::vector<std::array<do
   return std::nullopt;
 }
 
+CellPieces check_one(const LevelContext& context, const Cell& cell, Worker& worker) {
+  CellPieces pieces;
+  check_cells(context, {&cell, 1}, {&pieces, 1}, worker);
+  return pieces;
+}
+
 class Producer {
  public:
   Producer(Field& field, const Domain& domain, const MadeLevel& level, unsigned most_depth)
@@ -128,7 +134,7 @@ class Producer {
   bool rejected(const std::array<u32, n>& corners) {
     const LevelContext context(made_, field_, none_);
     try {
-      check_rejected(context, corners, *worker_);
+      check_rejected(context, std::span(&corners, 1), *worker_);
       return true;
     } catch (const Reject&) {
       return false;
@@ -169,7 +175,7 @@ class Producer {
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i][column] = form.c[i];
       };
       for (std::size_t k = 0; k + 1 < n; ++k) {
-        Direction<n> w{};
+        typename SimplexForms<double, n>::Numbers w{};
         w[k] = 1, w[n - 1] = -1;
         if (plain)
           fill(forms.plain(w), k);
@@ -194,10 +200,10 @@ class Producer {
           found.lambda = std::ldexp(found.lambda / 3, static_cast<int>(products.exponent));
       }
       try {
-        Direction<n> w{};
-        for (std::size_t k = 0; k + 1 < n; ++k) w[k] = found.w[k], w[n - 1] -= found.w[k];
-        check_witness(context, corners, w, plain ? std::nullopt : std::optional(found.lambda),
-                      *worker_);
+        Witnessed<n> tried{corners, {}, plain ? std::nullopt : std::optional(found.lambda)};
+        for (std::size_t k = 0; k + 1 < n; ++k)
+          tried.w[k] = found.w[k], tried.w[n - 1] -= found.w[k];
+        check_witnesses(context, std::span<const Witnessed<n>>(&tried, 1), *worker_);
         return found;
       } catch (const Reject&) {
       }
@@ -468,12 +474,12 @@ class Producer {
 
   std::optional<CellPieces> try_pieces(const LevelContext& context, const Cell& cell) {
     if (cell.code != modes_code::kGraphTet && cell.code != modes_code::kPlainTet)
-      return check_cell(context, cell, *worker_);
+      return check_one(context, cell, *worker_);
     for (std::uint8_t plus = 0; plus < 6; ++plus)
       for (std::uint8_t minus = 0; minus < 6; ++minus) {
         made_.tet_witnesses[cell.witness].pieces = {plus, minus};
         try {
-          return check_cell(context, cell, *worker_);
+          return check_one(context, cell, *worker_);
         } catch (const Reject&) {
         }
       }

@@ -68,9 +68,10 @@ void count_positions(ModesCertificate& c) {
     const auto add = [&](const PlacedPieces& found) {
       sum.placed += found.placed, sum.not_placed += found.not_placed;
     };
-    for (const Cell& cell : trees.cells)
-      if (const auto pieces = check_cell(context, cell, worker); !pieces.levels.empty())
-        add(positions.place_cell(cell, pieces));
+    std::vector<CellPieces> pieces(trees.cells.size());
+    check_cells(context, trees.cells, pieces, worker);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (!pieces[i].levels.empty()) add(positions.place_cell(trees.cells[i], pieces[i]));
     for (u32 t = 0; t < domain.tets.size(); ++t) {
       const auto corners = nonzero_corners(field, domain.tets[t]);
       if (corners.size() == 3 && std::ranges::find(trees.open_tets, t) == trees.open_tets.end())
