@@ -30,7 +30,8 @@ double kappa3(double y) {
 /// Bounds the fourth derivatives of theta: along a unit vector they are 384 q^4 - 1152 q^2 (1 - y)
 /// + 144 (1 - y)^2; the largest up to y.
 double kappa4(double y) {
-  return y < 0.87 ? 165 : y < 1 ? 144 - 1440 * y + 1680 * y * y : 384;
+  const double far = std::min(y, 1.0);
+  return std::max(165.0, 144 - 1440 * far + 1680 * far * far);
 }
 
 void add_outer(Tensor& t, double f, const Vec3& a) {

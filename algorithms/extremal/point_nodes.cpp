@@ -178,7 +178,7 @@ void PointTree::decide_nodes() {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       if (wanted[i] == 0) continue;
       const PointField::Sums s = sums(as_vector(unpacked(places_[i])));
-      if (s.count == 0 || s.nearest > 0.9 * field_.h()) continue;
+      if (s.count == 0 || s.nearest > PointField::kNear * field_.h()) continue;
       const Vec3 n = dominant_direction(s.local.tensor);
       double size = 0;
       for (const double x : s.local.tensor) size = std::max(size, std::fabs(x));

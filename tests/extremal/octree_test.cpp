@@ -68,7 +68,7 @@ TEST_CASE("extremal octree: eight boxes without anything become one, the rest st
   const auto contents = [](const std::vector<OctreeLeaf>& boxes, bool one_open) {
     std::vector<Content> r;
     for (const OctreeLeaf& box : boxes) {
-      const bool chosen = one_open && box.low == extremal::Node{5, 5, 5};
+      const bool chosen = one_open && box.low == extremal::Node{7, 7, 7};
       r.push_back(box.size > 1     ? Content::split
                   : chosen         ? Content::open
                   : box.low[1] < 4 ? Content::far
