@@ -212,13 +212,13 @@ PointField::Box PointField::box(const Vec3& centre, const Vec3& half,
   return r;
 }
 
-PointField::Box PointField::box_in_halves(const Vec3& centre, const Vec3& half,
-                                          const std::vector<Index>& among) const {
+PointField::Box PointField::box_in_parts(const Vec3& centre, const Vec3& half,
+                                         const std::vector<Index>& among) const {
   Box r = box(centre, half, among);
-  if (!r.near || r.nonzero || r.crossed) return r;
+  if (!r.near || r.nonzero || r.crossed || half[0] <= h_ / 12) return r;
   r.nonzero = true;
   for (int part = 0; part < 8 && r.nonzero; ++part) {
-    const Box b = box(centre + 0.5 * corner_of(half, part), 0.5 * half, among);
+    const Box b = box_in_parts(centre + 0.5 * corner_of(half, part), 0.5 * half, among);
     r.nonzero = !b.near || b.nonzero;
   }
   return r;

@@ -47,8 +47,8 @@ class PointField {
   std::vector<Index> within(const Vec3& centre, const Vec3& half) const;
   /// The same from points that are within R, and perhaps others.
   Box box(const Vec3& centre, const Vec3& half, const std::vector<Index>& among) const;
-  /// The same; what is not decided in halves.
-  Box box_in_halves(const Vec3& centre, const Vec3& half, const std::vector<Index>& among) const;
+  /// The same; what is not decided by parts, while they are wider than h/6.
+  Box box_in_parts(const Vec3& centre, const Vec3& half, const std::vector<Index>& among) const;
 
  private:
   using Key = std::array<int, 2>;

@@ -83,7 +83,9 @@ std::pair<Vec3, Vec3> PointTree::placed(const OctreeLeaf& leaf) const {
 
 PointField::Box PointTree::prove(const OctreeLeaf& leaf, const std::vector<Index>& among) const {
   const auto [centre, half] = placed(leaf);
-  return large(leaf) ? field_.box(centre, half, among) : field_.box_in_halves(centre, half, among);
+  // A large box is to be split: its children tell.
+  return large(leaf) && leaf.size > 1 ? field_.box(centre, half, among)
+                                      : field_.box_in_parts(centre, half, among);
 }
 
 /// Where the surface may be: boxes are split until they are at most h/4, then by the paper's
