@@ -152,13 +152,13 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   if (run.wanted("--certificate")) certificate.emplace();
   extremal::Result result = run.step("extract", "extremal surface", [&] {
     return run.with_input([&] {
-      return extremal::extract(extremal::volume_of(grid), options,
-                               certificate ? &*certificate : nullptr);
+      const extremal::Volume volume = extremal::volume_of(grid);
+      if (grid.dimension() == 3) file.grid.samples = {};
+      return extremal::extract(volume, options, certificate ? &*certificate : nullptr);
     });
   });
   extremal::move_to_world(grid, result);
   std::string digest;
-  if (grid.dimension() == 3) file.grid.samples = {};
   if (certificate) digest = certify_result(run, certificate, result.undecided.size());
   return finish(run, o, result, digest, grid.dimension() == 2 ? &grid : nullptr);
 }

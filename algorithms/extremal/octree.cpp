@@ -5,17 +5,19 @@
 
 namespace crest::extremal {
 
-Octree::Octree(int depth, const Splits& splits) : depth_(depth), nodes_(1) {
+Octree::Octree(int depth, const Find& find) : depth_(depth), nodes_(1) {
   const OctreeLeaf root = {{0, 0, 0}, 1 << depth};
   std::vector<Index> layer = {0};
   std::vector<OctreeLeaf> boxes = {root};
-  while (!layer.empty() && boxes[0].size > 1) {
-    const std::vector<bool> split = splits(boxes);
+  while (!layer.empty()) {
+    const std::vector<Content> found = find(boxes);
     std::vector<Index> next_layer;
     std::vector<OctreeLeaf> next_boxes;
     for (std::size_t i = 0; i < layer.size(); ++i) {
-      if (!split[i]) continue;
-      this->split(layer[i]);
+      const bool splits = found[i] == Content::split && boxes[i].size > 1;
+      nodes_[layer[i]].content = splits || found[i] != Content::split ? found[i] : Content::open;
+      if (!splits) continue;
+      split(layer[i]);
       for (int c = 0; c < 8; ++c) {
         next_layer.push_back(nodes_[layer[i]].children + static_cast<Index>(c));
         next_boxes.push_back(child(boxes[i], c));
@@ -24,20 +26,39 @@ Octree::Octree(int depth, const Splits& splits) : depth_(depth), nodes_(1) {
     layer = std::move(next_layer);
     boxes = std::move(next_boxes);
   }
+  merge();
   balance();
   number(0, root);
 }
 
 void Octree::split(Index node) {
   nodes_[node].children = static_cast<Index>(nodes_.size());
-  nodes_.resize(nodes_.size() + 8);
+  TreeNode part;
+  part.content = nodes_[node].content;
+  nodes_.resize(nodes_.size() + 8, part);
 }
 
-Octree::Found Octree::find(const Node& doubled) const {
+/// Children stand behind their box.
+void Octree::merge() {
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    TreeNode& box = nodes_[n];
+    if (box.children == 0) continue;
+    const auto first = nodes_.begin() + box.children;
+    const Content most =
+        std::max_element(first, first + 8, [](const TreeNode& a, const TreeNode& b) {
+          return a.content < b.content;
+        })->content;
+    if (most > Content::empty) continue;
+    box.children = 0;
+    box.content = most;
+  }
+}
+
+Octree::Found Octree::find(const Node& doubled, int size) const {
   Found r = {0, {{0, 0, 0}, 1 << depth_}};
   for (const int x : doubled)
     if (x < 0 || x >= 2 << depth_) return {kernel::kNone, r.box};
-  while (nodes_[r.node].children != 0) {
+  while (nodes_[r.node].children != 0 && r.box.size > size) {
     int c = 0;
     for (std::size_t k = 0; k < 3; ++k)
       c |= (doubled[k] >= 2 * r.box.low[k] + r.box.size ? 1 : 0) << k;
@@ -48,35 +69,32 @@ Octree::Found Octree::find(const Node& doubled) const {
 }
 
 Index Octree::leaf_at(const Node& doubled) const {
-  const Found f = find(doubled);
+  const Found f = find(doubled, 0);
   return f.node == kernel::kNone ? kernel::kNone : nodes_[f.node].leaf;
 }
 
-/// Leaves twice as large as a neighbour's double are split, until there are none.
+/// Round a box that is split there are boxes of its size: leaves that are larger are split.
 void Octree::balance() {
   std::vector<OctreeLeaf> waiting;
   const std::function<void(Index, const OctreeLeaf&)> collect = [&](Index n,
                                                                     const OctreeLeaf& box) {
-    if (nodes_[n].children == 0) {
-      waiting.push_back(box);
-      return;
-    }
+    if (nodes_[n].children == 0) return;
+    waiting.push_back(box);
     for (int c = 0; c < 8; ++c) collect(nodes_[n].children + static_cast<Index>(c), child(box, c));
   };
   collect(0, {{0, 0, 0}, 1 << depth_});
   while (!waiting.empty()) {
-    const OctreeLeaf leaf = waiting.back();
+    const OctreeLeaf box = waiting.back();
     waiting.pop_back();
     for (int n = 0; n < 27; ++n) {
-      if (n == 13) continue;
       const std::array<int, 3> step = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
       Node at;
       for (std::size_t k = 0; k < 3; ++k)
-        at[k] = 2 * leaf.low[k] + leaf.size + 2 * leaf.size * step[k];
-      for (Found f = find(at); f.node != kernel::kNone && f.box.size > 2 * leaf.size;
-           f = find(at)) {
+        at[k] = 2 * box.low[k] + box.size + 2 * box.size * step[k];
+      for (Found f = find(at, box.size); f.node != kernel::kNone && f.box.size > box.size;
+           f = find(at, box.size)) {
         split(f.node);
-        for (int c = 0; c < 8; ++c) waiting.push_back(child(f.box, c));
+        waiting.push_back(f.box);
       }
     }
   }
@@ -85,7 +103,7 @@ void Octree::balance() {
 void Octree::number(Index node, const OctreeLeaf& box) {
   if (nodes_[node].children == 0) {
     nodes_[node].leaf = static_cast<Index>(leaves_.size());
-    leaves_.push_back(box);
+    leaves_.push_back({box.low, box.size, nodes_[node].content});
     return;
   }
   for (int c = 0; c < 8; ++c) number(nodes_[node].children + static_cast<Index>(c), child(box, c));

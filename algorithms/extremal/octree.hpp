@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// An octree over [0, 2^depth]^3 in integers, leaves balanced 2:1 across faces, edges and corners.
+// An octree over [0, 2^depth]^3 in integers, leaves balanced 2:1 across faces, edges and corners,
+// none smaller than what is found in them needs.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -22,18 +23,24 @@ inline Node unpacked(Place p) {
           static_cast<int>(p >> 40 & kMask)};
 }
 
+/// What there is in a box: nothing within reach, nothing, perhaps something, so much that it is to
+/// be split.
+enum class Content : std::uint8_t { far, empty, open, split };
+
 struct OctreeLeaf {
   Node low;
   int size;
+  Content content = Content::open;  ///< as it was found of the leaf or of a box that it is part of
 };
 
 class Octree {
  public:
   static constexpr int kDeepest = 19;
 
-  /// Splits a leaf while `splits` says so, down to size 1; asks for leaves of one size at once.
-  using Splits = std::function<std::vector<bool>(const std::vector<OctreeLeaf>&)>;
-  Octree(int depth, const Splits& splits);
+  /// Of boxes of one size: the root, or the eight children each of several boxes in turn.
+  using Find = std::function<std::vector<Content>(const std::vector<OctreeLeaf>&)>;
+  /// Splits boxes as they are found to be, down to size 1; eight that are empty or far become one.
+  Octree(int depth, const Find& find);
 
   const std::vector<OctreeLeaf>& leaves() const { return leaves_; }
   /// The leaf that has the point (x + 1/2) / 2 of the finest grid, x in doubled units; kNone:
@@ -47,13 +54,16 @@ class Octree {
   /// Children of a tree's node are eight in a row; 0: a leaf.
   struct TreeNode {
     Index children = 0, leaf = kernel::kNone;
+    Content content = Content::open;
   };
   struct Found {
     Index node;
     OctreeLeaf box;
   };
-  Found find(const Node& doubled) const;
+  /// The leaf at a point, or a larger box than size.
+  Found find(const Node& doubled, int size) const;
   void split(Index node);
+  void merge();
   void balance();
   void number(Index node, const OctreeLeaf& box);
   static OctreeLeaf child(const OctreeLeaf& box, int i) {

@@ -12,6 +12,9 @@ namespace crest::extremal {
 
 class PointField {
  public:
+  /// Farther from all points, in h, nothing is looked for: beyond the rim.
+  static constexpr double kNear = 0.9;
+
   /// Unit normals; at least a point. Throws kernel::InputError if h is tiny beside the points'
   /// extent.
   PointField(std::vector<Vec3> points, std::vector<Vec3> normals, double h);
@@ -32,16 +35,20 @@ class PointField {
   /// Of all x with |x - centre| <= half in every coordinate. Passed: T passes the cone test for
   /// w, n there is within theta of w.
   struct Box {
-    bool passed = false, nonzero = false;  ///< g is not zero; where it is not passed, part by part
+    bool passed = false, nonzero = false;  ///< g is not zero
+    bool crossed = false;                  ///< passed, and g seems to have both signs
     Vec3 w{};
     double theta = 0;
-    bool near = false;       ///< a point is within 0.9 h of the box
+    bool near = false;       ///< a point is within kNear h of the box
     std::size_t inside = 0;  ///< points in it
   };
   Box box(const Vec3& centre, const Vec3& half) const;
-  /// The same; what is wider than h/4 in parts, too. The cone test fails on most boxes of h/2.5
-  /// wherever they are, so these would be split all round the surface.
-  Box box_in_parts(const Vec3& centre, const Vec3& half) const;
+  /// Points within R of a box, for the boxes in it.
+  std::vector<Index> within(const Vec3& centre, const Vec3& half) const;
+  /// The same from points that are within R, and perhaps others.
+  Box box(const Vec3& centre, const Vec3& half, const std::vector<Index>& among) const;
+  /// The same; what is not decided by parts, while they are wider than h/6.
+  Box box_in_parts(const Vec3& centre, const Vec3& half, const std::vector<Index>& among) const;
 
  private:
   using Key = std::array<int, 2>;

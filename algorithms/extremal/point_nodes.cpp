@@ -53,17 +53,19 @@ Grid PointTree::grid_of(const PointField& field, int depth) {
 PointTree::PointTree(const PointField& field, int depth)
     : field_(field),
       grid_(grid_of(field, depth)),
-      tree_(depth, [&](const std::vector<OctreeLeaf>& leaves) { return split(leaves); }) {
+      tree_(depth, [&](const std::vector<OctreeLeaf>& boxes) { return find(boxes); }) {
   const auto& leaves = tree_.leaves();
   boxes_.resize(leaves.size());
   const auto before = [](const AskedLeaf& a, const AskedLeaf& b) { return a.low < b.low; };
   tbb::parallel_sort(asked_.begin(), asked_.end(), before);
   tbb::parallel_for(Range(0, leaves.size(), 64), [&](const Range& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
+      boxes_[i].nonzero = leaves[i].content == Content::empty;
+      if (leaves[i].content != Content::open) continue;
       const AskedLeaf leaf = {packed(leaves[i].low), leaves[i].size, {}};
       const auto at = std::lower_bound(asked_.begin(), asked_.end(), leaf, before);
       const bool known = at != asked_.end() && at->low == leaf.low && at->size == leaf.size;
-      boxes_[i] = known ? at->box : prove(leaves[i]);
+      boxes_[i] = known ? at->box : prove(leaves[i], within(leaves[i]));
     }
   });
   asked_ = {};
@@ -74,28 +76,46 @@ PointTree::PointTree(const PointField& field, int depth)
   });
 }
 
-PointField::Box PointTree::prove(const OctreeLeaf& leaf) const {
+std::pair<Vec3, Vec3> PointTree::placed(const OctreeLeaf& leaf) const {
   const double half = 0.5 * leaf.size;
-  const double radius = half * grid_.spacing[0];
-  return field_.box_in_parts(grid_.position(as_vector(leaf.low) + Vec3{half, half, half}),
-                             {radius, radius, radius});
+  return {grid_.position(as_vector(leaf.low) + Vec3{half, half, half}), half * grid_.spacing};
 }
 
-/// Where the surface may be: until the leaf is at most h/4, then by the paper's criteria.
-std::vector<bool> PointTree::split(const std::vector<OctreeLeaf>& leaves) {
-  std::vector<std::uint8_t> found(leaves.size());
-  std::vector<PointField::Box> boxes(leaves.size());
-  tbb::parallel_for(Range(0, leaves.size(), 16), [&](const Range& r) {
-    for (std::size_t i = r.begin(); i < r.end(); ++i) {
-      const PointField::Box box = prove(leaves[i]);
-      found[i] = box.near && !box.nonzero &&
-                 (leaves[i].size * grid_.spacing[0] > field_.h() / 4 || criteria(leaves[i], box));
-      boxes[i] = box;
+PointField::Box PointTree::prove(const OctreeLeaf& leaf, const std::vector<Index>& among) const {
+  const auto [centre, half] = placed(leaf);
+  // A large box is to be split: its children tell.
+  return large(leaf) && leaf.size > 1 ? field_.box(centre, half, among)
+                                      : field_.box_in_parts(centre, half, among);
+}
+
+/// Where the surface may be: boxes are split until they are at most h/4, then by the paper's
+/// criteria. The cone test fails on most boxes of h/2.5 wherever they are: their parts tell
+/// (octree.hpp).
+std::vector<Content> PointTree::find(const std::vector<OctreeLeaf>& boxes) {
+  std::vector<Content> found(boxes.size());
+  std::vector<PointField::Box> proven(boxes.size());
+  const std::size_t family = std::min<std::size_t>(8, boxes.size());
+  tbb::parallel_for(Range(0, boxes.size() / family, 4), [&](const Range& r) {
+    for (std::size_t f = family * r.begin(); f < family * r.end(); f += family) {
+      OctreeLeaf parent = boxes[f];
+      if (family == 8) parent.size *= 2;
+      const std::vector<Index> among = within(parent);
+      for (std::size_t i = f; i < f + family; ++i) {
+        proven[i] = prove(boxes[i], among);
+        found[i] = content(boxes[i], proven[i]);
+      }
     }
   });
-  for (std::size_t i = 0; i < leaves.size(); ++i)
-    if (found[i] == 0) asked_.push_back({packed(leaves[i].low), leaves[i].size, boxes[i]});
-  return {found.begin(), found.end()};
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (found[i] == Content::open)
+      asked_.push_back({packed(boxes[i].low), boxes[i].size, proven[i]});
+  return found;
+}
+
+Content PointTree::content(const OctreeLeaf& leaf, const PointField::Box& box) const {
+  if (!box.near) return Content::far;
+  if (box.nonzero) return Content::empty;
+  return leaf.size > 1 && (large(leaf) || criteria(leaf, box)) ? Content::split : Content::open;
 }
 
 /// More than one point, n at two corners more than 10 degrees apart, s_nn of both signs. Where n
@@ -160,7 +180,7 @@ void PointTree::decide_nodes() {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       if (wanted[i] == 0) continue;
       const PointField::Sums s = sums(as_vector(unpacked(places_[i])));
-      if (s.count == 0 || s.nearest > 0.9 * field_.h()) continue;
+      if (s.count == 0 || s.nearest > PointField::kNear * field_.h()) continue;
       const Vec3 n = dominant_direction(s.local.tensor);
       double size = 0;
       for (const double x : s.local.tensor) size = std::max(size, std::fabs(x));

@@ -52,8 +52,16 @@ class PointTree {
 
  private:
   static Grid grid_of(const PointField& field, int depth);
-  PointField::Box prove(const OctreeLeaf& leaf) const;
-  std::vector<bool> split(const std::vector<OctreeLeaf>& leaves);
+  PointField::Box prove(const OctreeLeaf& leaf, const std::vector<Index>& among) const;
+  std::vector<Index> within(const OctreeLeaf& leaf) const {
+    const auto [centre, half] = placed(leaf);
+    return field_.within(centre, half);
+  }
+  /// Centre and half the edges.
+  std::pair<Vec3, Vec3> placed(const OctreeLeaf& leaf) const;
+  bool large(const OctreeLeaf& leaf) const { return leaf.size * grid_.spacing[0] > field_.h() / 4; }
+  Content content(const OctreeLeaf& leaf, const PointField::Box& box) const;
+  std::vector<Content> find(const std::vector<OctreeLeaf>& boxes);
   bool criteria(const OctreeLeaf& leaf, const PointField::Box& box) const;
   Index find_node(Place p) const;
   void decide_nodes();
@@ -70,7 +78,7 @@ class PointTree {
 
   const PointField& field_;
   Grid grid_;
-  std::vector<AskedLeaf> asked_;  ///< not split when asked; empty once the tree stands
+  std::vector<AskedLeaf> asked_;  ///< what was found to be open; empty once the tree stands
   Octree tree_;
   std::vector<PointField::Box> boxes_;  ///< a leaf's
   std::vector<Place> places_;           ///< nodes, ascending

@@ -70,18 +70,23 @@ size_t reflect(std::int64_t i, std::int64_t n) {
   return static_cast<size_t>(m < n ? m : 2 * n - 1 - m);
 }
 
-/// One pass along an axis, on blocks of rows that lie side by side in memory.
-void smooth_along(Buffer<double>& field, const Grid& grid, unsigned axis,
+size_t layer_size(const Grid& grid) {
+  return grid.stride[grid.dimension - 1];
+}
+
+/// One pass along an axis but the last, on blocks of rows that lie side by side in a layer: all
+/// nodes with one last coordinate.
+void smooth_along(double* layer, const Grid& grid, unsigned axis,
                   const std::vector<double>& weights) {
   if (weights.size() == 1) return;
   const size_t n = grid.nodes[axis], stride = grid.stride[axis];
   const size_t block = std::min<size_t>(stride, 64);
   const auto radius = static_cast<std::int64_t>(weights.size()) - 1;
   std::vector<double> padded((n + 2 * static_cast<size_t>(radius)) * block);
-  for (size_t slab = 0; slab < grid.count; slab += n * stride)
+  for (size_t slab = 0; slab < layer_size(grid); slab += n * stride)
     for (size_t first = 0; first < stride; first += block) {
       const size_t width = std::min(block, stride - first);
-      double* const base = field.data() + slab + first;
+      double* const base = layer + slab + first;
       for (std::int64_t i = -radius; i < static_cast<std::int64_t>(n) + radius; ++i)
         std::copy_n(base + reflect(i, static_cast<std::int64_t>(n)) * stride, width,
                     padded.data() + static_cast<size_t>(i + radius) * width);
@@ -97,21 +102,44 @@ void smooth_along(Buffer<double>& field, const Grid& grid, unsigned axis,
     }
 }
 
-Buffer<float> smooth(Buffer<double>& field, const Grid& grid,
+/// Smooths along all axes what `make(k, layer)` writes for the k-th layer, asked in turn; no more
+/// layers are held than the weights reach.
+template <class Make>
+Buffer<float> smooth(const Make& make, const Grid& grid,
                      const std::array<std::vector<double>, 3>& weights, double& most) {
-  for (unsigned axis = 0; axis < grid.dimension; ++axis)
-    smooth_along(field, grid, axis, weights[axis]);
-  Buffer<float> out(field.size());
+  const unsigned last = grid.dimension - 1;
+  const std::vector<double>& w = weights[last];
+  const size_t n = grid.nodes[last], size = layer_size(grid), radius = w.size() - 1;
+  const size_t held = std::min(n, 2 * radius + 1);
+  Buffer<double> ring(held * size);
+  std::vector<double> sum(size);
+  const auto layer = [&](std::int64_t k) {
+    return ring.data() + reflect(k, static_cast<std::int64_t>(n)) % held * size;
+  };
+  Buffer<float> out(grid.count);
   bool finite = true;
-  double size = most;
-  for (size_t i = 0; i < field.size(); ++i) {
-    out[i] = static_cast<float>(field[i]);
-    const double x = std::fabs(static_cast<double>(out[i]));
-    finite = (x < HUGE_VAL) & finite;
-    size = std::max(size, x);
+  for (size_t k = 0, made = 0; k < n; ++k) {
+    for (; made < std::min(n, k + radius + 1); ++made) {
+      double* const at = layer(static_cast<std::int64_t>(made));
+      make(made, at);
+      for (unsigned axis = 0; axis < last; ++axis) smooth_along(at, grid, axis, weights[axis]);
+    }
+    const auto here = static_cast<std::int64_t>(k);
+    const double* const centre = layer(here);
+    for (size_t j = 0; j < size; ++j) sum[j] = w[0] * centre[j];
+    for (size_t r = 1; r <= radius; ++r) {
+      const auto step = static_cast<std::int64_t>(r);
+      const double *low = layer(here - step), *high = layer(here + step);
+      for (size_t j = 0; j < size; ++j) sum[j] = sum[j] + w[r] * (low[j] + high[j]);
+    }
+    for (size_t j = 0; j < size; ++j) {
+      const float x = out[k * size + j] = static_cast<float>(sum[j]);
+      const double length = std::fabs(static_cast<double>(x));
+      finite = (length < HUGE_VAL) & finite;
+      most = std::max(most, length);
+    }
   }
   require(finite, "coefficients: one is not finite");
-  most = size;
   return out;
 }
 
@@ -160,11 +188,11 @@ void halve_grid(Fields& fields) {
   for (unsigned k = 0; k < fields.grid.dimension; ++k) fields.spacing[k] /= 2;
 }
 
-/// Central differences along an axis, in one layer (all nodes with one last coordinate).
+/// Central differences along an axis in one layer.
 void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis, double spacing,
-                 size_t layer, Buffer<double>& out) {
+                 size_t layer, double* out) {
   const size_t n = grid.nodes[axis], stride = grid.stride[axis];
-  const size_t size = grid.stride[grid.dimension - 1], first = layer * size;
+  const size_t size = layer_size(grid), first = layer * size;
   const double twice = 2 * spacing;
   const auto row = [&](size_t i, size_t base, size_t width, size_t at) {
     const double* const low = samples.data() + base + (i == 0 ? 0 : i - 1) * stride;
@@ -176,18 +204,17 @@ void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis,
     for (size_t i = 0; i < n; ++i) row(i, first + slab, stride, slab + i * stride);
 }
 
-/// The products of two differences.
-void multiply(const Buffer<double>& samples, const Fields& fields, unsigned i, unsigned j,
-              Buffer<double>& out) {
+/// The smoothed products of two differences.
+Buffer<float> smooth_product(const Buffer<double>& samples, const Fields& fields, unsigned i,
+                             unsigned j, const ExtremalData& data, double& most) {
   const Grid& grid = fields.grid;
-  const size_t size = grid.stride[grid.dimension - 1];
-  Buffer<double> first(size), second(size);
-  for (size_t layer = 0; layer * size < grid.count; ++layer) {
-    differences(samples, grid, i, fields.spacing[i], layer, first);
-    if (i != j) differences(samples, grid, j, fields.spacing[j], layer, second);
-    const Buffer<double>& other = i == j ? first : second;
-    for (size_t n = 0; n < size; ++n) out[layer * size + n] = first[n] * other[n];
-  }
+  std::vector<double> other(layer_size(grid));
+  const auto product = [&](size_t k, double* layer) {
+    differences(samples, grid, i, fields.spacing[i], k, layer);
+    differences(samples, grid, j, fields.spacing[j], k, other.data());
+    for (size_t n = 0; n < other.size(); ++n) layer[n] = layer[n] * other[n];
+  };
+  return smooth(product, grid, data.tensor_weights, most);
 }
 
 /// The weights of offsets 0 to R, normalised.
@@ -249,16 +276,15 @@ Fields make_fields(const ExtremalData& data) {
   Fields fields{
       Grid(data.dimension, data.nodes), data.hessian, data.valley, data.spacing, {}, {}, {}};
   const Grid& grid = fields.grid;
-  Buffer<double> samples = read_samples(data, grid.count);
-  if (!data.hessian) {
-    Buffer<double> product(samples.size());
+  const Buffer<double> samples = read_samples(data, grid.count);
+  if (!data.hessian)
     for (unsigned i = 0; i < grid.dimension; ++i)
-      for (unsigned j = i; j < grid.dimension; ++j) {
-        multiply(samples, fields, i, j, product);
-        fields.t[kComponent[i][j]] = smooth(product, grid, data.tensor_weights, fields.most_t);
-      }
-  }
-  fields.l = smooth(samples, grid, data.weights, fields.most_l);
+      for (unsigned j = i; j < grid.dimension; ++j)
+        fields.t[kComponent[i][j]] = smooth_product(samples, fields, i, j, data, fields.most_t);
+  const auto as_it_is = [&](size_t k, double* layer) {
+    std::copy_n(samples.data() + k * layer_size(grid), layer_size(grid), layer);
+  };
+  fields.l = smooth(as_it_is, grid, data.weights, fields.most_l);
   for (unsigned level = 0; level < data.refine; ++level) halve_grid(fields);
   for (unsigned k = 0; k < 3; ++k)
     fields.inverse_spacing[k] = k < data.dimension ? 1 / fields.spacing[k] : 0;

@@ -103,8 +103,9 @@ std::size_t leaves_by_paper(const Row& row, int depth) {
     return points_in(leaf) > 1;
   };
   const extremal::Octree tree(depth, [&](const std::vector<extremal::OctreeLeaf>& leaves) {
-    std::vector<bool> r;
-    for (const auto& leaf : leaves) r.push_back(splits(leaf));
+    std::vector<extremal::Content> r;
+    for (const auto& leaf : leaves)
+      r.push_back(splits(leaf) ? extremal::Content::split : extremal::Content::open);
     return r;
   });
   return tree.leaves().size();

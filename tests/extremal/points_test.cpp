@@ -122,7 +122,7 @@ TEST_CASE("extremal points: what a box claims holds at its points") {
   const extremal::PointField field(p.points, p.normals, 0.2);
   Draw d(3);
   std::size_t passed = 0, empty = 0, failed = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Vec3& at = p.points[static_cast<std::size_t>(d.integer(0, 1999))];
     const Vec3 centre = {at[0] + 0.1 * d.uniform(), at[1] + 0.1 * d.uniform(),
                          at[2] + 0.1 * d.uniform()};
