@@ -198,14 +198,17 @@ bool Matcher::boundary() {
       return differ("another switch point");
     switches_[at->second] = i;
   }
+  // A region may have only the rest of an edge, behind a switch point in it.
+  const auto corresponds = [&](Index before, Index now) {
+    if (before == kNone || now == kNone) return before == now;
+    return regions_.try_emplace(before, now).first->second == now;
+  };
   for (const auto& [h, r] : b.regions) {
     const auto old = a.regions.find(old_edge(h));
-    if (old == a.regions.end()) return differ("another region of the boundary");
-    if (r.at_from != kNone) regions_[old->second.at_from] = r.at_from;
+    if (old == a.regions.end() || !corresponds(old->second.at_from, r.at_from) ||
+        !corresponds(old->second.at_to, r.at_to))
+      return differ("another region of the boundary");
   }
-  for (const auto& [h, r] : b.regions)
-    if (r.at_to != kNone && r.at_from == kNone)
-      regions_.try_emplace(a.regions.at(old_edge(h)).at_to, r.at_to);
   loop_names_.assign(b.half_edges.size(), kNone);
   std::unordered_map<HalfEdge, Index> loop_of;
   for (Index i = 0; i < a.half_edges.size(); ++i)
