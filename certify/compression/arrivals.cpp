@@ -90,6 +90,7 @@ class ArrivalFinder {
     for (u32 i = 0; i < count; ++i) table_.paths.push_back(path_of(proof_, i));
     for (u32 i = 0; i < count; ++i) add(i);
     for (auto& [place, list] : lists_) sort(place, list);
+    count_silent();
     return std::move(table_);
   }
 
@@ -116,6 +117,8 @@ class ArrivalFinder {
           return add_to_triangle(line, {Place::zero, stated.to});
         if (zero.stated.place == ZeroPlace::vertex && domain().open[zero.place] == 0)
           add_to_star(line, {Place::zero, stated.to}, zero.place);
+        if (zero.stated.place == ZeroPlace::edge && domain().twin[zero.place] != kNone)
+          add_to_edge(line, {Place::zero, stated.to}, zero.place);
         return;
       }
       default:
@@ -178,6 +181,46 @@ class ArrivalFinder {
       const bool crosses = cell.entry == Entry::crossing;
       lists_[place].push_back({line, at % all, i - crosses, crosses});
       return;
+    }
+  }
+
+  /// Where it comes into the two triangles at a side for the last time.
+  void add_to_edge(u32 line, const Place& place, u32 side) {
+    const std::array<u32, 2> sides = {side, domain().twin[side]};
+    std::size_t i = path(line).cells.size() - 1;
+    while (path(line).cells[i].entry == Entry::crossing &&
+           (path(line).cells[i].name == sides[0] || path(line).cells[i].name == sides[1]))
+      --i;
+    const Cell& cell = path(line).cells[i];
+    const auto at =
+        std::find_if(sides.begin(), sides.end(), [&](u32 s) { return s / 3 == cell.name / 3; });
+    require(at != sides.end(), "separatrix {}: does not end at its zero", line);
+    // From the head of the side on: 0, the next side 1 to 3, the vertex across 4, to the tail 8.
+    const int local =
+        (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(next_corner(*at) % 3)) % 12;
+    require(local <= 8, "separatrix {}: does not come to its zero from outside", line);
+    const std::size_t begin = at == sides.begin() ? 0 : 8;
+    const bool crosses = cell.entry == Entry::crossing;
+    lists_[place].push_back(
+        {line, (begin + static_cast<std::size_t>(local)) % 16, i - crosses, crosses});
+  }
+
+  void count_silent() {
+    const auto look = [&](const Place& place) { table_.silent += lists_.count(place) == 0; };
+    for (u32 z = 0; z < proof_.stated.zeros.size(); ++z)
+      if (const ZeroClass kind = proof_.stated.zeros[z].kind;
+          kind == ZeroClass::source || kind == ZeroClass::sink)
+        look({Place::zero, z});
+    for (u32 i = 0; i < orbits_.size(); ++i)
+      for (const auto side : {Place::left_of_orbit, Place::right_of_orbit}) look({side, i});
+    std::vector<u8> met(domain().loops.size(), 0);
+    for (const auto& line : proof_.stated.separatrices)
+      if (line.origin == SkeletonOrigin::vertex && !line.legs.empty())
+        if (const u32 fan = domain().fan[line.from]; domain().open[fan] != 0)
+          met[shore_.loop(previous_corner(domain().corners_of(fan).back()))] = 1;
+    for (u32 i = 0; i < domain().loops.size(); ++i) {
+      const u32 region = proof_.boundary.regions[domain().loops[i][0]][0];
+      if (region != kNone && shore_.is_whole(region) && met[i] == 0) look({Place::region, region});
     }
   }
 
