@@ -80,6 +80,29 @@ class Shore {
   std::vector<u8> whole_;
 };
 
+/// ArrivalTable::silent.
+std::size_t count_silent(const Proof& proof, const ArrivalTable& table, const Shore& shore) {
+  const Domain& domain = proof.domain;
+  std::size_t count = 0;
+  const auto look = [&](const Place& place) { count += table.orders.count(place) == 0; };
+  const auto& zeros = proof.stated.zeros;
+  for (u32 z = 0; z < zeros.size(); ++z)
+    if (zeros[z].kind == ZeroClass::source || zeros[z].kind == ZeroClass::sink)
+      look({Place::zero, z});
+  for (u32 i = 0; i < proof.stated.orbits.size(); ++i)
+    for (const auto side : {Place::left_of_orbit, Place::right_of_orbit}) look({side, i});
+  std::vector<u8> met(domain.loops.size(), 0);
+  for (const auto& line : proof.stated.separatrices)
+    if (line.origin == SkeletonOrigin::vertex && !line.legs.empty())
+      if (const u32 fan = domain.fan[line.from]; domain.open[fan] != 0)
+        met[shore.loop(previous_corner(domain.corners_of(fan).back()))] = 1;
+  for (u32 i = 0; i < domain.loops.size(); ++i) {
+    const u32 region = proof.boundary.regions[domain.loops[i][0]][0];
+    if (region != kNone && shore.is_whole(region) && met[i] == 0) look({Place::region, region});
+  }
+  return count;
+}
+
 class ArrivalFinder {
  public:
   ArrivalFinder(const Proof& proof, const std::vector<Orbit>& orbits, SignLadder& sign)
@@ -90,7 +113,7 @@ class ArrivalFinder {
     for (u32 i = 0; i < count; ++i) table_.paths.push_back(path_of(proof_, i));
     for (u32 i = 0; i < count; ++i) add(i);
     for (auto& [place, list] : lists_) sort(place, list);
-    count_silent();
+    table_.silent = count_silent(proof_, table_, shore_);
     return std::move(table_);
   }
 
@@ -186,42 +209,20 @@ class ArrivalFinder {
 
   /// Where it comes into the two triangles at a side for the last time.
   void add_to_edge(u32 line, const Place& place, u32 side) {
-    const std::array<u32, 2> sides = {side, domain().twin[side]};
-    std::size_t i = path(line).cells.size() - 1;
-    while (path(line).cells[i].entry == Entry::crossing &&
-           (path(line).cells[i].name == sides[0] || path(line).cells[i].name == sides[1]))
+    const auto& cells = path(line).cells;
+    const u32 twin = domain().twin[side];
+    std::size_t i = cells.size() - 1;
+    while (cells[i].entry == Entry::crossing && (cells[i].name == side || cells[i].name == twin))
       --i;
-    const Cell& cell = path(line).cells[i];
-    const auto at =
-        std::find_if(sides.begin(), sides.end(), [&](u32 s) { return s / 3 == cell.name / 3; });
-    require(at != sides.end(), "separatrix {}: does not end at its zero", line);
+    const bool first = cells[i].name / 3 == side / 3;
     // From the head of the side on: 0, the next side 1 to 3, the vertex across 4, to the tail 8.
-    const int local =
-        (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(next_corner(*at) % 3)) % 12;
-    require(local <= 8, "separatrix {}: does not come to its zero from outside", line);
-    const std::size_t begin = at == sides.begin() ? 0 : 8;
-    const bool crosses = cell.entry == Entry::crossing;
+    const u32 head = next_corner(first ? side : twin);
+    const int local = (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(head % 3)) % 12;
+    require(cells[i].name / 3 == head / 3 && local <= 8,
+            "separatrix {}: does not come to its zero from outside", line);
+    const bool crosses = cells[i].entry == Entry::crossing;
     lists_[place].push_back(
-        {line, (begin + static_cast<std::size_t>(local)) % 16, i - crosses, crosses});
-  }
-
-  void count_silent() {
-    const auto look = [&](const Place& place) { table_.silent += lists_.count(place) == 0; };
-    for (u32 z = 0; z < proof_.stated.zeros.size(); ++z)
-      if (const ZeroClass kind = proof_.stated.zeros[z].kind;
-          kind == ZeroClass::source || kind == ZeroClass::sink)
-        look({Place::zero, z});
-    for (u32 i = 0; i < orbits_.size(); ++i)
-      for (const auto side : {Place::left_of_orbit, Place::right_of_orbit}) look({side, i});
-    std::vector<u8> met(domain().loops.size(), 0);
-    for (const auto& line : proof_.stated.separatrices)
-      if (line.origin == SkeletonOrigin::vertex && !line.legs.empty())
-        if (const u32 fan = domain().fan[line.from]; domain().open[fan] != 0)
-          met[shore_.loop(previous_corner(domain().corners_of(fan).back()))] = 1;
-    for (u32 i = 0; i < domain().loops.size(); ++i) {
-      const u32 region = proof_.boundary.regions[domain().loops[i][0]][0];
-      if (region != kNone && shore_.is_whole(region) && met[i] == 0) look({Place::region, region});
-    }
+        {line, static_cast<std::size_t>(local + (first ? 0 : 8)) % 16, i - crosses, crosses});
   }
 
   /// Where line a is, seen from b, of two at one place.
