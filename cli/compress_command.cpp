@@ -26,6 +26,7 @@ struct CompressOptions {
   io::VectorRequest vectors;
   vector_fields::CompressionOptions compression;
   SimplifyOptions simplify;
+  std::optional<io::PlaneWindow> close_up;
 };
 
 /// Of both skeletons; where these differ, of the output's alone.
@@ -67,7 +68,8 @@ Outcome work(Run& run, const CompressOptions& o) {
                              result.field.vectors);
     });
     run.write("--picture", [&](const std::string& path) {
-      io::write_comparison_picture(path, {&field, &result.before}, {&result.field, &result.after});
+      io::write_comparison_picture(path, {&field, &result.before, {}, o.close_up},
+                                   {&result.field, &result.after});
     });
     run.write("--smoothed", [&](const std::string& path) {
       const auto at = vector_fields::blended(
@@ -90,6 +92,7 @@ std::function<int()> add(CLI::App& app) {
   CompressOptions& o = *options;
   add_common_options(app, o.common, kVectorFormats, "the field on fewer triangles (.vtu)");
   add_vector_options(app, o.vectors);
+  add_close_up_option(app, o.close_up);
   const std::map<std::string, Equivalence> notions = {{"strong", Equivalence::strong},
                                                       {"original", Equivalence::original},
                                                       {"relaxed", Equivalence::relaxed}};

@@ -24,6 +24,7 @@ struct SkeletonOptions {
   CommonOptions common;
   io::VectorRequest vectors;
   SimplifyOptions simplify;
+  std::optional<io::PlaneWindow> close_up;
   std::string paths;
 };
 
@@ -64,7 +65,7 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   if (simpler)
     run.report()["simplify"] =
         importance_in_words(simpler->importance, *o.simplify.threshold, o.simplify.laplacian);
-  io::SkeletonScene scene{&field, simpler ? &simpler->part : &skeleton};
+  io::SkeletonScene scene{&field, simpler ? &simpler->part : &skeleton, {}, o.close_up};
   if (run.wanted("--certificate"))
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(record);
@@ -98,6 +99,7 @@ std::function<int()> add(CLI::App& app) {
   SkeletonOptions& o = *options;
   add_common_options(app, o.common, kVectorFormats, "the skeleton (.vtp)");
   add_vector_options(app, o.vectors);
+  add_close_up_option(app, o.close_up);
   CLI::Option* simplify = add_simplify_options(
       app, o.simplify,
       "weigh critical points and separatrices from 0 to 1; -o and --picture show "

@@ -195,6 +195,7 @@ Json skeleton_in_words(const PlanarField& field, const Skeleton& s, const Import
   Json orbits = Json::array();
   for (const ClosedOrbit& o : s.orbits)
     orbits.push_back({{"attracting", o.attracting}, {"point", to_json(o.line.front())}});
+  report["witnesses"] = {{"count", s.witnesses.size()}};
   report["closed_orbits"] = {{"count", s.orbits.size()}, {"items", orbits}};
   return report;
 }

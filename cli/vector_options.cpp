@@ -2,6 +2,7 @@
 #include "cli/vector_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <map>
 
 #include "cli/common_options.hpp"
@@ -26,6 +27,22 @@ void add_vector_options(CLI::App& app, io::VectorRequest& request) {
       ->check(CLI::Range(0, 1'000'000'000))
       ->type_name("K");
   app.add_flag("--all", request.all, "keep points that the file flags as bad");
+}
+
+void add_close_up_option(CLI::App& app, std::optional<io::PlaneWindow>& close_up) {
+  const auto take = [&close_up](const std::string& text) {
+    double x[4];
+    const std::vector<std::string> words = CLI::detail::split(text, ',');
+    for (std::size_t k = 0; k < 4; ++k)
+      if (words.size() != 4 || !CLI::detail::lexical_cast(words[k], x[k]) || !std::isfinite(x[k]))
+        throw CLI::ValidationError("--close-up", text + " is not four numbers X0,Y0,X1,Y1");
+    if (!(x[0] < x[2] && x[1] < x[3]))
+      throw CLI::ValidationError("--close-up", "x0 < x1 and y0 < y1 are corners");
+    close_up = io::PlaneWindow{{x[0], x[1]}, {x[2], x[3]}};
+  };
+  app.add_option_function<std::string>("--close-up", take,
+                                       "the part of the plane that --picture shows")
+      ->type_name("X0,Y0,X1,Y1");
 }
 
 CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options,

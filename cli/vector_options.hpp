@@ -7,6 +7,7 @@
 
 #include "algorithms/vector_fields/importance.hpp"
 #include "io/read/planar_field_reader.hpp"
+#include "io/vector_fields/skeleton_writer.hpp"
 
 namespace CLI {
 class App;
@@ -19,6 +20,9 @@ namespace crest::cli {
 extern const char* const kVectorFormats;
 
 void add_vector_options(CLI::App& app, io::VectorRequest& request);
+
+/// --close-up
+void add_close_up_option(CLI::App& app, std::optional<io::PlaneWindow>& close_up);
 
 /// --simplify and what belongs to it.
 struct SimplifyOptions {

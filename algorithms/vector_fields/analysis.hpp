@@ -3,13 +3,16 @@
 
 // All that is found of a field, with what proves it.
 #include "algorithms/vector_fields/sectors.hpp"
-#include "algorithms/vector_fields/trace.hpp"
+#include "algorithms/vector_fields/witnesses.hpp"
 
 namespace crest::vector_fields {
 
 struct Analysis {
-  /// doors: where annuli are looked for first. Requires: `field` outlives the analysis.
-  explicit Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors = {});
+  /// Requires: `field` outlives the analysis.
+  explicit Analysis(const PlanarField& field);
+  /// doors: where annuli are looked for first; witnesses: those to follow.
+  Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors,
+           const std::vector<Witness>& witnesses);
   Skeleton skeleton() const;
 
   Domain domain;
@@ -18,7 +21,12 @@ struct Analysis {
   Boundary boundary;
   std::unordered_map<Index, Trap> traps;
   std::vector<Annulus> annuli;
-  std::vector<Trace> traces;
+  std::vector<Trace> traces;  ///< of the separatrices, then of the witnesses
+  std::vector<Witness> witnesses;
+
+ private:
+  Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors,
+           const std::vector<Witness>* given);
 };
 
 }  // namespace crest::vector_fields

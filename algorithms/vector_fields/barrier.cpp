@@ -28,6 +28,14 @@ Real on_grid(const Real& x) {
   return (x + 1) - 1;
 }
 
+/// What the arithmetic is good for.
+template <class Real>
+Real unit_roundoff(const BarrierSetting& setting) {
+  using std::ldexp;
+  const bool pairs = std::is_same_v<Real, DoubleDouble>;
+  return ldexp(Real(1), -(pairs ? 102 : setting.bits));
+}
+
 }  // namespace
 
 /// x0 + sum c_k s^k, s from 0 to 1.
@@ -356,6 +364,7 @@ std::optional<ArcEnd<Real>> BarrierMaker<Real>::arc(const TriangleFrame<Real>& f
 }
 
 template class BarrierMaker<double>;
+template class BarrierMaker<DoubleDouble>;
 template class BarrierMaker<Real133>;
 template class BarrierMaker<Real332>;
 template class BarrierMaker<Real1000>;

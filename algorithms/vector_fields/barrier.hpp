@@ -47,13 +47,6 @@ Real from_other_side(const Real& t) {
   return t == 0.5 ? t : Real(-t);
 }
 
-/// What the arithmetic is good for.
-template <class Real>
-Real unit_roundoff(const BarrierSetting& setting) {
-  using std::ldexp;
-  return ldexp(Real(1), -setting.bits);
-}
-
 /// The field in a triangle's coordinates, by the corner in the origin.
 template <class Real>
 struct TriangleFrame {

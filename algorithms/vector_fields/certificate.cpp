@@ -116,9 +116,10 @@ certify::SkeletonEnd end_of(EndKind end) {
 
 certify::SkeletonSeparatrix record_of(const Trace& t) {
   certify::SkeletonSeparatrix r;
-  r.origin = t.start.from_switch_point ? certify::SkeletonOrigin::switch_point
-                                       : certify::SkeletonOrigin::zero;
-  r.from = t.start.origin;
+  r.origin = t.start.from_vertex         ? certify::SkeletonOrigin::vertex
+             : t.start.from_switch_point ? certify::SkeletonOrigin::switch_point
+                                         : certify::SkeletonOrigin::zero;
+  r.from = t.start.from_vertex ? t.start.vertex : t.start.origin;
   r.backward = t.start.forward ? 0 : 1;
   r.end = end_of(t.end);
   if (t.end == EndKind::undecided) {

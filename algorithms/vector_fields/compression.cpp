@@ -12,19 +12,27 @@ namespace {
 
 constexpr int kMostRounds = 20;
 
-/// The orbits' segments in the numbers of the output.
-std::vector<AnnulusDoor> doors_of(const SearchState& state) {
-  std::vector<Index> number(state.mesh.triangle_count(), kNone);
-  Index count = 0;
-  for (Index t = 0; t < state.mesh.triangle_count(); ++t)
-    if (state.mesh.alive(t)) number[t] = count++;
-  std::vector<AnnulusDoor> doors;
-  for (const SearchOrbit& o : state.orbits) {
-    if (o.exits.empty()) continue;
-    const HalfEdge side = state.mesh.twin(o.exits.front());
-    doors.push_back(
-        {o.forward, 3 * number[side / 3] + side % 3, 1 - o.high.front(), 1 - o.low.front()});
+/// A half-edge of a triangle that is left, in the numbers of the output.
+class HalfEdgeNumbers {
+ public:
+  explicit HalfEdgeNumbers(const CollapseMesh& mesh) : number_(mesh.triangle_count(), kNone) {
+    Index count = 0;
+    for (Index t = 0; t < mesh.triangle_count(); ++t)
+      if (mesh.alive(t)) number_[t] = count++;
   }
+  HalfEdge operator()(HalfEdge h) const { return 3 * number_[h / 3] + h % 3; }
+
+ private:
+  std::vector<Index> number_;
+};
+
+/// The orbits' segments.
+std::vector<AnnulusDoor> doors_of(const SearchState& state, const HalfEdgeNumbers& number) {
+  std::vector<AnnulusDoor> doors;
+  for (const SearchOrbit& o : state.orbits)
+    if (!o.exits.empty())
+      doors.push_back({o.forward, number(state.mesh.twin(o.exits.front())), 1 - o.high.front(),
+                       1 - o.low.front()});
   return doors;
 }
 
@@ -35,8 +43,11 @@ Kept kept_of(const Analysis& input, const Compression& result, const Compression
   if (!options.simplify) return kept;
   for (std::size_t z = 0; z < kept.zeros.size(); ++z)
     kept.zeros[z] = result.importance->zeros[z].weight >= *options.simplify;
-  for (std::size_t i = 0; i < kept.lines.size(); ++i)
-    kept.lines[i] = result.importance->separatrices[i] >= *options.simplify;
+  const auto& weights = result.importance->separatrices;
+  for (std::size_t i = 0; i < weights.size(); ++i) kept.lines[i] = weights[i] >= *options.simplify;
+  // Where something may vanish witnesses may not stand any more.
+  std::fill(kept.lines.begin() + static_cast<std::ptrdiff_t>(weights.size()), kept.lines.end(),
+            kept.all());
   return kept;
 }
 
@@ -64,7 +75,11 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
     counts.rounds = round;
     counts.pinned = static_cast<std::size_t>(std::count(pinned.begin(), pinned.end(), true));
     result.field = state.mesh.field(result.vertex_of);
-    const Analysis output(result.field, doors_of(state));
+    const HalfEdgeNumbers number(state.mesh);
+    std::vector<Witness> witnesses;
+    if (kept.all())
+      for (const Witness& w : input.witnesses) witnesses.push_back({number(w.leaving), w.forward});
+    const Analysis output(result.field, doors_of(state, number), witnesses);
     const SkeletonMatch match = match_skeletons(input, output, state, kept);
     counts.inherited += match.inherited;
     counts.left_below = output.zeros.size() - std::min(important, output.zeros.size());

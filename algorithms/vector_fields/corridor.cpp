@@ -90,6 +90,9 @@ CellResult<Real> cross_cell(BarrierMaker<Real>& maker, bool forward, Index t, in
 template CellResult<double> cross_cell(BarrierMaker<double>&, bool, Index, int,
                                        const ArcStart<double>&, const ArcStart<double>&,
                                        const TrapShape*);
+template CellResult<DoubleDouble> cross_cell(BarrierMaker<DoubleDouble>&, bool, Index, int,
+                                             const ArcStart<DoubleDouble>&,
+                                             const ArcStart<DoubleDouble>&, const TrapShape*);
 template CellResult<Real133> cross_cell(BarrierMaker<Real133>&, bool, Index, int,
                                         const ArcStart<Real133>&, const ArcStart<Real133>&,
                                         const TrapShape*);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The precisions corridors climb: doubles, then MPFR of 133, 332 and 1000 bits.
+// The precisions corridors climb: doubles, pairs of doubles, then MPFR of 133, 332 and 1000 bits.
 #include <boost/multiprecision/mpfr.hpp>
+
+#include "algorithms/vector_fields/double_double.hpp"
 
 namespace crest::vector_fields {
 

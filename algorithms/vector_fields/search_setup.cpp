@@ -129,6 +129,9 @@ void SearchState::take_lines(const std::vector<bool>& pinned) {
       line.ordinal = mesh.boundary_edge(edge).ordinal;
     }
     if (!kept_.lines[i]) line.end = EndKind::undecided;
+    if (trace.start.from_vertex)
+      for (const HalfEdge h : input_.domain.fan(trace.start.vertex).leaving)
+        if (frozen_[h / 3] == 0) frozen_[h / 3] = 1;
     if (line.end == EndKind::undecided) continue;
     if (const auto steps = steps_of(input_.domain, trace); !trace.straight && !steps.empty())
       line.first = steps.front();

@@ -183,8 +183,8 @@ Index SearchState::end_of(Index line) const {
     case EndKind::boundary:
       return l.target;
     case EndKind::critical_point:
-      // Around a vertex the order is left to the checker.
-      if (input_.zeros[l.target].item.where == ZeroPlace::vertex) return kNone;
+      // Around a vertex, or on an edge, the order is left to the checker.
+      if (input_.zeros[l.target].item.where != ZeroPlace::triangle) return kNone;
       [[fallthrough]];
     case EndKind::zero_flow:
       return regions + l.target;
@@ -209,12 +209,15 @@ std::optional<Arrival> SearchState::arrival(Index line, Index end) const {
   const SearchLine& l = lines[line];
   if (l.steps.empty()) {
     // It starts in the zero's triangle, at the boundary.
-    if (l.ordinal == kNone) return std::nullopt;
-    return Arrival{line, mesh.edge_of_ordinal(l.ordinal) % 3, &l.steps, 0};
+    if (l.ordinal == kNone && !l.start.from_vertex) return std::nullopt;
+    const HalfEdge side = l.start.from_vertex ? l.start.place : mesh.edge_of_ordinal(l.ordinal);
+    return Arrival{line, side % 3, &l.steps, 0};
   }
   Arrival a{line, 0, &l.steps, l.steps.size() - 1};
-  if (!l.start.from_switch_point) a.zero = place_of(l.start.origin);
-  if (l.start.from_switch_point) a.side = l.start.place;
+  if (l.start.from_switch_point || l.start.from_vertex)
+    a.side = l.start.place;
+  else
+    a.zero = place_of(l.start.origin);
   const HalfEdge exit = l.steps.back().exit;
   if (l.end == EndKind::boundary) a.slot = slots_.slot(end, mesh.boundary_edge(exit).ordinal);
   if (l.end == EndKind::critical_point) a.slot = mesh.twin(exit) % 3;

@@ -66,26 +66,20 @@ class Named {
   std::optional<Index> side(Index line) const {
     const Trace& t = a_.traces[line];
     if (t.end == EndKind::undecided || t.straight) return std::nullopt;
-    if (t.end == EndKind::critical_point && a_.zeros[t.target].item.where == ZeroPlace::vertex)
+    if (t.end == EndKind::critical_point && a_.zeros[t.target].item.where != ZeroPlace::triangle)
       return std::nullopt;
     if (t.end != EndKind::closed_orbit) return 0;
-    // What comes from outside lies between the gate's end and its return.
-    const Annulus& o = a_.annuli[t.target];
-    const double s = 1 - steps_[line].back().share;
-    const auto from_tail = [](double x) { return x > 0 ? x : 1 + x; };
-    if (s <= from_tail(o.back_left)) return 0;
-    if (s >= from_tail(o.back_right)) return 1;
-    return std::nullopt;
+    return side_of(a_.domain, a_.annuli[t.target], t);
   }
   std::optional<Arrival> arrival(Index line) const {
     const Trace& t = a_.traces[line];
     const auto& steps = steps_[line];
     if (steps.empty()) {
-      if (!t.start.from_switch_point) return std::nullopt;
+      if (!t.start.from_switch_point && !t.start.from_vertex) return std::nullopt;
       return Arrival{line, t.leg.place % 3, &steps, 0};
     }
     Arrival r{line, 0, &steps, steps.size() - 1};
-    if (t.start.from_switch_point)
+    if (t.start.from_switch_point || t.start.from_vertex)
       r.side = t.start.place;
     else
       r.zero = a_.zeros[t.start.origin].item.point;
@@ -198,14 +192,17 @@ bool Matcher::boundary() {
       return differ("another switch point");
     switches_[at->second] = i;
   }
+  // A region may have only the rest of an edge, behind a switch point in it.
+  const auto corresponds = [&](Index before, Index now) {
+    if (before == kNone || now == kNone) return before == now;
+    return regions_.try_emplace(before, now).first->second == now;
+  };
   for (const auto& [h, r] : b.regions) {
     const auto old = a.regions.find(old_edge(h));
-    if (old == a.regions.end()) return differ("another region of the boundary");
-    if (r.at_from != kNone) regions_[old->second.at_from] = r.at_from;
+    if (old == a.regions.end() || !corresponds(old->second.at_from, r.at_from) ||
+        !corresponds(old->second.at_to, r.at_to))
+      return differ("another region of the boundary");
   }
-  for (const auto& [h, r] : b.regions)
-    if (r.at_to != kNone && r.at_from == kNone)
-      regions_.try_emplace(a.regions.at(old_edge(h)).at_to, r.at_to);
   loop_names_.assign(b.half_edges.size(), kNone);
   std::unordered_map<HalfEdge, Index> loop_of;
   for (Index i = 0; i < a.half_edges.size(); ++i)
@@ -257,14 +254,21 @@ bool Matcher::starts() {
   };
   for (Index i = 0; i < out_.traces.size(); ++i) {
     const Start& s = out_.traces[i].start;
-    starts[key(s, s, s.origin)] = i;
+    if (!s.from_vertex) starts[key(s, s, s.origin)] = i;
   }
   counts.clear();
   if (all_ && out_.traces.size() != in_.traces.size())
     return differ("another number of separatrices");
+  // Witnesses stand last, in their order.
+  const std::size_t witnesses = in_.traces.size() - in_.witnesses.size();
   for (Index i = 0; i < in_.traces.size(); ++i) {
     if (!kept_.lines[i]) {
       result_.separatrices.push_back(kNone);
+      continue;
+    }
+    if (i >= witnesses) {
+      result_.separatrices.push_back(static_cast<Index>(out_.traces.size() - in_.traces.size()) +
+                                     i);
       continue;
     }
     const Start& s = in_.traces[i].start;

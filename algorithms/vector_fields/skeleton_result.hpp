@@ -66,7 +66,7 @@ enum class OpenReason : std::uint8_t { none, saddle_connection, vertex_hit, weak
 struct Separatrix {
   bool forward = true;
   bool from_switch_point = false;
-  Index origin = 0;  ///< critical point or switch point
+  Index origin = 0;  ///< critical point or switch point, of witnesses a vertex
   EndKind end = EndKind::undecided;
   Index target = 0;  ///< critical point, region of the boundary, orbit
   OpenReason reason = OpenReason::none;
@@ -103,6 +103,7 @@ struct Skeleton {
   /// field around all triangles that meet none at the boundary.
   int index_sum = 0, winding_sum = 0;
   std::vector<Separatrix> separatrices;
+  std::vector<Separatrix> witnesses;  ///< stream lines through vertices, where no separatrix ends
   std::vector<ClosedOrbit> orbits;
   std::vector<BoundaryPiece> boundary;  ///< along the loops
   SkeletonCounts counts;

@@ -310,7 +310,7 @@ std::vector<Start> find_starts(const Domain& domain, const std::vector<ZeroCompo
     if (item.where == ZeroPlace::triangle && item.kind == ZeroKind::saddle)
       for (const bool forward : {true, false})
         for (const int sense : {1, -1})
-          starts.push_back({StartKind::ray, forward, false, i, 3 * item.simplex, sense, 0});
+          starts.push_back({StartKind::ray, forward, false, false, i, 3 * item.simplex, sense, 0});
     for (const Ray& ray : portraits[i].rays)
       if (ray.separatrix) starts.push_back(fan_start(ray, i, zeros[i]));
   }
@@ -353,6 +353,8 @@ CellResult<Real> begin(BarrierMaker<Real>& maker, const Start& start, Trace& tra
 }
 
 template CellResult<double> begin(BarrierMaker<double>&, const Start&, Trace&, const TrapShape*);
+template CellResult<DoubleDouble> begin(BarrierMaker<DoubleDouble>&, const Start&, Trace&,
+                                        const TrapShape*);
 template CellResult<Real133> begin(BarrierMaker<Real133>&, const Start&, Trace&, const TrapShape*);
 template CellResult<Real332> begin(BarrierMaker<Real332>&, const Start&, Trace&, const TrapShape*);
 template CellResult<Real1000> begin(BarrierMaker<Real1000>&, const Start&, Trace&,

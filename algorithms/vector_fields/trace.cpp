@@ -13,6 +13,9 @@ namespace crest::vector_fields {
 
 namespace {
 
+/// Of corridors that are looked for in pairs of doubles: certificates have no such bits.
+constexpr BarrierSetting kPairs{133, 78, 21, 0};
+
 /// Crossings after which a line is given up, and says so; at high precisions each is dear.
 std::size_t most_crossings(int bits) {
   return bits == 53 ? 200'000 : static_cast<std::size_t>(2.5e8 / bits / bits);
@@ -198,8 +201,9 @@ std::vector<Trace> trace(const Surroundings& around, const Start& start, Annulus
   const auto at = [&]<class Real>(Real, const BarrierSetting& setting) {
     return final(follow_at<Real>(around, setting, start, straight, notes, attempts.emplace_back()));
   };
-  (straight.straight && at(double{}, kDoubles)) || at(Real133{}, {133, 90, 24, 0}) ||
-      at(Real332{}, {332, 240, 50, 0}) || at(Real1000{}, {1000, 720, 120, 0});
+  (straight.straight && at(double{}, kDoubles)) || at(DoubleDouble{}, kPairs) ||
+      at(Real133{}, {133, 90, 24, 0}) || at(Real332{}, {332, 240, 50, 0}) ||
+      at(Real1000{}, {1000, 720, 120, 0});
   return attempts;
 }
 

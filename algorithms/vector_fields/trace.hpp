@@ -22,7 +22,8 @@ struct Start {
   StartKind kind = StartKind::none;
   bool forward = true;
   bool from_switch_point = false;
-  Index origin = 0;
+  bool from_vertex = false;  ///< a witness
+  Index origin = 0;          ///< zero, switch point or vertex
   /// ray of a saddle in a triangle: 3 t; fan_ray: the side that it meets. point: the half-edge that
   /// leaves the vertex with the line at its left. along: the side at which it starts.
   HalfEdge place = kNone;

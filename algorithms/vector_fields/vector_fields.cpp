@@ -52,7 +52,14 @@ std::vector<BoundaryPiece> pieces_of(const Domain& domain, const Boundary& bound
 
 }  // namespace
 
-Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors)
+Analysis::Analysis(const PlanarField& field) : Analysis(field, {}, nullptr) {}
+
+Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors,
+                   const std::vector<Witness>& given)
+    : Analysis(field, doors, &given) {}
+
+Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doors,
+                   const std::vector<Witness>* given)
     : domain(field) {
   zeros = find_zeros(domain);
   classify_fans(domain, zeros, portraits);
@@ -64,6 +71,12 @@ Analysis::Analysis(const PlanarField& field, const std::vector<AnnulusDoor>& doo
   for (const AnnulusDoor& door : doors) search.try_door(door);
   annuli = std::move(notes.found);
   traces = trace_all(around, find_starts(domain, zeros, portraits, boundary), annuli);
+  if (given == nullptr) {
+    witnesses = find_witnesses(around, traces, annuli);
+  } else {
+    witnesses = *given;
+    follow_witnesses(around, witnesses, traces, annuli);
+  }
 }
 
 Skeleton Analysis::skeleton() const {
@@ -81,13 +94,16 @@ Skeleton Analysis::skeleton() const {
   result.switch_points = boundary.switch_points;
   result.loops = boundary.loops;
   for (const Trace& t : traces) {
+    if (t.start.from_vertex) {
+      result.witnesses.push_back(separatrix_of(t, domain.point(t.start.origin)));
+      continue;
+    }
     const Vec2 from = t.start.from_switch_point ? boundary.switch_points[t.start.origin].point
                                                 : zeros[t.start.origin].item.point;
     Separatrix& s = result.separatrices.emplace_back(separatrix_of(t, from));
     if (s.end == EndKind::critical_point) {
       const CriticalPoint& end = zeros[s.target].item;
-      if (end.where == ZeroPlace::triangle || (end.where == ZeroPlace::vertex && !t.straight))
-        s.line.push_back(end.point);
+      if (end.where == ZeroPlace::triangle || !t.straight) s.line.push_back(end.point);
     }
     result.counts.crossings += s.crossings;
     if (s.end != EndKind::undecided) ++result.counts.bits[s.bits];

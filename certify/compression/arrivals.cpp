@@ -80,6 +80,29 @@ class Shore {
   std::vector<u8> whole_;
 };
 
+/// ArrivalTable::silent.
+std::size_t count_silent(const Proof& proof, const ArrivalTable& table, const Shore& shore) {
+  const Domain& domain = proof.domain;
+  std::size_t count = 0;
+  const auto look = [&](const Place& place) { count += table.orders.count(place) == 0; };
+  const auto& zeros = proof.stated.zeros;
+  for (u32 z = 0; z < zeros.size(); ++z)
+    if (zeros[z].kind == ZeroClass::source || zeros[z].kind == ZeroClass::sink)
+      look({Place::zero, z});
+  for (u32 i = 0; i < proof.stated.orbits.size(); ++i)
+    for (const auto side : {Place::left_of_orbit, Place::right_of_orbit}) look({side, i});
+  std::vector<u8> met(domain.loops.size(), 0);
+  for (const auto& line : proof.stated.separatrices)
+    if (line.origin == SkeletonOrigin::vertex && !line.legs.empty())
+      if (const u32 fan = domain.fan[line.from]; domain.open[fan] != 0)
+        met[shore.loop(previous_corner(domain.corners_of(fan).back()))] = 1;
+  for (u32 i = 0; i < domain.loops.size(); ++i) {
+    const u32 region = proof.boundary.regions[domain.loops[i][0]][0];
+    if (region != kNone && shore.is_whole(region) && met[i] == 0) look({Place::region, region});
+  }
+  return count;
+}
+
 class ArrivalFinder {
  public:
   ArrivalFinder(const Proof& proof, const std::vector<Orbit>& orbits, SignLadder& sign)
@@ -90,6 +113,7 @@ class ArrivalFinder {
     for (u32 i = 0; i < count; ++i) table_.paths.push_back(path_of(proof_, i));
     for (u32 i = 0; i < count; ++i) add(i);
     for (auto& [place, list] : lists_) sort(place, list);
+    table_.silent = count_silent(proof_, table_, shore_);
     return std::move(table_);
   }
 
@@ -116,6 +140,8 @@ class ArrivalFinder {
           return add_to_triangle(line, {Place::zero, stated.to});
         if (zero.stated.place == ZeroPlace::vertex && domain().open[zero.place] == 0)
           add_to_star(line, {Place::zero, stated.to}, zero.place);
+        if (zero.stated.place == ZeroPlace::edge && domain().twin[zero.place] != kNone)
+          add_to_edge(line, {Place::zero, stated.to}, zero.place);
         return;
       }
       default:
@@ -179,6 +205,24 @@ class ArrivalFinder {
       lists_[place].push_back({line, at % all, i - crosses, crosses});
       return;
     }
+  }
+
+  /// Where it comes into the two triangles at a side for the last time.
+  void add_to_edge(u32 line, const Place& place, u32 side) {
+    const auto& cells = path(line).cells;
+    const u32 twin = domain().twin[side];
+    std::size_t i = cells.size() - 1;
+    while (cells[i].entry == Entry::crossing && (cells[i].name == side || cells[i].name == twin))
+      --i;
+    const bool first = cells[i].name / 3 == side / 3;
+    // From the head of the side on: 0, the next side 1 to 3, the vertex across 4, to the tail 8.
+    const u32 head = next_corner(first ? side : twin);
+    const int local = (comparison_.place(path(line), i) + 12 - 4 * static_cast<int>(head % 3)) % 12;
+    require(cells[i].name / 3 == head / 3 && local <= 8,
+            "separatrix {}: does not come to its zero from outside", line);
+    const bool crosses = cells[i].entry == Entry::crossing;
+    lists_[place].push_back(
+        {line, static_cast<std::size_t>(local + (first ? 0 : 8)) % 16, i - crosses, crosses});
   }
 
   /// Where line a is, seen from b, of two at one place.

@@ -25,6 +25,9 @@ struct Arrivals {
 struct ArrivalTable {
   std::vector<Path> paths;  ///< of all separatrices
   std::map<Place, Arrivals> orders;
+  /// Sinks and sources inside triangles, sides of orbits and whole loops of one region at which
+  /// no line arrives, nor any of a vertex on the loop starts.
+  std::size_t silent = 0;
 };
 
 /// Throws Reject where an order cannot be told.

@@ -131,10 +131,12 @@ class LineCheck {
   const SkeletonSeparatrix& before(u32 i) const { return match_.in.stated.separatrices[i]; }
   const SkeletonSeparatrix& after(u32 j) const { return match_.out.stated.separatrices[j]; }
 
-  /// A zero or switch point of the output, in the input.
-  u32 origin_of(const SkeletonSeparatrix& line) const {
-    return line.origin == SkeletonOrigin::zero ? maps_.zeros.from[line.from]
-                                               : match_.switch_point[line.from];
+  bool same_origin(const SkeletonSeparatrix& a, const SkeletonSeparatrix& b) const {
+    if (a.origin != b.origin) return false;
+    if (a.origin == SkeletonOrigin::vertex)
+      return match_.in.domain.fan[a.from] == match_.fan[match_.out.domain.fan[b.from]];
+    return a.from == (a.origin == SkeletonOrigin::zero ? maps_.zeros.from[b.from]
+                                                       : match_.switch_point[b.from]);
   }
 
   /// Inside a triangle that is not the input's.
@@ -147,10 +149,9 @@ class LineCheck {
 
   void check_start(u32 i, u32 j) const {
     const SkeletonSeparatrix &a = before(i), &b = after(j);
-    require(a.origin == b.origin && a.from == origin_of(b) && a.backward == b.backward &&
-                a.legs.empty() == b.legs.empty(),
+    require(same_origin(a, b) && a.backward == b.backward && a.legs.empty() == b.legs.empty(),
             "separatrix {}: starts elsewhere in the output", i);
-    if (a.legs.empty() || a.origin == SkeletonOrigin::switch_point || moved(b.from)) return;
+    if (a.legs.empty() || a.origin != SkeletonOrigin::zero || moved(b.from)) return;
     const Ray &ray = match_.in.claimed[i].ray, &other = match_.out.claimed[j].ray;
     bool same = ray.root == other.root && (ray.exit == kNone) == (other.exit == kNone);
     if (ray.exit != kNone && other.exit != kNone)
@@ -185,9 +186,8 @@ class LineCheck {
       case ZeroPlace::triangle:
         return zero.stated.kind != ZeroClass::saddle;
       case ZeroPlace::vertex:
-        return zero.stated.index != kNoIndex && zero.stated.hyperbolic == 0;
       case ZeroPlace::edge:
-        return false;
+        return zero.stated.index != kNoIndex && zero.stated.hyperbolic == 0;
       default: {
         const u32 exit = in_.paths[i].cells.back().exit;
         return exit != kNone && match_.in.domain.twin[exit] == kNone;

@@ -58,8 +58,11 @@ void compare(const CompressionCertificate& c, Match& match, SignLadder& sign, Ve
   prove(verdict, "both: {} separatrices have the same starts and ends, up to {} undecided ones",
         maps.separatrices.to.size(), open);
   check_arrivals(match, lines_in, lines_out, maps);
-  prove(verdict, "both: in the same order at the {} places where they arrive",
-        lines_in.orders.size());
+  prove(
+      verdict,
+      "both: in the same order at the {} places where they arrive; at {} sinks, sources, sides of "
+      "orbits and loops of one region there is no line",
+      lines_in.orders.size(), lines_in.silent);
   if (c.notion == SkeletonNotion::strong)
     prove(verdict, "both: separatrices and orbits meet the same {} triangles",
           check_strong(match, lines_in, lines_out, maps));

@@ -69,6 +69,7 @@ class PathMaker {
   u32 start_fan() const {
     const auto& straight = path_.trace->straight;
     if (!straight.empty()) return domain().fan[straight.back().to.name];
+    if (line_.origin == SkeletonOrigin::vertex) return domain().fan[line_.from];
     const SkeletonSwitch& point = proof_.boundary.switches[line_.from];
     return point.place == 0 ? kNone : domain().fan[next_corner(point.side)];
   }

@@ -115,7 +115,7 @@ void read(ByteReader& reader, SkeletonLeg& leg) {
   read_list(reader, leg.exceptions, 10);
 }
 void read(ByteReader& reader, SkeletonSeparatrix& line) {
-  line.origin = read_code(reader, SkeletonOrigin::switch_point);
+  line.origin = read_code(reader, SkeletonOrigin::vertex);
   line.from = reader.integer<std::uint32_t>();
   line.backward = read_flag(reader);
   read_list(reader, line.legs, 31);

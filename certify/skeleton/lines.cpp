@@ -142,13 +142,19 @@ class LineCheck {
     return line_.origin == SkeletonOrigin::zero ? &context_.zeros.components[line_.from] : nullptr;
   }
   void check_origin() const {
+    if (line_.origin == SkeletonOrigin::vertex)
+      return require(line_.from < context_.field.corners() &&
+                         !is_zero(context_.field.vector(line_.from)) &&
+                         context_.domain.live[line_.from / 3] != 0,
+                     "{}: from no vertex with flow", name_);
     const std::size_t count = line_.origin == SkeletonOrigin::zero
                                   ? context_.zeros.components.size()
                                   : context_.boundary.switches.size();
     require(line_.from < count, "{}: from nowhere", name_);
   }
-  /// Corners of the fan at the switch point's vertex, or kNone if it is inside a side.
+  /// Of the switch point's vertex, kNone if it is inside a side, or of the vertex.
   u32 origin_fan() const {
+    if (line_.origin == SkeletonOrigin::vertex) return context_.domain.fan[line_.from];
     const SkeletonSwitch& point = context_.boundary.switches[line_.from];
     return point.place == 0 ? kNone : context_.domain.fan[next_corner(point.side)];
   }
@@ -157,7 +163,7 @@ class LineCheck {
     if (zero() != nullptr) return;
     const u32 fan = origin_fan();
     require(fan != kNone && context_.domain.fan[leg.corner] == fan,
-            "{}: does not start at its switch point", name_);
+            "{}: does not start at its point", name_);
   }
 
   /// `before`: the straight part that it goes on from.

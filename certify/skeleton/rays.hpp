@@ -28,7 +28,8 @@ struct Claimed {
 };
 
 /// Throws Reject unless the lines are all separatrices of saddles, inside switch points and inner
-/// zeros on vertices and edges, each once; and no lines of other points off the boundary.
+/// zeros on vertices and edges, each once; and no lines of other zeros or switch points off the
+/// boundary. There may be lines of vertices.
 void check_completeness(const Context& context, std::vector<Claimed> lines);
 
 }  // namespace crest::certify::skeleton

@@ -50,12 +50,12 @@ struct SkeletonPoint {
   double a = 0, b = 0;
 };
 
-/// Whoever enters stays and ends in the zero. Inside a triangle: the ellipse (x - z)^T P (x - z) <
-/// 1 in the frame of corner 0. Vertex: a polygon around it.
+/// Whoever enters stays and ends in the zero. Inside a triangle or a side: the ellipse
+/// (x - z)^T P (x - z) < 1 in the frame of corner 0 of its first triangle. Vertex: a polygon.
 struct SkeletonTrap {
   std::uint32_t zero = 0;
   std::array<double, 3> form{};     ///< P: aa, ab, bb; vertex: zeros
-  std::vector<SkeletonPoint> star;  ///< counter-clockwise; inside a triangle: empty
+  std::vector<SkeletonPoint> star;  ///< counter-clockwise; not a vertex: empty
 };
 
 /// Entered through side k, left through k + 1, k + 2 or k.
@@ -87,13 +87,14 @@ struct SkeletonLeg {
   std::vector<SkeletonException> exceptions;
 };
 
-enum class SkeletonOrigin : std::uint8_t { zero, switch_point };
+enum class SkeletonOrigin : std::uint8_t { zero, switch_point, vertex };
 enum class SkeletonEnd : std::uint8_t { zero, switch_point, boundary, orbit, undecided };
 enum class OpenReason : std::uint8_t { none, saddle_connection, vertex_hit, weak_focus, budget };
 
+/// Or a stream line through a vertex, a witness.
 struct SkeletonSeparatrix {
   SkeletonOrigin origin = SkeletonOrigin::zero;
-  std::uint32_t from = 0;         ///< number of the zero or switch point
+  std::uint32_t from = 0;         ///< number of the zero or switch point, or a corner
   std::uint8_t backward = 0;      ///< 1: a stream line of -v
   std::vector<SkeletonLeg> legs;  ///< none: nothing is known but that it is there
   SkeletonEnd end = SkeletonEnd::undecided;

@@ -30,49 +30,78 @@ int trace_sign(const Frame<Rational>& f) {
   return static_cast<int>(kernel::sign_of(Rational(a.a + b.b)));
 }
 
+/// A form of the frame of a triangle's corner 0 in that of another's.
+std::array<Rational, 3> in_frame_of(const Field& field, u32 from, u32 to,
+                                    const std::array<Rational, 3>& form) {
+  const auto axis = [&](u32 t, u32 k) {
+    return exact(field.position(3 * t + k)) - exact(field.position(3 * t));
+  };
+  const auto e = axis(from, 1), f = axis(from, 2);
+  const Rational area = det(e, f);
+  const auto moved = [&](const Plane<Rational>& w) {
+    return Point<Rational>{det(w, f) / area, det(e, w) / area};
+  };
+  const auto product = [&](const Point<Rational>& x, const Point<Rational>& y) {
+    return Rational(form[0] * x.a * y.a + form[1] * (x.a * y.b + x.b * y.a) + form[2] * x.b * y.b);
+  };
+  const Point<Rational> x = moved(axis(to, 1)), y = moved(axis(to, 2));
+  return {product(x, x), product(x, y), product(y, y)};
+}
+
 }  // namespace
 
 Trap::Trap(const Field& field, const Domain& domain, const ZeroSet& zeros,
            const SkeletonTrap& stated) {
   require(stated.zero < zeros.components.size(), "trap: no zero {}", stated.zero);
   const Component& zero = zeros.components[stated.zero];
+  const Form form = {stated.form[0], stated.form[1], stated.form[2]};
   if (zero.stated.place == ZeroPlace::triangle) {
     require(zero.stated.kind == ZeroClass::sink || zero.stated.kind == ZeroClass::source,
             "trap: zero {} is neither source nor sink", stated.zero);
     require(stated.star.empty(), "trap of zero {}: a polygon inside a triangle", stated.zero);
-    check_ellipse(field, stated, zero.stated.triangle);
+    check_ellipse(field, stated.zero, zero.stated.triangle, form, kNone);
+    return;
+  }
+  require(zero.stated.index != kNoIndex, "trap: zero {} has no index", stated.zero);
+  if (zero.stated.place == ZeroPlace::edge) {
+    require(stated.star.empty(), "trap of zero {}: a polygon inside a side", stated.zero);
+    const u32 t = zero.place / 3, twin = domain.twin[zero.place];
+    check_ellipse(field, stated.zero, t, form, zero.place);
+    check_ellipse(field, stated.zero, twin / 3, in_frame_of(field, t, twin / 3, form), twin);
   } else {
-    require(zero.stated.place == ZeroPlace::vertex && zero.stated.index != kNoIndex,
-            "trap: zero {} is on no inner vertex", stated.zero);
     require(stated.form == std::array<double, 3>{}, "trap of zero {}: an ellipse at a vertex",
             stated.zero);
     check_star(field, domain, zero, stated);
   }
 }
 
-void Trap::check_ellipse(const Field& field, const SkeletonTrap& stated, u32 triangle) {
-  triangle_ = triangle;
+void Trap::check_ellipse(const Field& field, u32 zero, u32 triangle, const Form& form, u32 side) {
   Frame<Rational> f = make_frame<Rational>(field, 3 * triangle, false);
-  backward_ = trace_sign(f) > 0;
+  if (ellipses_.empty()) backward_ = trace_sign(f) > 0;
   if (backward_) f = make_frame<Rational>(field, 3 * triangle, true);
   const Point<Rational> o = flow(f, {0, 0}), a = minus(flow(f, {1, 0}), o),
                         b = minus(flow(f, {0, 1}), o);
-  const Rational d = cross(a, b);
-  centre_ = {cross(b, o) / d, cross(o, a) / d};
-  const Rational p = stated.form[0], q = stated.form[1], r = stated.form[2];
-  form_ = {p, q, r};
+  const auto& [p, q, r] = form;
   const Rational area = p * r - q * q;
-  require(p > 0 && area > 0, "trap of zero {}: not positive", stated.zero);
+  require(p > 0 && area > 0, "trap of zero {}: not positive", zero);
   // A^T P + P A, A with the columns a, b.
   const Rational m00 = 2 * (a.a * p + a.b * q), m11 = 2 * (b.a * q + b.b * r),
                  m01 = a.a * q + a.b * r + b.a * p + b.b * q;
-  require(m00 < 0 && m00 * m11 - m01 * m01 > 0, "trap of zero {}: flow leaves it", stated.zero);
-  // n^T P^-1 n < lambda(z)^2 for the gradients n of the three coordinates.
-  const Rational l1 = centre_.a, l2 = centre_.b, l0 = 1 - l1 - l2;
-  require(p + r - 2 * q < area * l0 * l0 && r < area * l1 * l1 && p < area * l2 * l2,
-          "trap of zero {}: not inside its triangle", stated.zero);
-  rounded_ = {centre_.a.convert_to<double>(), centre_.b.convert_to<double>(), stated.form[0],
-              stated.form[1], stated.form[2]};
+  require(m00 < 0 && m00 * m11 - m01 * m01 > 0, "trap of zero {}: flow leaves it", zero);
+  // Then A has an inverse.
+  const Rational d = cross(a, b);
+  const Point<Rational> centre = {cross(b, o) / d, cross(o, a) / d};
+  // n^T P^-1 n < lambda(z)^2 for the gradients n of the coordinates that are not 0 at z.
+  const std::array<Rational, 3> at = {1 - centre.a - centre.b, centre.a, centre.b},
+                                reach = {p + r - 2 * q, r, p};
+  for (u32 k = 0; k < 3; ++k)
+    require((side != kNone && previous_corner(side) % 3 == k) || reach[k] < area * at[k] * at[k],
+            "trap of zero {}: not inside its triangle", zero);
+  const auto nearly = [](const Rational& x) { return x.convert_to<double>(); };
+  ellipses_.push_back({triangle,
+                       centre,
+                       form,
+                       {nearly(centre.a), nearly(centre.b), nearly(p), nearly(q), nearly(r)}});
 }
 
 void Trap::check_part(const Field& field, const Part& part, u32 zero) const {
@@ -131,11 +160,12 @@ std::size_t Trap::part_of(u32 corner, const Point<Rational>& p) const {
 }
 
 bool Trap::holds(u32 corner, const Point<Rational>& p, const Point<Rational>& q) const {
-  if (triangle_ != kNone) {
-    if (corner / 3 != triangle_) return false;
+  for (const Ellipse& e : ellipses_) {
+    if (corner / 3 != e.triangle) continue;
     for (const auto& x : {p, q}) {
-      const Point<Rational> y = minus(reframed(x, corner, 3 * triangle_), centre_);
-      if (form_[0] * y.a * y.a + 2 * form_[1] * y.a * y.b + form_[2] * y.b * y.b >= 1) return false;
+      const Point<Rational> y = minus(reframed(x, corner, 3 * e.triangle), e.centre);
+      if (e.form[0] * y.a * y.a + 2 * e.form[1] * y.a * y.b + e.form[2] * y.b * y.b >= 1)
+        return false;
     }
     return true;
   }
@@ -144,14 +174,14 @@ bool Trap::holds(u32 corner, const Point<Rational>& p, const Point<Rational>& q)
 }
 
 bool Trap::seems_to_hold(u32 corner, const Point<double>& p) const {
-  if (triangle_ == kNone) {
-    const Point<Rational> x{p.a, p.b};
-    return holds(corner, x, x);
+  for (const Ellipse& e : ellipses_) {
+    if (corner / 3 != e.triangle) continue;
+    const Point<double> x = reframed(p, corner, 3 * e.triangle);
+    const double a = x.a - e.rounded[0], b = x.b - e.rounded[1];
+    return e.rounded[2] * a * a + 2 * e.rounded[3] * a * b + e.rounded[4] * b * b < 0.9999;
   }
-  if (corner / 3 != triangle_) return false;
-  const Point<double> x = reframed(p, corner, 3 * triangle_);
-  const double a = x.a - rounded_[0], b = x.b - rounded_[1];
-  return rounded_[2] * a * a + 2 * rounded_[3] * a * b + rounded_[4] * b * b < 0.9999;
+  const Point<Rational> x{p.a, p.b};
+  return holds(corner, x, x);
 }
 
 }  // namespace crest::certify::skeleton

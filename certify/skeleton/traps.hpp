@@ -27,7 +27,16 @@ class Trap {
     u32 corner;
     Point<Rational> from, to;
   };
-  void check_ellipse(const Field& field, const SkeletonTrap& stated, u32 triangle);
+  using Form = std::array<Rational, 3>;  ///< aa, ab, bb
+  /// What of an ellipse lies in a triangle, in the frame of its corner 0.
+  struct Ellipse {
+    u32 triangle;
+    Point<Rational> centre;
+    Form form;
+    std::array<double, 5> rounded;  ///< centre, form
+  };
+  /// side: that with the zero inside it, or kNone.
+  void check_ellipse(const Field& field, u32 zero, u32 triangle, const Form& form, u32 side);
   void check_star(const Field& field, const Domain& domain, const Component& zero,
                   const SkeletonTrap& stated);
   void check_part(const Field& field, const Part& part, u32 zero) const;
@@ -35,10 +44,7 @@ class Trap {
   std::size_t part_of(u32 corner, const Point<Rational>& p) const;
 
   bool backward_ = false;
-  u32 triangle_ = kNone;      ///< of the ellipse
-  Point<Rational> centre_{};  ///< in the frame of corner 0
-  std::array<Rational, 3> form_;
-  std::array<double, 5> rounded_{};                     ///< centre, form
+  std::vector<Ellipse> ellipses_;                       ///< two around a zero inside a side
   std::vector<Part> parts_;                             ///< counter-clockwise
   std::map<u32, std::array<std::size_t, 2>> parts_of_;  ///< of a triangle: from, to
 };

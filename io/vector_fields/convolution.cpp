@@ -44,8 +44,9 @@ class Raster {
   void fill(const Vec2 (&p)[3], const Vec2 (&v)[3]) {
     const auto bounds = [&](std::size_t k, int end) {
       const auto [low, high] = std::minmax({p[0][k], p[1][k], p[2][k]});
-      return std::pair{std::max(0, static_cast<int>(std::floor(low))),
-                       std::min(end - 1, static_cast<int>(std::ceil(high)))};
+      // Close-ups leave triangles far outside.
+      return std::pair{static_cast<int>(std::clamp(std::floor(low), 0.0, 1.0 * end)),
+                       static_cast<int>(std::clamp(std::ceil(high), -1.0, end - 1.0))};
     };
     const auto [x0, x1] = bounds(0, width_);
     const auto [y0, y1] = bounds(1, height_);

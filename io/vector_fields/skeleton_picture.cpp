@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace crest::io {
 namespace {
 
 using namespace vector_fields;
+using kernel::operator+;
+using kernel::operator-;
+using kernel::operator*;
 
 constexpr int kLongest = 1000, kMargin = 20;  ///< pixels
 constexpr Rgb kBlue = {40, 84, 232}, kRed = {222, 34, 40}, kGreen = {30, 160, 60},
@@ -19,13 +23,15 @@ constexpr Rgb kBlue = {40, 84, 232}, kRed = {222, 34, 40}, kGreen = {30, 160, 60
               kGrey = {120, 120, 124};
 
 /// From above, x to the right.
-Camera plane_camera(const PlanarField& field, int longest = kLongest) {
-  Vec2 low = field.points.front(), high = low;
-  for (const Vec2& p : field.points)
+Camera plane_camera(const SkeletonScene& scene, int longest = kLongest) {
+  const std::vector<Vec2>& points = scene.field->points;
+  PlaneWindow all{points.front(), points.front()};
+  for (const Vec2& p : points)
     for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
+      all.low[k] = std::min(all.low[k], p[k]);
+      all.high[k] = std::max(all.high[k], p[k]);
     }
+  const auto [low, high] = scene.close_up.value_or(all);
   const double w = high[0] - low[0], h = high[1] - low[1];
   Camera camera;
   camera.right = {1, 0, 0};
@@ -45,9 +51,51 @@ Camera plane_camera(const PlanarField& field, int longest = kLongest) {
 struct Panel {
   Camera camera;
   int x = 0, y = 0;
+
   kernel::Vec3 pixel(const Vec2& p) const {
     const kernel::Vec3 q = camera.project({p[0], p[1], 0});
     return {q[0] + x, q[1] + y, q[2]};
+  }
+  /// The shares of a segment, in pixels, between which it is in the panel.
+  std::optional<std::array<double, 2>> visible(const kernel::Vec3& p, const kernel::Vec3& q) const {
+    std::array<double, 2> part = {0, 1};
+    const double low[2] = {static_cast<double>(x), static_cast<double>(y)};
+    const double high[2] = {low[0] + camera.width, low[1] + camera.height};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double step = q[k] - p[k];
+      double enters = (low[k] - p[k]) / step, leaves = (high[k] - p[k]) / step;
+      if (step < 0) std::swap(enters, leaves);
+      if (step == 0 ? p[k] < low[k] || p[k] > high[k] : !(enters < 1 && leaves > 0))
+        return std::nullopt;
+      if (step == 0) continue;
+      part = {std::max(part[0], enters), std::min(part[1], leaves)};
+    }
+    if (!(part[0] < part[1])) return std::nullopt;
+    return part;
+  }
+  bool shows(const kernel::Vec3& p) const {
+    return p[0] >= x && p[1] >= y && p[0] <= x + camera.width && p[1] <= y + camera.height;
+  }
+  /// Adds what the panel shows of a line.
+  void add(const std::vector<Vec2>& line, std::vector<std::vector<kernel::Vec3>>& strokes) const {
+    std::vector<kernel::Vec3> stroke;
+    const auto end = [&] {
+      if (stroke.size() > 1) strokes.push_back(stroke);
+      stroke.clear();
+    };
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const kernel::Vec3 p = pixel(line[i]), q = pixel(line[i + 1]);
+      const auto part = visible(p, q);
+      if (!part) {
+        end();
+        continue;
+      }
+      const auto at = [&](double s) { return s == 1 ? q : p + s * (q - p); };
+      if (stroke.empty()) stroke.push_back(at((*part)[0]));
+      stroke.push_back(at((*part)[1]));
+      if ((*part)[1] < 1) end();
+    }
+    end();
   }
 };
 
@@ -66,20 +114,17 @@ Rgb colour_of(const CriticalPoint& c) {
 
 /// The lines of a skeleton by colour, in the order of painting.
 void add_lines(const Panel& panel, const Skeleton& s, Drawing& drawing) {
-  const auto line = [&](std::vector<std::vector<kernel::Vec3>>& strokes, const std::vector<Vec2>& x,
-                        bool closed) {
-    auto& stroke = strokes.emplace_back();
-    for (const Vec2& p : x) stroke.push_back(panel.pixel(p));
-    if (closed) stroke.push_back(stroke.front());
-    if (stroke.size() < 2) strokes.pop_back();
-  };
   StrokeClass in{"inflow", kGreen, {}, true, 1.2}, out{"outflow", kRed, {}, true, 1.2},
       none{"no flow across", kGrey, {}, true, 1.2}, lines{"separatrix", kBlack, {}, true, 0.7},
       orbits{"closed orbit", kViolet, {}, true, 1.4};
   for (const BoundaryPiece& p : s.boundary)
-    line((p.flow > 0 ? in : p.flow < 0 ? out : none).strokes, {p.from, p.to}, false);
-  for (const Separatrix& l : s.separatrices) line(lines.strokes, l.line, false);
-  for (const ClosedOrbit& o : s.orbits) line(orbits.strokes, o.line, true);
+    panel.add({p.from, p.to}, (p.flow > 0 ? in : p.flow < 0 ? out : none).strokes);
+  for (const Separatrix& l : s.separatrices) panel.add(l.line, lines.strokes);
+  for (const ClosedOrbit& o : s.orbits) {
+    std::vector<Vec2> around = o.line;
+    if (!around.empty()) around.push_back(around.front());
+    panel.add(around, orbits.strokes);
+  }
   for (StrokeClass* c : {&none, &in, &out, &lines, &orbits})
     if (!c->strokes.empty()) drawing.classes.push_back(std::move(*c));
 }
@@ -91,8 +136,7 @@ void add_mesh(const Panel& panel, const PlanarField& field, Drawing& drawing) {
     for (std::size_t k = 0; k < 3; ++k) ends.push_back(std::minmax(t[k], t[(k + 1) % 3]));
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  for (const auto& [a, b] : ends)
-    edges.strokes.push_back({panel.pixel(field.points[a]), panel.pixel(field.points[b])});
+  for (const auto& [a, b] : ends) panel.add({field.points[a], field.points[b]}, edges.strokes);
   drawing.classes.push_back(std::move(edges));
 }
 
@@ -138,17 +182,23 @@ void add_dots(const Panel& panel, const Skeleton& s, Drawing& drawing) {
   Kind kinds[] = {{"saddle", kBlue}, {"source", kRed}, {"sink", kGreen}, {"other zero", kViolet}};
   for (const CriticalPoint& c : s.critical_points) {
     if (c.where == ZeroPlace::region || c.where == ZeroPlace::line) continue;
+    const kernel::Vec3 place = panel.pixel(c.point);
+    if (!panel.shows(place)) continue;
     const Rgb colour = colour_of(c);
-    drawing.dots.push_back({panel.pixel(c.point), colour});
+    drawing.dots.push_back({place, colour});
     for (Kind& k : kinds)
       k.seen = k.seen || (k.colour.red == colour.red && k.colour.blue == colour.blue);
   }
-  for (const SwitchPoint& p : s.switch_points)
-    drawing.dots.push_back({panel.pixel(p.point), kYellow, Mark::diamond, p.inside ? 1.0 : 0.7});
+  bool switches = false;
+  for (const SwitchPoint& p : s.switch_points) {
+    const kernel::Vec3 place = panel.pixel(p.point);
+    if (!panel.shows(place)) continue;
+    switches = true;
+    drawing.dots.push_back({place, kYellow, Mark::diamond, p.inside ? 1.0 : 0.7});
+  }
   for (const Kind& k : kinds)
     if (k.seen) drawing.legend.push_back({k.label, k.colour, true});
-  if (!s.switch_points.empty())
-    drawing.legend.push_back({"switch point", kYellow, true, Mark::diamond});
+  if (switches) drawing.legend.push_back({"switch point", kYellow, true, Mark::diamond});
 }
 
 kernel::Vec3 at(const Vec2& p) {
@@ -233,7 +283,7 @@ SceneLayer switch_layer(const Skeleton& s) {
 
 void write_skeleton_picture(const std::string& path, const SkeletonScene& scene) {
   check_picture_path(path);
-  const Panel panel{plane_camera(*scene.field)};
+  const Panel panel{plane_camera(scene)};
   Canvas canvas(panel.camera.width, panel.camera.height);
   add_flow(panel, *scene.field, canvas);
   Drawing drawing{};
@@ -247,7 +297,7 @@ void write_skeleton_picture(const std::string& path, const SkeletonScene& scene)
 void write_comparison_picture(const std::string& path, const SkeletonScene& before,
                               const SkeletonScene& after) {
   check_picture_path(path);
-  const Camera one = plane_camera(*before.field, kLongest * 3 / 4);
+  const Camera one = plane_camera(before, kLongest * 3 / 4);
   Camera all = one;
   all.width *= 2;
   all.height *= 2;
@@ -272,7 +322,7 @@ Scene skeleton_page_scene(const SkeletonScene& scene) {
   const PlanarField& field = *scene.field;
   Scene page{"Skeleton"};
   page.flat = true;
-  page.camera = plane_camera(field);
+  page.camera = plane_camera({scene.field, nullptr});
   page.data_digest = scene.data_digest;
   SceneSurface surface{"domain", {}, field.triangles};
   for (const Vec2& p : field.points) surface.points.push_back(at(p));

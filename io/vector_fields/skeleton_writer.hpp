@@ -2,6 +2,7 @@
 #pragma once
 
 // Skeletons of plane vector fields to files.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,16 @@ class vtkPolyData;
 
 namespace crest::io {
 
+/// Corners of a part of the plane.
+struct PlaneWindow {
+  kernel::Vec2 low, high;
+};
+
 struct SkeletonScene {
   const vector_fields::PlanarField* field = nullptr;
   const vector_fields::Skeleton* skeleton = nullptr;
-  std::string data_digest = {};  ///< of the certificate; empty: none
+  std::string data_digest = {};              ///< of the certificate; empty: none
+  std::optional<PlaneWindow> close_up = {};  ///< what pictures show; none: all
 };
 
 /// .vtp: a vertex a critical point (array type 0) and a switch point (1), a polyline a separatrix
@@ -46,7 +53,7 @@ struct Scene;  // io/page/scene.hpp
 Scene skeleton_page_scene(const SkeletonScene& scene);
 
 /// Two fields on one domain side by side: above their meshes, below what write_skeleton_picture()
-/// shows. The same otherwise.
+/// shows; the close-up is that of `before`. The same otherwise.
 void write_comparison_picture(const std::string& path, const SkeletonScene& before,
                               const SkeletonScene& after);
 

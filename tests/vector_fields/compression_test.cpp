@@ -66,6 +66,13 @@ TEST_CASE("Compressed lattice fields have the same skeleton, in three notions") 
   }
 }
 
+TEST_CASE("Compression: a region may have only the rest of an edge") {
+  // On L(17) one lies between a switch point inside an edge and one at the edge's corner.
+  const PlanarField field = field_of(sampling::lattice_field(17, 40));
+  const Compression c = proven(field, options_for(Equivalence::strong));
+  CHECK(c.field.triangles.size() < field.triangles.size());
+}
+
 TEST_CASE("Compression: the printed test of the thesis keeps the skeleton, too") {
   const PlanarField field = field_of(sampling::lattice_field(2, 40, true));
   const Compression c = proven(field, options_for(Equivalence::original, CollapseTest::thesis));

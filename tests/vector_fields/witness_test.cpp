@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stream lines where no separatrix ends: they find orbits, and notice where one would be missing.
+#include <catch2/catch.hpp>
+
+#include "algorithms/sampling/planar_fields.hpp"
+#include "algorithms/vector_fields/certificate.hpp"
+#include "certify/verify.hpp"
+#include "tests/vector_fields/counts.hpp"
+
+using namespace crest;
+using namespace crest::tests;
+using namespace crest::vector_fields;
+
+namespace {
+
+/// Square rings |x|max = size around a hole, eight vertices each, v = strength x + (-y, x) / 2
+/// (specification, "Refereed", 6).
+PlanarField rings(const std::vector<Vec2>& size_and_strength) {
+  const std::array<Vec2, 8> round = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  PlanarField field;
+  for (const auto& [size, strength] : size_and_strength)
+    for (const Vec2& r : round) {
+      const Vec2 p = {size * r[0], size * r[1]};
+      field.points.push_back(p);
+      field.vectors.push_back({strength * p[0] - p[1] / 2, strength * p[1] + p[0] / 2});
+    }
+  for (Index ring = 0; ring + 1 < size_and_strength.size(); ++ring)
+    for (Index i = 0; i < 8; ++i) {
+      const Index a = 8 * ring + i, b = 8 * ring + (i + 1) % 8;
+      field.triangles.push_back({a, a + 8, b + 8});
+      field.triangles.push_back({a, b + 8, b});
+    }
+  return field;
+}
+
+bool accepted(const certify::SkeletonCertificate& record) {
+  return certify::verify(certify::encode(record)).accepted;
+}
+
+}  // namespace
+
+TEST_CASE("Skeletons: witnesses find orbits that no separatrix reaches") {
+  certify::SkeletonCertificate record;
+  const Skeleton s = extract_skeleton(rings({{1, 1}, {1.5, -0.5}, {2, 1}}), record);
+  CHECK(s.critical_points.empty());
+  CHECK(s.switch_points.empty());
+  CHECK(s.separatrices.empty());
+  REQUIRE(s.orbits.size() == 2);
+  CHECK(s.orbits[0].attracting != s.orbits[1].attracting);
+  // From both loops, and between the orbits.
+  REQUIRE(s.witnesses.size() >= 4);
+  for (const Separatrix& w : s.witnesses) CHECK(w.end == EndKind::closed_orbit);
+  const auto verdict = certify::verify(certify::encode(record));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+  // Without the ring between every line crosses.
+  const Skeleton through = extract_skeleton(rings({{1, 1}, {2, 1}}));
+  CHECK(through.orbits.empty());
+  REQUIRE(through.witnesses.size() == 1);
+  CHECK(through.witnesses[0].end == EndKind::boundary);
+}
+
+TEST_CASE("Skeletons: false witnesses are refused") {
+  certify::SkeletonCertificate record;
+  extract_skeleton(rings({{1, 1}, {1.5, -0.5}, {2, 1}}), record);
+  const auto refused = [&](const auto& edit) {
+    bool all = true;
+    for (std::size_t i = 0; i < record.separatrices.size(); ++i) {
+      auto other = record;
+      edit(other.separatrices[i]);
+      all = all && !accepted(other);
+    }
+    return all;
+  };
+  CHECK(refused([](auto& w) { w.to = 1 - w.to; }));
+  CHECK(refused([](auto& w) { w.backward ^= 1U; }));
+  CHECK(refused([](auto& w) { w.from = 3 * 32; }));
+  CHECK(refused([](auto& w) { w.legs[0].corner += 3; }));
+  CHECK(refused([](auto& w) { w.legs[0].turns.pop_back(); }));
+  CHECK(refused([](auto& w) { w.origin = certify::SkeletonOrigin::zero; }));
+  // The line through another vertex is another line.
+  CHECK(refused([](auto& w) { w.from = w.from % 3 == 2 ? w.from - 2 : w.from + 1; }));
+}
+
+TEST_CASE("Compression: witnesses stay, and see an orbit that is missing") {
+  // One sink, inflow all around: no separatrix at all, but a line through a vertex, both ways.
+  PlanarField field = field_of(sampling::lattice_field(1, 12));
+  for (std::size_t i = 0; i < field.points.size(); ++i) {
+    const double x = field.points[i][0] - 0.47, y = field.points[i][1] - 0.52;
+    field.vectors[i] = {-x - y / 2, x / 2 - y};
+  }
+  certify::CompressionCertificate record;
+  const Compression c = compress(field, {}, record);
+  INFO(c.difference);
+  REQUIRE(c.same_skeleton);
+  CHECK(c.before.separatrices.empty());
+  CHECK(c.before.witnesses.size() == 2);
+  CHECK(c.after.witnesses.size() == 2);
+  CHECK(c.field.triangles.size() < field.triangles.size() / 4);
+  const auto verdict = certify::verify(certify::encode(record));
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+  // Rings with two orbits against the same without the one between.
+  certify::CompressionCertificate wrong;
+  extract_skeleton(rings({{1, 1}, {1.5, -0.5}, {2, 1}}), wrong.input);
+  extract_skeleton(rings({{1, 1}, {2, 1}}), wrong.output);
+  for (std::uint32_t v = 0; v < 24; ++v)
+    if (v / 8 != 1) wrong.vertices.push_back(v);
+  wrong.input.separatrices.resize(1);
+  wrong.input.orbits.resize(1);
+  wrong.input.ends = {0, 0, 0, 1, 0};
+  REQUIRE(accepted(wrong.input));
+  REQUIRE(accepted(wrong.output));
+  wrong.separatrices = {0};
+  CHECK_FALSE(certify::verify(certify::encode(wrong)).accepted);
+  // Emptied they are equal, and it is said where no line looked.
+  for (auto* s : {&wrong.input, &wrong.output}) {
+    s->separatrices.clear();
+    s->orbits.clear();
+    s->ends = {};
+  }
+  wrong.separatrices.clear();
+  const auto emptied = certify::verify(certify::encode(wrong));
+  INFO(emptied.reason);
+  CHECK(emptied.accepted);
+  CHECK(std::any_of(emptied.lines.begin(), emptied.lines.end(), [](const std::string& line) {
+    return line.find("at 2 sinks, sources, sides of orbits and loops") != std::string::npos;
+  }));
+}
