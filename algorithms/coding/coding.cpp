@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "algorithms/coding/attributes.hpp"
 #include "algorithms/coding/container.hpp"
 #include "algorithms/coding/order_code.hpp"
 #include "algorithms/coding/positions.hpp"
@@ -95,6 +96,28 @@ Bytes encode_places(const Surface& decoded, std::span<const Point> points,
   return bytes;
 }
 
+/// Of each place of an attribute in one order that of another, from those of vertices, and of
+/// half-edges that begin faces.
+std::vector<Index> sources(kernel::Site site, std::span<const Index> vertices,
+                           std::span<const Index> first_halves) {
+  std::vector<Index> source;
+  if (site == kernel::Site::vertices) source.assign(vertices.begin(), vertices.end());
+  if (site == kernel::Site::faces)
+    for (const Index h : first_halves) source.push_back(h / 3);
+  if (site == kernel::Site::corners)
+    for (Index h : first_halves)
+      for (int k = 0; k < 3; ++k, h = next_half(h)) source.push_back(h);
+  return source;
+}
+
+Bytes encode_all(const Surface& decoded, std::span<const kernel::Attribute> attributes,
+                 std::span<const Index> vertices, std::span<const Index> first_halves) {
+  std::vector<kernel::Attribute> list;
+  for (const kernel::Attribute& a : attributes)
+    list.push_back(rearranged(a, sources(a.site, vertices, first_halves)));
+  return encode_attributes(decoded, list);
+}
+
 /// Puts what was decoded in the input's order.
 void apply(const KeptOrder& order, std::vector<Triangle>& faces, std::vector<Point>& points) {
   std::vector<Triangle> ordered(faces.size());
@@ -104,6 +127,14 @@ void apply(const KeptOrder& order, std::vector<Triangle>& faces, std::vector<Poi
   std::vector<Point> places(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) places[order.vertices[v]] = points[v];
   points = std::move(places);
+}
+
+void apply(const KeptOrder& order, std::vector<kernel::Attribute>& attributes) {
+  std::vector<Index> vertices(order.vertices.size()), first_halves(order.faces.size());
+  for (Index v = 0; v < vertices.size(); ++v) vertices[order.vertices[v]] = v;
+  for (Index f = 0; f < first_halves.size(); ++f) first_halves[order.faces[f]] = 3 * f;
+  for (kernel::Attribute& a : attributes)
+    a = rearranged(a, sources(a.site, vertices, first_halves));
 }
 
 StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
@@ -119,7 +150,7 @@ StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
   const auto size = [&](Section s) { return c.sections[static_cast<std::size_t>(s)].size(); };
   info.sizes.connectivity = size(Section::connectivity);
   info.sizes.geometry = size(Section::positions);
-  info.sizes.attributes = size(Section::order);
+  info.sizes.attributes = size(Section::attributes) + size(Section::order);
   info.sizes.header = total - info.sizes.total();
   return info;
 }
@@ -148,8 +179,10 @@ const char* name_of(Method method) {
 }
 
 Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const Point> points,
-               const EncodeOptions& options) {
+               const EncodeOptions& options, std::span<const kernel::Attribute> attributes) {
   check_points(vertices, points, options);
+  for (const kernel::Attribute& a : attributes)
+    require_sound(a, vertices, static_cast<Index>(faces.size()));
   const Surface surface(vertices, faces);
   const Coded coded =
       options.method ? encode_connectivity(surface, *options.method) : smallest(surface);
@@ -160,23 +193,31 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
   c.method = coded.method;
   c.places = options.places;
   c.keeps_order = options.keep_order;
+  c.has_attributes = !attributes.empty();
   c.counts = surface.counts();
-  c.sections[0] = coded.bytes;
-  Bytes geometry, order;
+  const auto set = [&](Section section, const Bytes& bytes) {
+    c.sections[static_cast<std::size_t>(section)] = bytes;
+  };
+  set(Section::connectivity, coded.bytes);
+  Bytes geometry, numbers, order;
   std::vector<Point> places;
+  const Surface decoded(vertices, coded.order.faces);
   if (options.places != Places::none) {
     for (const Index v : result.vertex_order) places.push_back(points[v]);
     const std::vector<Point> in_order = std::move(places);
-    const Surface decoded(vertices, coded.order.faces);
     geometry = encode_places(decoded, in_order, result.vertex_order, options, places);
-    c.sections[1] = geometry;
+    set(Section::positions, geometry);
+  }
+  if (c.has_attributes) {
+    numbers = encode_all(decoded, attributes, result.vertex_order, coded.order.corners);
+    set(Section::attributes, numbers);
   }
   std::vector<Triangle> final_faces = coded.order.faces;
   if (options.keep_order) {
     KeptOrder kept{result.vertex_order, {}};
     for (const Index h : coded.order.corners) kept.faces.push_back(h / 3);
     order = encode_order(kept);
-    c.sections[2] = order;
+    set(Section::order, order);
     apply(kept, final_faces, places);
     for (Index v = 0; v < vertices; ++v) result.vertex_order[v] = v;
   }
@@ -209,10 +250,16 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
     if (c.places == Places::rounded)
       result.points = decode_rounded(bytes(Section::positions), *surface);
   });
+  in_section(Section::attributes, [&] {
+    if (c.has_attributes)
+      result.attributes = decode_attributes(bytes(Section::attributes), *surface);
+  });
   in_section(Section::order, [&] {
     if (!c.keeps_order) return;
-    apply(decode_order(bytes(Section::order), c.counts.vertices, surface->face_count()),
-          result.faces, result.points);
+    const KeptOrder order =
+        decode_order(bytes(Section::order), c.counts.vertices, surface->face_count());
+    apply(order, result.faces, result.points);
+    apply(order, result.attributes);
   });
   if (mesh_digest(c.counts.vertices, result.faces, result.points) != c.digest)
     throw kernel::InputError(

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry/attribute.hpp"
 #include "kernel/geometry/index.hpp"
 
 namespace crest::coding {
@@ -62,16 +63,19 @@ struct Encoded {
 
 /// Shapes: V points, or none with Places::none; F faces with indices below `vertices`.
 /// Guarantees: decode() gives the mesh back: faces under vertex_order up to the choice of their
-///   first corners, points bit for bit or within the tolerance; the same bytes on every machine.
+///   first corners, points bit for bit or within the tolerance, attributes bit for bit; the same
+///   bytes on every machine.
 /// Throws: kernel::InputError naming the element if the faces are no oriented manifold, a point is
-///   not finite or too far for the tolerance.
+///   not finite or too far for the tolerance, an attribute has not the numbers that it says.
 /// Cost: O(V + F), but for splits, each of which costs its distance along a boundary.
 Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const Point> points,
-               const EncodeOptions& options = {});
+               const EncodeOptions& options = {},
+               std::span<const kernel::Attribute> attributes = {});
 
 struct Decoded {
   std::vector<Point> points;  ///< V, or none
   std::vector<Triangle> faces;
+  std::vector<kernel::Attribute> attributes;
   StreamInfo info;
 };
 

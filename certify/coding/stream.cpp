@@ -115,15 +115,17 @@ void check_digest(const DecodedMesh& mesh, Span stated) {
 }  // namespace
 
 DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) {
-  constexpr std::array<std::uint8_t, 5> magic = {0x43, 0x4d, 0x43, 0x1a, 1};
+  constexpr std::array<std::uint8_t, 4> magic = {0x43, 0x4d, 0x43, 0x1a};
   Bytes8 in(stream);
   const Span start = in.take(magic.size());
-  require(std::equal(magic.begin(), magic.end(), start.begin()), "stream: is not .cmc, version 1");
-  const u32 flags = in.byte();
+  require(std::equal(magic.begin(), magic.end(), start.begin()), "stream: is not .cmc");
+  const u32 version = in.byte(), flags = in.byte();
+  const bool attributes = (flags & 32) != 0;
+  require(version == (attributes ? 2 : 1), "stream: of version {}, unlike its flags", version);
   DecodedMesh mesh;
   mesh.positions_mode = static_cast<int>(flags >> 3 & 3);
   mesh.ordered = (flags & 64) != 0;
-  require((flags & 0xa0) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
+  require((flags & 0x80) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
   mesh.method = static_cast<int>(in.byte());
   require(mesh.method < 4, "stream: no such method");
   mesh.vertices = in.varint();
@@ -149,6 +151,7 @@ DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) 
           faces);
   if (mesh.positions_mode > 0)
     mesh.positions = decode_positions(in.section(), mesh.faces, vertices, mesh.positions_mode);
+  if (attributes) mesh.attribute_bytes = in.section().size();
   if (mesh.ordered) reorder(mesh, in.section());
   check_digest(mesh, in.take(8));
   require(in.empty(), "stream: bytes left over");
