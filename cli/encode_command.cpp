@@ -72,6 +72,7 @@ void report_stream(Report& report, const EncodeCommandOptions& o, const coding::
   report["boundary_loops"] = info.loops;
   report["splits"] = e.splits;
   report["method"] = coding::name_of(info.method);
+  report["clearance"] = info.cleared;
   report["bytes"] = {{"connectivity", info.sizes.connectivity},
                      {"geometry", info.sizes.geometry},
                      {"attributes", info.sizes.attributes},

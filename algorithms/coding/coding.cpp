@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/coding/attributes.hpp"
+#include "algorithms/coding/clearance.hpp"
 #include "algorithms/coding/container.hpp"
 #include "algorithms/coding/order_code.hpp"
 #include "algorithms/coding/positions.hpp"
@@ -26,6 +27,7 @@ struct Coded {
   Method method;
   Bytes bytes;
   CodedOrder order;
+  bool cleared = false;
 };
 
 Coded encode_connectivity(const Surface& surface, Method method) {
@@ -41,6 +43,28 @@ Coded smallest(const Surface& surface) {
     if (Coded other = encode_connectivity(surface, method); other.bytes.size() < best.bytes.size())
       best = std::move(other);
   return best;
+}
+
+/// More than 1 % of the vertices?
+bool has_many_of_valence_3(const Surface& surface) {
+  std::size_t found = 0;
+  for (Index v = 0; v < surface.counts().vertices; ++v) {
+    int valence = 0;
+    surface.around(v, [&](Index) { ++valence; });
+    found += valence == 3 && surface.twin(surface.table().half_of(v)) != kNone ? 1 : 0;
+  }
+  return 100 * found > surface.counts().vertices;
+}
+
+Coded smallest_of_all(const Surface& surface) {
+  Coded best = smallest(surface);
+  if (!has_many_of_valence_3(surface)) return best;
+  const Clearance clearance(surface);
+  if (clearance.empty()) return best;
+  Coded base = smallest(Surface(clearance.vertices(), clearance.faces()));
+  base.bytes = clearance.finish(base.bytes, base.order);
+  base.cleared = true;
+  return base.bytes.size() < best.bytes.size() ? base : best;
 }
 
 /// The mesh's vertex at each decoded one.
@@ -138,15 +162,9 @@ void apply(const KeptOrder& order, std::vector<kernel::Attribute>& attributes) {
 }
 
 StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
-  StreamInfo info{c.method,
-                  c.places,
-                  c.keeps_order,
-                  c.counts.vertices,
-                  faces,
-                  c.counts.components,
-                  c.counts.loops,
-                  c.counts.handles,
-                  {}};
+  StreamInfo info{
+      c.method, c.cleared,           c.places,       c.keeps_order,    c.counts.vertices,
+      faces,    c.counts.components, c.counts.loops, c.counts.handles, {}};
   const auto size = [&](Section s) { return c.sections[static_cast<std::size_t>(s)].size(); };
   info.sizes.connectivity = size(Section::connectivity);
   info.sizes.geometry = size(Section::positions);
@@ -185,12 +203,13 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
     require_sound(a, vertices, static_cast<Index>(faces.size()));
   const Surface surface(vertices, faces);
   const Coded coded =
-      options.method ? encode_connectivity(surface, *options.method) : smallest(surface);
+      options.method ? encode_connectivity(surface, *options.method) : smallest_of_all(surface);
   Encoded result;
   result.vertex_order = vertex_order(surface, coded.order);
   result.splits = coded.order.splits;
   Container c;
   c.method = coded.method;
+  c.cleared = coded.cleared;
   c.places = options.places;
   c.keeps_order = options.keep_order;
   c.has_attributes = !attributes.empty();
@@ -234,9 +253,13 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
   std::optional<Surface> surface;
   in_section(Section::connectivity, [&] {
     const auto section = bytes(Section::connectivity);
-    result.faces = c.method == Method::valence
-                       ? decode_valences(section, c.counts, max_faces)
-                       : decode_tree(section, tree_method(c.method), c.counts, max_faces);
+    const auto decode_part = [&](std::span<const std::uint8_t> part, const Counts& counts) {
+      return c.method == Method::valence
+                 ? decode_valences(part, counts, max_faces)
+                 : decode_tree(part, tree_method(c.method), counts, max_faces);
+    };
+    result.faces = c.cleared ? decode_cleared(section, c.counts, max_faces, decode_part)
+                             : decode_part(section, c.counts);
     try {
       surface.emplace(c.counts.vertices, result.faces);
     } catch (const kernel::InputError& error) {

@@ -32,7 +32,8 @@ enum class Places : std::uint8_t {
 };
 
 struct EncodeOptions {
-  std::optional<Method> method = {};  ///< empty: the smallest of valence, fan and static
+  std::optional<Method> method = {};  ///< empty: the smallest of valence, fan and static, tried
+                                      ///< without vertices of valence 3, too, where they are many
   Places places = Places::exact;
   double tolerance = 0;     ///< of rounded places: how far a vertex may move
   bool keep_order = false;  ///< decoding gives vertices and faces in their order
@@ -47,6 +48,7 @@ struct StreamSizes {
 /// What a stream says of its mesh.
 struct StreamInfo {
   Method method = Method::valence;
+  bool cleared = false;  ///< of vertices of valence 3, which are put back
   Places places = Places::none;
   bool keeps_order = false;
   Index vertices = 0, faces = 0, components = 0, loops = 0, handles = 0;

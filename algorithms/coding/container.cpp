@@ -15,7 +15,7 @@ namespace crest::coding {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic = {0x43, 0x4d, 0x43, 0x1a};
-/// A stream with attributes is of version 2.
+/// Attributes and clearance are of version 2.
 constexpr std::uint8_t kVersion = 1, kNewest = 2;
 
 void put_varint(Bytes& out, std::uint32_t x) {
@@ -103,12 +103,13 @@ Bytes compose(const Container& c) {
   const auto flag = [](bool set, int bit) {
     return static_cast<std::uint8_t>((set ? 1 : 0) << bit);
   };
-  out.push_back(c.has_attributes ? kNewest : kVersion);
+  out.push_back(c.has_attributes || c.cleared ? kNewest : kVersion);
   out.push_back(static_cast<std::uint8_t>(
       flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
       flag(c.counts.handles != 0, 2) | static_cast<std::uint8_t>(c.places) << 3 |
       flag(c.has_attributes, 5) | flag(c.keeps_order, 6)));
-  out.push_back(static_cast<std::uint8_t>(c.method));
+  out.push_back(
+      static_cast<std::uint8_t>(static_cast<std::uint8_t>(c.method) | flag(c.cleared, 2)));
   put_varint(out, c.counts.vertices);
   if (c.counts.components != 1) put_varint(out, c.counts.components);
   if (c.counts.loops != 0) put_varint(out, c.counts.loops);
@@ -134,13 +135,15 @@ Container parse(std::span<const std::uint8_t> stream) {
   const std::uint8_t flags = reader.byte();
   Container c;
   c.has_attributes = (flags & 32) != 0;
-  if ((flags & 128) != 0 || (flags >> 3 & 3) == 3 || c.has_attributes != (version == kNewest))
-    reader.fail("a flag has no meaning");
+  if ((flags & 128) != 0 || (flags >> 3 & 3) == 3) reader.fail("a flag has no meaning");
   c.places = static_cast<Places>(flags >> 3 & 3);
   c.keeps_order = (flags & 64) != 0;
   const std::uint8_t method = reader.byte();
-  if (method > 3) reader.fail("the method has no meaning");
-  c.method = static_cast<Method>(method);
+  if (method > 7) reader.fail("the method has no meaning");
+  c.method = static_cast<Method>(method & 3);
+  c.cleared = method > 3;
+  if ((c.has_attributes || c.cleared) != (version == kNewest))
+    reader.fail("the version is not that of the flags");
   c.counts.vertices = reader.varint();
   c.counts.components = announced(reader, (flags & 1) != 0, 1);
   c.counts.loops = announced(reader, (flags & 2) != 0, 0);

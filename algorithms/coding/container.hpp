@@ -17,6 +17,7 @@ inline constexpr std::array<const char*, 4> kSectionNames = {"connectivity", "po
 
 struct Container {
   Method method = Method::valence;
+  bool cleared = false;  ///< of vertices of valence 3, which the method does not code
   Places places = Places::none;
   bool has_attributes = false, keeps_order = false;
   Counts counts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where numbers of an attribute stand: at vertices, at faces, or at runs of corners around a vertex
+// Where numbers of an attribute stand: at vertices, at faces, or at wedges: corners around a vertex
 // that have the same ones (docs/cmc-format.md, "Attributes").
 #include <algorithm>
 #include <array>
@@ -70,14 +70,14 @@ class Items {
   template <class Range>
   void code_gaps(Range& range, const std::vector<Index>& visits, kernel::Attribute& attribute);
   template <class Range>
-  void code_runs(Range& range, Index v, const kernel::Attribute& attribute);
+  void code_wedges(Range& range, Index v, const kernel::Attribute& attribute);
 
   const Surface& surface_;
   kernel::Site site_;
   Index count_ = 0;
   std::vector<Index> of_, sequence_;
-  std::vector<Index> corners_;     ///< of runs, one after another
-  std::vector<std::size_t> ends_;  ///< of each run in corners_
+  std::vector<Index> corners_;     ///< of wedges, one after another
+  std::vector<std::size_t> ends_;  ///< of each wedge in corners_
   std::vector<Index> turn_;        ///< the corners of one vertex
   std::array<std::array<Counter, 3>, 3> seam_;
   Counter closing_;
@@ -99,7 +99,7 @@ void Items::code_gaps(Range& range, const std::vector<Index>& visits,
 }
 
 template <class Range>
-void Items::code_runs(Range& range, Index v, const kernel::Attribute& attribute) {
+void Items::code_wedges(Range& range, Index v, const kernel::Attribute& attribute) {
   turn_.clear();
   surface_.around(v, [&](Index h) { turn_.push_back(h); });
   std::vector<bool> starts(turn_.size(), true);
@@ -121,9 +121,9 @@ void Items::code_runs(Range& range, Index v, const kernel::Attribute& attribute)
   if (seams >= 2 && surface_.twin(first) != kNone && attribute.has(first) && attribute.has(last) &&
       code_alone(range, closing_, Range::kEncodes && equal_at(attribute, first, last))) {
     starts[0] = false;
-    const auto run = std::find(starts.rbegin(), starts.rend(), true).base() - 1;
-    const auto shift = run - starts.begin();
-    std::rotate(starts.begin(), run, starts.end());
+    const auto last_start = std::find(starts.rbegin(), starts.rend(), true).base() - 1;
+    const auto shift = last_start - starts.begin();
+    std::rotate(starts.begin(), last_start, starts.end());
     std::rotate(turn_.begin(), turn_.begin() + shift, turn_.end());
   }
   for (std::size_t i = 0; i < turn_.size(); ++i) {
@@ -144,7 +144,7 @@ void Items::code(Range& range, const std::vector<Index>& visits, kernel::Attribu
   of_.assign(places(), kNone);
   if (gaps) code_gaps(range, visits, attribute);
   if (site_ == kernel::Site::corners) {
-    for (const Index v : visits) code_runs(range, v, attribute);
+    for (const Index v : visits) code_wedges(range, v, attribute);
     return;
   }
   count_ = static_cast<Index>(places());

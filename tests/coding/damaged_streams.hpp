@@ -48,6 +48,10 @@ inline std::vector<coding::Bytes> some_streams(Random& random) {
     streams.push_back(
         coding::encode(mesh.vertices(), mesh.faces, mesh.points, options, attributes).stream);
   }
+  const PlainMesh stacked = stacked_sphere(150, random);  // cleared of vertices of valence 3
+  streams.push_back(
+      coding::encode(stacked.vertices(), stacked.faces, {}, {.places = coding::Places::none})
+          .stream);
   return streams;
 }
 
