@@ -142,20 +142,21 @@ Bytes Clearance::finish(const Bytes& base, CodedOrder& order) const {
         return nodes_[turned[f].node].round == static_cast<int>(round);
       },
       [&](std::size_t f) {
-        const auto [node, first] = turned[f];
-        const auto child = [&](Index k) { return nodes_[node].children[(first + k) % 3]; };
+        const Turned face = turned[f];
+        const auto child = [&](Index k) {
+          return nodes_[face.node].children[(face.first + k) % 3];
+        };
         const std::array<Turned, 3> three = {child(0), child(1), child(2)};
         turned[f] = three[0];
         turned.insert(turned.end(), {three[1], three[2]});
       });
   order.corners.clear();
   for (const auto& [node, first] : turned) order.corners.push_back(3 * node + first);
-  Bytes bytes;
+  Bytes bytes(kLengthBytes);
   for (std::size_t i = 0; i < kLengthBytes; ++i)
-    bytes.push_back(static_cast<std::uint8_t>(base.size() >> (8 * i)));
-  bytes.insert(bytes.end(), base.begin(), base.end());
-  const Bytes rounds = range.finish();
-  bytes.insert(bytes.end(), rounds.begin(), rounds.end());
+    bytes[i] = static_cast<std::uint8_t>(base.size() >> (8 * i));
+  for (const Bytes& part : {base, range.finish()})
+    for (const std::uint8_t byte : part) bytes.push_back(byte);
   return bytes;
 }
 

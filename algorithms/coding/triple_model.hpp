@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Up to three integers an item (a vertex, a face, a run of corners), predicted from items around
+// Up to three integers an item (a vertex, a face, a wedge), predicted from items around
 // it; one routine both ways.
 #include <algorithm>
 #include <array>

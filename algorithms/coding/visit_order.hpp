@@ -45,7 +45,7 @@ class VisitOrder {
   Index lowest_ = 0;
 };
 
-/// What is known around an item: a vertex, or a run of corners at one.
+/// What is known around an item: a vertex, or a wedge of corners at one.
 struct Surroundings {
   static constexpr std::size_t kMost = 16;
   std::size_t neighbours = 0, predictions = 0;

@@ -59,15 +59,7 @@ TEST_CASE("clearance: stacked spheres and surfaces with stacked faces come back,
   std::size_t used = 0;
   for (int round = 0; round < 20 * multiplier(); ++round) {
     PlainMesh mesh = round % 2 == 0 ? stacked_sphere(200, random) : joined_tori(2, 6, 6);
-    for (int i = 0; i < 40; ++i) {
-      const std::size_t f = random() % mesh.faces.size();
-      const auto [a, b, c] = mesh.faces[f];
-      const Index x = mesh.vertices();
-      mesh.points.push_back({double(i), double(random() % 100), 0});
-      mesh.faces[f] = {a, b, x};
-      mesh.faces.push_back({b, c, x});
-      mesh.faces.push_back({c, a, x});
-    }
+    mesh = with_stacked_faces(std::move(mesh), 40, random);
     if (round % 3 == 0) mesh = punch_holes(mesh, 2, random);
     cleared(mesh);
     const auto encoded = check_round_trip(mesh, round % 5 == 0);
