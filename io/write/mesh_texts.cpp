@@ -124,7 +124,8 @@ std::string declared(const std::vector<Property>& properties) {
 std::string row(const std::vector<Property>& properties, std::size_t place) {
   std::string text;
   for (const Property& p : properties)
-    text += " " + number_text(*p.attribute, p.component * p.attribute->places() + place);
+    text +=
+        fmt::format(" {}", number_text(*p.attribute, p.component * p.attribute->places() + place));
   return text;
 }
 
@@ -148,7 +149,7 @@ class Pool {
       if (!fresh) continue;
       lines_ += keyword;
       for (std::size_t c = 0; c < a.components; ++c)
-        lines_ += " " + number_text(a, c * a.places() + place);
+        lines_ += fmt::format(" {}", number_text(a, c * a.places() + place));
       lines_ += "\n";
     }
   }
@@ -210,12 +211,13 @@ std::string obj_text(const MeshPoints& points, const MeshFaces& faces, Attribute
   const auto colour = [&](std::size_t v) {
     std::string text;
     for (std::size_t c = 0; colours && c < 3; ++c)
-      text += " " + number_text(*colours, c * points.size() + v);
+      text += fmt::format(" {}", number_text(*colours, c * points.size() + v));
     return text;
   };
   const auto corner = [&](std::size_t h) {
     const std::string texture = textures.at(h), normal = normals.at(h);
-    return normal != "" ? "/" + texture + "/" + normal : texture != "" ? "/" + texture : "";
+    if (normal != "") return fmt::format("/{}/{}", texture, normal);
+    return texture != "" ? fmt::format("/{}", texture) : "";
   };
   const std::string header = textures.lines() + normals.lines();
   return text_of(points, faces, {header, "v ", "f ", 1}, colour, corner, kNothing);
