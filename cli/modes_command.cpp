@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -134,16 +133,6 @@ void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
   });
 }
 
-double diagonal(const std::vector<kernel::Vec3>& points) {
-  kernel::Vec3 low = points[0], high = points[0];
-  for (const kernel::Vec3& p : points)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::fmin(low[k], p[k]);
-      high[k] = std::fmax(high[k], p[k]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
 Outcome work(Run& run, const ModesOptions& o) {
   const auto wanted = parse_modes(o);
   io::TensorFile file = read_input(run, o);
@@ -159,7 +148,7 @@ Outcome work(Run& run, const ModesOptions& o) {
       run.step("zeros", "looking for zeros", [&] { return modes::insert_zeros(field); });
   scene.min_magnitude = o.min_magnitude;
   modes::ModeOptions extraction = o.extraction;
-  extraction.deviation = o.deviation * diagonal(field.mesh.points());
+  extraction.deviation = o.deviation * modes::diagonal(field);
   ModesReport report(run.report(), field, file, zeros);
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {

@@ -86,25 +86,9 @@ std::vector<io::LevelLines> level_lines(const kernel::QuadraticMesh& mesh,
   return lines;
 }
 
-/// A merge tree of the graph as arcs between nodes of the tile complex, lower first.
-io::TreeLines tree_lines(int kind, const reeb::ReebGraph& graph, const reeb::MergeTree& tree) {
-  io::TreeLines lines{kind, {}};
-  for (std::size_t i = 0; i < tree.vertices.size(); ++i) {
-    if (tree.parent[i] == kernel::kNone) continue;
-    // Positions in graph.nodes ascend with the values.
-    const auto [low, high] = std::minmax(tree.vertices[i], tree.vertices[tree.parent[i]]);
-    lines.arcs.push_back({graph.nodes[low].vertex, graph.nodes[high].vertex});
-  }
-  return lines;
-}
-
 io::TreeLines contour_tree_lines(const std::string& input, const reeb::OrderedComplex& complex) {
   try {
-    const reeb::ContourTree tree = reeb::contour_tree(complex);
-    io::TreeLines lines{io::kContourTreeKind, {}};
-    for (const auto& [low, high] : tree.arcs)
-      lines.arcs.push_back({tree.vertices[low], tree.vertices[high]});
-    return lines;
+    return {io::kContourTreeKind, reeb::arcs_of(reeb::contour_tree(complex))};
   } catch (const std::invalid_argument&) {
     throw kernel::InputError(
         input +
@@ -117,12 +101,12 @@ std::vector<io::TreeLines> trees_of(const ReebOptions& o, const reeb::TileComple
                                     const reeb::ReebGraph& graph) {
   std::vector<io::TreeLines> trees;
   if (o.join_tree) {
-    trees.push_back(
-        tree_lines(io::kJoinTreeKind, graph, reeb::reduced(reeb::augmented_join_tree(graph))));
+    const reeb::MergeTree tree = reeb::reduced(reeb::augmented_join_tree(graph));
+    trees.push_back({io::kJoinTreeKind, reeb::arcs_of(graph, tree)});
   }
   if (o.split_tree) {
-    trees.push_back(
-        tree_lines(io::kSplitTreeKind, graph, reeb::reduced(reeb::augmented_split_tree(graph))));
+    const reeb::MergeTree tree = reeb::reduced(reeb::augmented_split_tree(graph));
+    trees.push_back({io::kSplitTreeKind, reeb::arcs_of(graph, tree)});
   }
   if (o.contour_tree) trees.push_back(contour_tree_lines(o.common.input, reeb::ordered(tiles)));
   return trees;

@@ -15,6 +15,9 @@ struct ModeField {
   std::vector<std::array<double, 6>> tensors;  ///< a vertex: xx yy zz xy yz xz, finite
 };
 
+/// The length of the diagonal of the box around its vertices, in the mesh's unit; 0 without any.
+double diagonal(const ModeField& field);
+
 struct ModeOptions {
   int max_depth = 40;              ///< of the bisection of a tetrahedron, at most 255
   std::uint64_t budget = 100'000;  ///< tests of a tetrahedron with its inner faces, of a face

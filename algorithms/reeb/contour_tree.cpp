@@ -108,4 +108,11 @@ ContourTree contour_tree(const OrderedComplex& complex) {
   return merged(join, augmented_split_tree(complex));
 }
 
+std::vector<std::array<Index, 2>> arcs_of(const ContourTree& tree) {
+  std::vector<std::array<Index, 2>> arcs;
+  for (const auto& [low, high] : tree.arcs)
+    arcs.push_back({tree.vertices[low], tree.vertices[high]});
+  return arcs;
+}
+
 }  // namespace crest::reeb

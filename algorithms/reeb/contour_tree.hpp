@@ -13,6 +13,9 @@ struct ContourTree {
   std::vector<std::array<Index, 2>> arcs;  ///< positions in `vertices`, lower first; sorted
 };
 
+/// The arcs between vertices, lower first.
+std::vector<std::array<Index, 2>> arcs_of(const ContourTree& tree);
+
 /// Requires: every component of the surface has Euler characteristic at least 1 (a sphere, a disk
 ///   or a projective plane): only then are join and split tree sure to tell the whole.
 /// Throws: std::invalid_argument otherwise (reeb_graph serves all surfaces).

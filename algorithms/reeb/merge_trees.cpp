@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/reeb/merge_trees.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "algorithms/reeb/strands.hpp"
@@ -112,6 +113,17 @@ MergeTree reduced(const MergeTree& tree) {
   for (Index i = 0; i < tree.parent.size(); ++i)
     if (kept(i)) out.parent.push_back(tree.parent[i] == kNone ? kNone : place[tree.parent[i]]);
   return out;
+}
+
+std::vector<std::array<Index, 2>> arcs_of(const ReebGraph& graph, const MergeTree& tree) {
+  std::vector<std::array<Index, 2>> arcs;
+  for (std::size_t i = 0; i < tree.vertices.size(); ++i) {
+    if (tree.parent[i] == kernel::kNone) continue;
+    // Positions in graph.nodes ascend with the values.
+    const auto [low, high] = std::minmax(tree.vertices[i], tree.vertices[tree.parent[i]]);
+    arcs.push_back({graph.nodes[low].vertex, graph.nodes[high].vertex});
+  }
+  return arcs;
 }
 
 }  // namespace crest::reeb

@@ -2,6 +2,7 @@
 #pragma once
 
 // How the parts of a surface below (join tree) and above (split tree) a level merge.
+#include <array>
 #include <vector>
 
 #include "algorithms/reeb/reeb_graph.hpp"
@@ -29,5 +30,8 @@ MergeTree reduced(const MergeTree& tree);
 /// graph.nodes instead of vertices. Cost: almost O(c) for c nodes and arcs.
 MergeTree augmented_join_tree(const ReebGraph& graph);
 MergeTree augmented_split_tree(const ReebGraph& graph);
+
+/// The arcs of a merge tree of this graph between vertices, lower first.
+std::vector<std::array<Index, 2>> arcs_of(const ReebGraph& graph, const MergeTree& tree);
 
 }  // namespace crest::reeb

@@ -3,7 +3,6 @@
 #include "algorithms/modes/modes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "algorithms/modes/certificate.hpp"
@@ -36,17 +35,6 @@ std::vector<modes::SignedLevel> levels_of(const Arguments& a) {
     }
   }
   return levels;
-}
-
-double diagonal(const std::vector<kernel::Vec3>& points) {
-  if (points.empty()) return 0;
-  kernel::Vec3 low = points[0], high = points[0];
-  for (const kernel::Vec3& p : points)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::fmin(low[k], p[k]);
-      high[k] = std::fmax(high[k], p[k]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 /// Claim 7, if its checker accepts it.
@@ -104,7 +92,7 @@ Output run_modes(const Arguments& a, const Progress& progress) {
   modes::ModeOptions options;
   options.max_depth = a.integer("max_depth");
   options.budget = static_cast<std::uint64_t>(a.integer("budget"));
-  options.deviation = a.number("deviation") * diagonal(field.mesh.points());
+  options.deviation = a.number("deviation") * modes::diagonal(field);
   Output out;
   io::ModeScene scene;
   scene.min_magnitude = a.number("min_magnitude");

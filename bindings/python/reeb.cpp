@@ -3,11 +3,14 @@
 #include <stdexcept>
 
 #include "algorithms/reeb/certificate.hpp"
+#include "algorithms/reeb/contour_tree.hpp"
 #include "algorithms/reeb/labelled_graph.hpp"
+#include "algorithms/reeb/merge_trees.hpp"
 #include "algorithms/reeb/reeb_graph.hpp"
 #include "bindings/python/systems.hpp"
 #include "io/reeb/reeb_picture.hpp"
 #include "io/reeb/reeb_writer.hpp"
+#include "kernel/geometry/input_error.hpp"
 #include "kernel/geometry/quadratic_mesh.hpp"
 
 namespace crest::python {
@@ -29,6 +32,31 @@ void add_graph(const reeb::ReebGraph& graph, Output& out) {
   out.values["arcs"] = array_of(arcs);
   out.values["components"] = std::int64_t{graph.components};
   out.values["loops"] = std::int64_t{graph.loops()};
+}
+
+/// Of the whole graph, whatever is simplified.
+std::vector<io::TreeLines> trees_of(const Arguments& a, const reeb::TileComplex& tiles,
+                                    const reeb::ReebGraph& graph, Output& out) {
+  std::vector<io::TreeLines> trees;
+  const auto add = [&](const char* name, int kind, auto&& arcs) {
+    if (!a.flag(name)) return;
+    trees.push_back({kind, arcs()});
+    out.values[name] = array_of(trees.back().arcs);
+  };
+  add("join_tree", io::kJoinTreeKind,
+      [&] { return reeb::arcs_of(graph, reeb::reduced(reeb::augmented_join_tree(graph))); });
+  add("split_tree", io::kSplitTreeKind,
+      [&] { return reeb::arcs_of(graph, reeb::reduced(reeb::augmented_split_tree(graph))); });
+  add("contour_tree", io::kContourTreeKind, [&] {
+    try {
+      return reeb::arcs_of(reeb::contour_tree(reeb::ordered(tiles)));
+    } catch (const std::invalid_argument&) {
+      throw kernel::InputError(
+          "contour_tree: the surface is not simply connected, there need not be one; the Reeb "
+          "graph serves all surfaces");
+    }
+  });
+  return trees;
 }
 
 }  // namespace
@@ -63,11 +91,12 @@ Output run_reeb(const Arguments& a, const Progress& progress) {
   };
   const auto levels =
       progress.step("drawing level lines", [&] { return lines(a.numbers("level")); });
-  const std::vector<io::TreeLines> no_trees;
+  const std::vector<io::TreeLines> trees =
+      progress.step("merging", [&] { return trees_of(a, tiles, graph, out); });
   const auto scene = [&](const std::vector<io::LevelLines>& shown) {
     return io::ReebScene{
-        mesh,     tiles, places, written.graph, written.arc_of_node, written.arc_of_tile,
-        no_trees, shown, digest};
+        mesh,  tiles, places, written.graph, written.arc_of_node, written.arc_of_tile,
+        trees, shown, digest};
   };
   out.geometries["geometry"] = io::geometry_of(io::reeb_poly_data(scene(levels)));
   if (a.has("picture")) {

@@ -59,7 +59,8 @@ class Inside {
     const auto from =
         std::lower_bound(by_side_.begin(), by_side_.end(), std::pair{first, std::size_t{0}});
     const auto to = std::lower_bound(from, by_side_.end(), std::pair{last, std::size_t{0}});
-    return {from, to};
+    return std::span(by_side_).subspan(static_cast<std::size_t>(from - by_side_.begin()),
+                                       static_cast<std::size_t>(to - from));
   }
 
   void mark_crossings() {

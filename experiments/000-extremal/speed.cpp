@@ -11,21 +11,12 @@
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
 #include "experiments/000-extremal/inputs.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 #include "io/read/volume_reader.hpp"
 
 namespace crest::experiments {
 namespace {
-
-/// Of the thread that works: others may run beside it.
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());

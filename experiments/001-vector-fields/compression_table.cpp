@@ -2,25 +2,19 @@
 // Tables 5.1 and 5.2: fields compressed under three notions of equal skeletons, by both tests; each
 // certificate checked. Processor times of all threads.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <string>
 
 #include "algorithms/sampling/planar_fields.hpp"
 #include "algorithms/vector_fields/certificate.hpp"
 #include "certify/verify.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
 
 using namespace vector_fields;
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void row(const std::string& name, const sampling::PlanarSample& sample, Equivalence e,
          CollapseTest test) {

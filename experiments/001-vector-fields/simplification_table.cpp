@@ -2,7 +2,6 @@
 // Section 5.6.3: fields compressed with what weighs less than w0 let go, the distribution of
 // weights (figure 5.19), and the field at w0 of its way to the smoothed one. Processor times.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <string>
@@ -10,18 +9,13 @@
 #include "algorithms/sampling/planar_fields.hpp"
 #include "algorithms/vector_fields/certificate.hpp"
 #include "certify/verify.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
 
 using namespace vector_fields;
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 PlanarField field_of(const sampling::PlanarSample& s) {
   return {s.points, s.vectors, s.triangles};

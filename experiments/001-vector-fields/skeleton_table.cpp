@@ -11,18 +11,13 @@
 #include "algorithms/sampling/planar_fields.hpp"
 #include "algorithms/vector_fields/vector_fields.hpp"
 #include "algorithms/vector_fields/zeros.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
 
 using namespace vector_fields;
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 template <class Items, class Test>
 auto count(const Items& items, Test&& test) {

@@ -2,7 +2,6 @@
 // How fast each format is read: a torus of a million faces from a file to a soup and to a mesh,
 // processor time of one thread, medians.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
@@ -158,15 +158,6 @@ std::string msh_text(const Mesh& mesh) {
                    t[2] + 1);
   }
   return text + "$EndElements\n";
-}
-
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 void measure(const char* what, const std::string& path, std::size_t faces, int runs) {

@@ -11,13 +11,16 @@
 
 namespace crest::kernel {
 
+inline constexpr double kLeastSize = 0x1p-900;
+
 /// At most Most models, which must outlive this.
 ///
 /// Theorem. of(w, error) encloses sum w*_i f_i for all |w*_i - w_i| <= error and all f_i that the
 /// models enclose. Proof. Let S_i be the sum of |c| in model i, N their number. In floating point a
 /// term w_i c carries at most N factors (1 + d), |d| <= u: all coefficients together err by at most
 /// 1.01 N u sum |w_i| S_i. The models add sum |w_i| radius_i, the weights error sum (S_i +
-/// radius_i), as |u^j v^k| <= 1. The bound takes at most 2^8 operations (taylor_model.hpp, (c)).
+/// radius_i), as |u^j v^k| <= 1. The bound takes at most 2^8 operations (taylor_model.hpp, (c)); no
+/// S_i is so small that u S_i, which meets a w_i of any size, would underflow.
 template <int Order, std::size_t Most>
 class TaylorCombinations {
   static_assert(Most <= 32);
@@ -27,7 +30,7 @@ class TaylorCombinations {
 
   void add(const Model& f) {
     models_[count_] = &f;
-    sizes_[count_] = Model::Kernels::size(f.c);
+    sizes_[count_] = Model::Kernels::size(f.c) + kLeastSize;
     all_ += sizes_[count_] + f.radius;
     ++count_;
   }
@@ -65,6 +68,7 @@ class TaylorLaneCombinations {
   void add(const Model& f) {
     models_[count_] = &f;
     taylor::sizes_of(f.rows, sizes_[count_]);
+    sizes_[count_] = sizes_[count_] + kLeastSize;
     all_ = all_ + (sizes_[count_] + f.radius());
     ++count_;
   }

@@ -28,6 +28,8 @@ struct Kernels {
   static constexpr Monomials<2, Order> kTable{};
   static constexpr Weights<Order> kWeights{};
   static constexpr double kUnit = 0x1p-53;
+  /// What products of coefficients lose to underflow, for each unit of size: taylor_model.hpp, (c).
+  static constexpr double kLost = 0x1p-1000;
   using Coefficients = std::array<double, kCount>;
   /// Most terms of a product's coefficient: u^i v^j has (i + 1)(j + 1), i + j <= Order.
   static constexpr int kTerms = (Order / 2 + 1) * ((Order + 1) / 2 + 1);
@@ -67,7 +69,7 @@ struct Kernels {
     constexpr double kRounding = 1.02 * kSpread * kSpread * kTerms * kUnit;
     const Sizes size = sizes(a, b);
     return size.beyond + kRounding * size.a * size.b + size.a * b_radius + size.b * a_radius +
-           a_radius * b_radius;
+           a_radius * b_radius + kLost * (size.a + size.b);
   }
 
   /// Coefficient K of a product. List: what has coefficients.

@@ -68,7 +68,7 @@ struct Loops {
     (std::make_index_sequence<Order>{});
     const double all_a = std::fabs(a[0]) + from_a[0], all_b = std::fabs(b[0]) + from_b[0];
     return beyond + kRounding * all_a * all_b + all_a * b_radius + all_b * a_radius +
-           a_radius * b_radius;
+           a_radius * b_radius + K::kLost * (all_a + all_b);
   }
 
   static bool may_be_flat(const Rows& a, const Rows& b) {

@@ -20,7 +20,8 @@
 //     together err by at most 1.01 N u (sum |a|) (sum |b|), and |a| <= 2^(Order / 2) w |a|.
 // (c) A non-negative number computed from non-negative ones in at most 2^8 operations is at least
 //     (1 - u)^(2^8) > 1 - 2^-44 times the exact one; grow() makes up for that, and its 2^-1000 for
-//     products that underflow (each loses at most 2^-1075).
+//     products that underflow (each loses at most 2^-1075). A weighted coefficient that underflows
+//     meets the other factor's size: kLost, 2^-1000 of either size, makes up for that.
 // (d) The Bernstein coefficients of u^i v^j on the triangle are averages of products of corner
 //     coordinates, hence at most 1 in absolute value.
 //

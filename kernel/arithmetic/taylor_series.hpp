@@ -36,9 +36,10 @@ Series cos_series(double c, double rho, int order);
 inline double shrink(double x) {
   return x * (1 - 0x1p-43) - 0x1p-1000;
 }
-/// x / y; infinite where y, a product, may have lost digits to underflow.
+/// x / y for a product y; infinite where y may have lost digits to underflow, or more than grow()
+/// makes up for to overflow.
 inline double over(double x, double y) {
-  return y > 0x1p-960 ? x / y : HUGE_VAL;
+  return y > 0x1p-960 && (y < HUGE_VAL || x <= 1) ? x / y : HUGE_VAL;
 }
 
 constexpr double weight(int i, int j) {

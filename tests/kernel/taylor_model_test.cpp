@@ -141,6 +141,48 @@ void check_functions(Draw& d) {
   }
 }
 
+/// Sizes from the least to the largest of doubles, so that sums, products, weights and the
+/// denominators of remainders underflow and overflow.
+template <int N>
+void check_all_scales(Draw& d) {
+  const TrianglePoint at = draw_triangle_point(d);
+  const auto draw = [&] {
+    const double size = std::exp2(d.integer(-1074, 1020));
+    return draw_sample<N>(d, at, size * between(d, 1.5, 2), d.coin() ? size : size / 1024);
+  };
+  const auto a = draw(), b = draw();
+  const OnFailure shown(
+      [&] { return "point " + in_words(at) + ", samples " + in_words(a) + ", " + in_words(b); });
+  REQUIRE(encloses(a.model + b.model, at, a.value + b.value));
+  REQUIRE(encloses(a.model * b.model, at, a.value * b.value));
+  TaylorModel<N> sum = b.model;
+  add_product(sum, a.model, b.model);
+  REQUIRE(encloses(sum, at, b.value + a.value * b.value));
+  TaylorCombinations<N, 10> combinations;
+  combinations.add(a.model);
+  combinations.add(b.model);
+  const double w = std::exp2(d.integer(-1074, 1020));
+  REQUIRE(encloses(combinations.of({w, -1}, 0), at, Rational(w) * a.value - b.value));
+  if (a.value <= 0) return;
+  REQUIRE(encloses(inverse(a.model), at, 1 / a.value));
+  REQUIRE(encloses(sqrt(a.model), at, precise(mpfr_sqrt, a.value)));
+  REQUIRE(encloses(log(a.model), at, precise(mpfr_log, a.value)));
+}
+
+/// The remainder of sqrt at c where c^(N + 1), below it, overflows.
+template <int N>
+void check_remainders() {
+  for (int exponent = 150; exponent < 1000; ++exponent) {
+    const double c = std::exp2(exponent);
+    const auto x = TaylorModel<N>::linear(c, 2 * c, c);
+    for (const TrianglePoint& at :
+         {point_of_weights(1, 0, 0), point_of_weights(0, 1, 0), point_of_weights(1, 2, 3)}) {
+      INFO("2^" << exponent);
+      REQUIRE(encloses(sqrt(x), at, precise(mpfr_sqrt, at.linear(c, 2 * c, c))));
+    }
+  }
+}
+
 template <int N>
 void check_all() {
   Draw d(900 + N);
@@ -148,6 +190,8 @@ void check_all() {
   for (std::uint64_t i = 0; i < scaled(2000); ++i) check_combinations<N>(d);
   for (std::uint64_t i = 0; i < scaled(4000); ++i) check_rounding<N>(d);
   for (std::uint64_t i = 0; i < scaled(1000); ++i) check_functions<N>(d);
+  for (std::uint64_t i = 0; i < scaled(1000); ++i) check_all_scales<N>(d);
+  check_remainders<N>();
 }
 
 }  // namespace

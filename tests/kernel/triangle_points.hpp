@@ -67,7 +67,7 @@ Rational polynomial(const kernel::TaylorModel<N>& m, const TrianglePoint& at) {
 // Is `value` one of the enclosed values at the point? Unbounded enclosures hold all.
 template <int N>
 bool encloses(const kernel::TaylorModel<N>& m, const TrianglePoint& at, const Rational& value) {
-  if (!std::isfinite(m.radius)) return true;
+  if (!is_defined(m)) return true;
   const Rational off = value - polynomial(m, at);
   return (off < 0 ? Rational(-off) : off) <= m.radius;
 }

@@ -440,6 +440,8 @@ class ReebGraph(Result):
     number in the tessellation: vertices of the mesh come first. node_type: (N,) int32: 0 minimum,
     1 saddle, 2 maximum. node_multiplicity, node_on_boundary: (N,) int32.
     arcs: (A, 2) int64, positions of the lower and the upper node. components, loops: int.
+    join_tree, split_tree, contour_tree: (T, 2) int64, arcs between numbers as in node_vertex, lower
+    first; None where not asked for.
     """
 
     def __init__(self, raw: dict[str, Any]):
@@ -455,10 +457,13 @@ class ReebGraph(Result):
         self.arcs: np.ndarray = raw["arcs"]
         self.components: int = raw["components"]
         self.loops: int = raw["loops"]
+        self.join_tree: np.ndarray | None = raw.get("join_tree")
+        self.split_tree: np.ndarray | None = raw.get("split_tree")
+        self.contour_tree: np.ndarray | None = raw.get("contour_tree")
 
     def lines(self, kind: int = 1) -> Iterator[np.ndarray]:
         """Each arc's polyline along the surface, (n, 3), from its lower node; of kind 2 each level
-        line's."""
+        line's, of kinds 3 to 5 the straight arcs of join, split and contour tree."""
         g = self.geometry
         first = len(g.vertices)
         for i, ids in enumerate(g.lines.lists()):
@@ -468,7 +473,8 @@ class ReebGraph(Result):
 
 def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayLike | None = None,
                contract: bool = False, persistence: float | None = None,
-               cancel_loops: bool = False, level: Sequence[float] = (),
+               cancel_loops: bool = False, join_tree: bool = False, split_tree: bool = False,
+               contour_tree: bool = False, level: Sequence[float] = (),
                segmentation: bool = False, certificate: bool = True, picture: Any = None,
                view: Sequence[float] | None = None, up: Sequence[float] | None = None,
                threads: int = 0, progress: Progress = None) -> ReebGraph:
@@ -479,6 +485,8 @@ def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayL
     The surface may be one-sided or have a boundary.
     contract: contract arcs between equal values. persistence: cancel leaves up to this difference
     of values, with cancel_loops small loops, too; the certificate speaks of the whole graph.
+    join_tree, split_tree: how the parts below and above a level merge; contour_tree: of simply
+    connected surfaces; all of the whole graph.
     level: values at which the geometry gets level lines. segmentation: the geometry gets the monotone
     tiles with the arc each belongs to. V, F, picture, view, up, threads, progress, errors: as for ridges().
 
@@ -497,7 +505,8 @@ def reeb_graph(V: ArrayLike, F: ArrayLike, values: ArrayLike, *, midside: ArrayL
         "midside": None if midside is None else check.same_rows(midside, "midside", 3,
                                                                 len(arguments["F"]), "face"),
         "contract": bool(contract), "persistence": check.maybe_number(persistence, "persistence", 0),
-        "cancel_loops": bool(cancel_loops), "level": levels, "segmentation": bool(segmentation),
+        "cancel_loops": bool(cancel_loops), "join_tree": bool(join_tree),
+        "split_tree": bool(split_tree), "contour_tree": bool(contour_tree), "level": levels, "segmentation": bool(segmentation),
         "certificate": bool(certificate)}
     arguments |= _picture(picture, view, up)
     return ReebGraph(run("reeb", arguments, threads, progress))

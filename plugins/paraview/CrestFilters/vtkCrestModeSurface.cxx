@@ -9,7 +9,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -72,16 +71,6 @@ std::vector<Wanted> wanted_modes(std::string words, bool keep_sign, bool neutral
   return different;
 }
 
-double diagonal(const std::vector<kernel::Vec3>& points) {
-  kernel::Vec3 low = points[0], high = points[0];
-  for (const kernel::Vec3& p : points)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::fmin(low[k], p[k]);
-      high[k] = std::fmax(high[k], p[k]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
 }  // namespace
 
 void vtkCrestModeSurface::AddCurves(const modes::ModeField& field, bool certify,
@@ -118,7 +107,7 @@ void vtkCrestModeSurface::Work(vtkInformationVector** inputs, vtkInformationVect
   this->Step("looking for zeros", 0.2);
   const modes::ZeroSet zeros = modes::insert_zeros(field);
   const modes::ModeOptions options{this->MaxDepth, static_cast<std::uint64_t>(this->Budget),
-                                   this->Deviation * diagonal(field.mesh.points())};
+                                   this->Deviation * modes::diagonal(field)};
   std::vector<certify::ModeLevel> records;
   std::size_t undecided = 0;
   for (const Wanted& w : wanted) {
