@@ -244,12 +244,15 @@ std::string vtp_text(const MeshPoints& points, const MeshFaces& faces, Attribute
   cells.add_points(points);
   for (const kernel::Triangle& f : faces) cells.add_triangle(f[0], f[1], f[2]);
   const auto data = cells.data();
-  std::set<std::string> given;
+  std::set<std::string> given, of_points, of_cells;
   for (const Attribute* a : kept(attributes, left_out, is_whole)) {
+    const bool cell = a->site == Site::faces;
+    const std::string name = new_name(a->name, cell ? of_cells : of_points);
     const auto array = array_of(*a);
-    array->SetName(new_name(a->name, given).c_str());
+    array->SetName(name.c_str());
+    given.insert(name);
     vtkDataSetAttributes* to = data->GetPointData();
-    if (a->site == Site::faces) to = data->GetCellData();
+    if (cell) to = data->GetCellData();
     to->AddArray(array);
     if (a->name == "Normals" && a->components == 3) to->SetActiveNormals("Normals");
     if (a->name == "TCoords" && a->components <= 3) to->SetActiveTCoords("TCoords");

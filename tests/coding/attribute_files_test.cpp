@@ -154,8 +154,8 @@ TEST_CASE("attribute files: OBJ's textures and normals at corners, colours, corn
       "f 1/1/1 2/2/1 3/3/1 4/4/1\nf 1//2 4//-1 5//2\nf 3/5/1 5/1/1 4/2/1\n");
   CHECK(named(file, "TCoords").site == Site::corners);
   CHECK(named(file, "TCoords").components == 2);
-  CHECK(std::count(named(file, "TCoords").missing.begin(), named(file, "TCoords").missing.end(),
-                   true) == 3);
+  const std::vector<bool> missing = named(file, "TCoords").missing;
+  CHECK(std::count(missing.begin(), missing.end(), true) == 3);
   CHECK(named(file, "Normals").site == Site::corners);
   CHECK(named(file, "Normals").missing.empty());
   CHECK(named(file, "RGB").site == Site::vertices);
