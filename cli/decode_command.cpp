@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "algorithms/coding/coding.hpp"
+#include "cli/attribute_report.hpp"
 #include "cli/run.hpp"
 #include "io/formats/files.hpp"
 #include "io/write/mesh_writer.hpp"
@@ -42,7 +43,12 @@ Outcome work(Run& run, const DecodeOptions& o) {
     points.resize(info.vertices);
   }
   run.step("write", "writing", [&] {
-    run.write("-o", [&](const std::string& path) { io::write_mesh(path, points, decoded.faces); });
+    run.write("-o", [&](const std::string& path) {
+      for (const std::string& name :
+           io::write_mesh(path, points, decoded.faces, decoded.attributes))
+        run.warn(fmt::format("left out the attribute {}: {} has no place for it", name,
+                             io::lower_extension(path)));
+    });
   });
   Report& report = run.report();
   report["vertices"] = info.vertices;
@@ -51,6 +57,7 @@ Outcome work(Run& run, const DecodeOptions& o) {
   report["handles"] = info.handles;
   report["boundary_loops"] = info.loops;
   report["method"] = coding::name_of(info.method);
+  report["attributes"] = to_json(std::span(decoded.attributes));
   return {fmt::format("mesh: {} vertices, {} faces, {} components, {} handles, {} boundary loops\n",
                       info.vertices, info.faces, info.components, info.handles, info.loops)};
 }

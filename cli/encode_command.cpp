@@ -12,6 +12,7 @@
 #include "algorithms/coding/verify.hpp"
 #include "certify/certificate.hpp"
 #include "certify/coding/encode.hpp"
+#include "cli/attribute_report.hpp"
 #include "cli/run.hpp"
 #include "io/read/surface_reader.hpp"
 #include "io/write/atomic_file.hpp"
@@ -36,7 +37,7 @@ void add_encode_options(CLI::App& app, EncodeCommandOptions& o) {
   o.tolerance = app.add_option("--tolerance", o.coding.tolerance,
                                "places within this distance, in units of the input");
   o.tolerance->check(finite_number(0))->type_name("T")->excludes(exact);
-  app.add_flag("--connectivity-only", o.connectivity_only, "no places at all")
+  app.add_flag("--connectivity-only", o.connectivity_only, "neither places nor attributes")
       ->excludes(exact)
       ->excludes(o.tolerance);
   app.add_option("--method", o.method,
@@ -71,6 +72,7 @@ void report_stream(Report& report, const EncodeCommandOptions& o, const coding::
   report["boundary_loops"] = info.loops;
   report["splits"] = e.splits;
   report["method"] = coding::name_of(info.method);
+  report["clearance"] = info.cleared;
   report["bytes"] = {{"connectivity", info.sizes.connectivity},
                      {"geometry", info.sizes.geometry},
                      {"attributes", info.sizes.attributes},
@@ -85,16 +87,21 @@ void report_stream(Report& report, const EncodeCommandOptions& o, const coding::
     report["tolerance"] = {{"asked", o.coding.tolerance}, {"largest_error", largest}};
 }
 
-std::string summary(const coding::Encoded& e) {
+std::string summary(const coding::Encoded& e, std::span<const kernel::Attribute> attributes) {
   const coding::StreamInfo& info = e.info;
   const double bits = 8.0 / info.vertices;
+  std::string names;
+  for (const kernel::Attribute& a : attributes) names += (names.empty() ? "" : ", ") + a.name;
+  if (!names.empty())
+    names = fmt::format("attributes: {} bytes, {}\n", info.sizes.attributes, names);
   return fmt::format(
-      "mesh: {} vertices, {} faces, {} components, {} handles, {} boundary loops\n"
-      "stream: {} bytes; connectivity {} ({:.3f} bits a vertex, {}), places {} ({:.2f})\n",
-      info.vertices, info.faces, info.components, info.handles, info.loops, info.sizes.total(),
-      info.sizes.connectivity, bits * static_cast<double>(info.sizes.connectivity),
-      coding::name_of(info.method), info.sizes.geometry,
-      bits * static_cast<double>(info.sizes.geometry));
+             "mesh: {} vertices, {} faces, {} components, {} handles, {} boundary loops\n"
+             "stream: {} bytes; connectivity {} ({:.3f} bits a vertex, {}), places {} ({:.2f})\n",
+             info.vertices, info.faces, info.components, info.handles, info.loops,
+             info.sizes.total(), info.sizes.connectivity,
+             bits * static_cast<double>(info.sizes.connectivity), coding::name_of(info.method),
+             info.sizes.geometry, bits * static_cast<double>(info.sizes.geometry)) +
+         names;
 }
 
 void write_permutation(const std::string& path, const coding::Encoded& e,
@@ -105,15 +112,17 @@ void write_permutation(const std::string& path, const coding::Encoded& e,
 }
 
 Outcome work(Run& run, const EncodeCommandOptions& o) {
-  const io::SurfaceFile file = run.read(io::read_surface);
+  const io::SurfaceFile file = run.read([&](const std::string& path) {
+    return io::read_surface(path, o.coding.places != Places::none);
+  });
   const coding::Encoded encoded = run.step("encode", "encoding", [&] {
     return run.with_input([&] {
       return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points,
-                            o.coding);
+                            o.coding, file.attributes);
     });
   });
   const double largest = run.step("verify", "decoding again", [&] {
-    return coding::verify(encoded, file.faces, file.points, o.coding);
+    return coding::verify(encoded, file.faces, file.points, o.coding, file.attributes);
   });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
@@ -130,7 +139,9 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
     run.write_certificate("coding", certificate);
   });
   report_stream(run.report(), o, encoded, largest);
-  return {summary(encoded), {"roessl2005surfaces", "touma1998triangle", "alliez2001valence"}};
+  run.report()["attributes"] = to_json(std::span(file.attributes));
+  return {summary(encoded, file.attributes),
+          {"roessl2005surfaces", "touma1998triangle", "alliez2001valence"}};
 }
 
 int run_encode(EncodeCommandOptions& o) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "algorithms/coding/attributes.hpp"
+#include "algorithms/coding/clearance.hpp"
 #include "algorithms/coding/container.hpp"
 #include "algorithms/coding/order_code.hpp"
 #include "algorithms/coding/positions.hpp"
@@ -25,6 +27,7 @@ struct Coded {
   Method method;
   Bytes bytes;
   CodedOrder order;
+  bool cleared = false;
 };
 
 Coded encode_connectivity(const Surface& surface, Method method) {
@@ -40,6 +43,28 @@ Coded smallest(const Surface& surface) {
     if (Coded other = encode_connectivity(surface, method); other.bytes.size() < best.bytes.size())
       best = std::move(other);
   return best;
+}
+
+/// More than 1 % of the vertices?
+bool has_many_of_valence_3(const Surface& surface) {
+  std::size_t found = 0;
+  for (Index v = 0; v < surface.counts().vertices; ++v) {
+    int valence = 0;
+    surface.around(v, [&](Index) { ++valence; });
+    found += valence == 3 && surface.twin(surface.table().half_of(v)) != kNone ? 1 : 0;
+  }
+  return 100 * found > surface.counts().vertices;
+}
+
+Coded smallest_of_all(const Surface& surface) {
+  Coded best = smallest(surface);
+  if (!has_many_of_valence_3(surface)) return best;
+  const Clearance clearance(surface);
+  if (clearance.empty()) return best;
+  Coded base = smallest(Surface(clearance.vertices(), clearance.faces()));
+  base.bytes = clearance.finish(base.bytes, base.order);
+  base.cleared = true;
+  return base.bytes.size() < best.bytes.size() ? base : best;
 }
 
 /// The mesh's vertex at each decoded one.
@@ -95,6 +120,28 @@ Bytes encode_places(const Surface& decoded, std::span<const Point> points,
   return bytes;
 }
 
+/// Of each place of an attribute in one order that of another, from those of vertices, and of
+/// half-edges that begin faces.
+std::vector<Index> sources(kernel::Site site, std::span<const Index> vertices,
+                           std::span<const Index> first_halves) {
+  std::vector<Index> source;
+  if (site == kernel::Site::vertices) source.assign(vertices.begin(), vertices.end());
+  if (site == kernel::Site::faces)
+    for (const Index h : first_halves) source.push_back(h / 3);
+  if (site == kernel::Site::corners)
+    for (Index h : first_halves)
+      for (int k = 0; k < 3; ++k, h = next_half(h)) source.push_back(h);
+  return source;
+}
+
+Bytes encode_all(const Surface& decoded, std::span<const kernel::Attribute> attributes,
+                 std::span<const Index> vertices, std::span<const Index> first_halves) {
+  std::vector<kernel::Attribute> list;
+  for (const kernel::Attribute& a : attributes)
+    list.push_back(rearranged(a, sources(a.site, vertices, first_halves)));
+  return encode_attributes(decoded, list);
+}
+
 /// Puts what was decoded in the input's order.
 void apply(const KeptOrder& order, std::vector<Triangle>& faces, std::vector<Point>& points) {
   std::vector<Triangle> ordered(faces.size());
@@ -106,20 +153,22 @@ void apply(const KeptOrder& order, std::vector<Triangle>& faces, std::vector<Poi
   points = std::move(places);
 }
 
+void apply(const KeptOrder& order, std::vector<kernel::Attribute>& attributes) {
+  std::vector<Index> vertices(order.vertices.size()), first_halves(order.faces.size());
+  for (Index v = 0; v < vertices.size(); ++v) vertices[order.vertices[v]] = v;
+  for (Index f = 0; f < first_halves.size(); ++f) first_halves[order.faces[f]] = 3 * f;
+  for (kernel::Attribute& a : attributes)
+    a = rearranged(a, sources(a.site, vertices, first_halves));
+}
+
 StreamInfo info_of(const Container& c, Index faces, std::size_t total) {
-  StreamInfo info{c.method,
-                  c.places,
-                  c.keeps_order,
-                  c.counts.vertices,
-                  faces,
-                  c.counts.components,
-                  c.counts.loops,
-                  c.counts.handles,
-                  {}};
+  StreamInfo info{
+      c.method, c.cleared,           c.places,       c.keeps_order,    c.counts.vertices,
+      faces,    c.counts.components, c.counts.loops, c.counts.handles, {}};
   const auto size = [&](Section s) { return c.sections[static_cast<std::size_t>(s)].size(); };
   info.sizes.connectivity = size(Section::connectivity);
   info.sizes.geometry = size(Section::positions);
-  info.sizes.attributes = size(Section::order);
+  info.sizes.attributes = size(Section::attributes) + size(Section::order);
   info.sizes.header = total - info.sizes.total();
   return info;
 }
@@ -148,35 +197,46 @@ const char* name_of(Method method) {
 }
 
 Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const Point> points,
-               const EncodeOptions& options) {
+               const EncodeOptions& options, std::span<const kernel::Attribute> attributes) {
   check_points(vertices, points, options);
+  for (const kernel::Attribute& a : attributes)
+    require_sound(a, vertices, static_cast<Index>(faces.size()));
   const Surface surface(vertices, faces);
   const Coded coded =
-      options.method ? encode_connectivity(surface, *options.method) : smallest(surface);
+      options.method ? encode_connectivity(surface, *options.method) : smallest_of_all(surface);
   Encoded result;
   result.vertex_order = vertex_order(surface, coded.order);
   result.splits = coded.order.splits;
   Container c;
   c.method = coded.method;
+  c.cleared = coded.cleared;
   c.places = options.places;
   c.keeps_order = options.keep_order;
+  c.has_attributes = !attributes.empty();
   c.counts = surface.counts();
-  c.sections[0] = coded.bytes;
-  Bytes geometry, order;
+  const auto set = [&](Section section, const Bytes& bytes) {
+    c.sections[static_cast<std::size_t>(section)] = bytes;
+  };
+  set(Section::connectivity, coded.bytes);
+  Bytes geometry, numbers, order;
   std::vector<Point> places;
+  const Surface decoded(vertices, coded.order.faces);
   if (options.places != Places::none) {
     for (const Index v : result.vertex_order) places.push_back(points[v]);
     const std::vector<Point> in_order = std::move(places);
-    const Surface decoded(vertices, coded.order.faces);
     geometry = encode_places(decoded, in_order, result.vertex_order, options, places);
-    c.sections[1] = geometry;
+    set(Section::positions, geometry);
+  }
+  if (c.has_attributes) {
+    numbers = encode_all(decoded, attributes, result.vertex_order, coded.order.corners);
+    set(Section::attributes, numbers);
   }
   std::vector<Triangle> final_faces = coded.order.faces;
   if (options.keep_order) {
     KeptOrder kept{result.vertex_order, {}};
     for (const Index h : coded.order.corners) kept.faces.push_back(h / 3);
     order = encode_order(kept);
-    c.sections[2] = order;
+    set(Section::order, order);
     apply(kept, final_faces, places);
     for (Index v = 0; v < vertices; ++v) result.vertex_order[v] = v;
   }
@@ -193,9 +253,13 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
   std::optional<Surface> surface;
   in_section(Section::connectivity, [&] {
     const auto section = bytes(Section::connectivity);
-    result.faces = c.method == Method::valence
-                       ? decode_valences(section, c.counts, max_faces)
-                       : decode_tree(section, tree_method(c.method), c.counts, max_faces);
+    const auto decode_part = [&](std::span<const std::uint8_t> part, const Counts& counts) {
+      return c.method == Method::valence
+                 ? decode_valences(part, counts, max_faces)
+                 : decode_tree(part, tree_method(c.method), counts, max_faces);
+    };
+    result.faces = c.cleared ? decode_cleared(section, c.counts, max_faces, decode_part)
+                             : decode_part(section, c.counts);
     try {
       surface.emplace(c.counts.vertices, result.faces);
     } catch (const kernel::InputError& error) {
@@ -209,10 +273,16 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
     if (c.places == Places::rounded)
       result.points = decode_rounded(bytes(Section::positions), *surface);
   });
+  in_section(Section::attributes, [&] {
+    if (c.has_attributes)
+      result.attributes = decode_attributes(bytes(Section::attributes), *surface);
+  });
   in_section(Section::order, [&] {
     if (!c.keeps_order) return;
-    apply(decode_order(bytes(Section::order), c.counts.vertices, surface->face_count()),
-          result.faces, result.points);
+    const KeptOrder order =
+        decode_order(bytes(Section::order), c.counts.vertices, surface->face_count());
+    apply(order, result.faces, result.points);
+    apply(order, result.attributes);
   });
   if (mesh_digest(c.counts.vertices, result.faces, result.points) != c.digest)
     throw kernel::InputError(

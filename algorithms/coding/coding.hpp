@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry/attribute.hpp"
 #include "kernel/geometry/index.hpp"
 
 namespace crest::coding {
@@ -31,7 +32,8 @@ enum class Places : std::uint8_t {
 };
 
 struct EncodeOptions {
-  std::optional<Method> method = {};  ///< empty: the smallest of valence, fan and static
+  std::optional<Method> method = {};  ///< empty: the smallest of valence, fan and static, tried
+                                      ///< without vertices of valence 3, too, where they are many
   Places places = Places::exact;
   double tolerance = 0;     ///< of rounded places: how far a vertex may move
   bool keep_order = false;  ///< decoding gives vertices and faces in their order
@@ -46,6 +48,7 @@ struct StreamSizes {
 /// What a stream says of its mesh.
 struct StreamInfo {
   Method method = Method::valence;
+  bool cleared = false;  ///< of vertices of valence 3, which are put back
   Places places = Places::none;
   bool keeps_order = false;
   Index vertices = 0, faces = 0, components = 0, loops = 0, handles = 0;
@@ -62,16 +65,19 @@ struct Encoded {
 
 /// Shapes: V points, or none with Places::none; F faces with indices below `vertices`.
 /// Guarantees: decode() gives the mesh back: faces under vertex_order up to the choice of their
-///   first corners, points bit for bit or within the tolerance; the same bytes on every machine.
+///   first corners, points bit for bit or within the tolerance, attributes bit for bit; the same
+///   bytes on every machine.
 /// Throws: kernel::InputError naming the element if the faces are no oriented manifold, a point is
-///   not finite or too far for the tolerance.
+///   not finite or too far for the tolerance, an attribute has not the numbers that it says.
 /// Cost: O(V + F), but for splits, each of which costs its distance along a boundary.
 Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const Point> points,
-               const EncodeOptions& options = {});
+               const EncodeOptions& options = {},
+               std::span<const kernel::Attribute> attributes = {});
 
 struct Decoded {
   std::vector<Point> points;  ///< V, or none
   std::vector<Triangle> faces;
+  std::vector<kernel::Attribute> attributes;
   StreamInfo info;
 };
 

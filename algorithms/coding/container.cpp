@@ -15,7 +15,8 @@ namespace crest::coding {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic = {0x43, 0x4d, 0x43, 0x1a};
-constexpr std::uint8_t kVersion = 1;
+/// Attributes and clearance are of version 2.
+constexpr std::uint8_t kVersion = 1, kNewest = 2;
 
 void put_varint(Bytes& out, std::uint32_t x) {
   for (; x >= 128; x >>= 7) out.push_back(static_cast<std::uint8_t>(x | 128));
@@ -89,6 +90,8 @@ bool Container::has(Section section) const {
       return true;
     case Section::positions:
       return places != Places::none;
+    case Section::attributes:
+      return has_attributes;
     case Section::order:
       break;
   }
@@ -100,12 +103,13 @@ Bytes compose(const Container& c) {
   const auto flag = [](bool set, int bit) {
     return static_cast<std::uint8_t>((set ? 1 : 0) << bit);
   };
-  out.push_back(kVersion);
+  out.push_back(c.has_attributes || c.cleared ? kNewest : kVersion);
+  out.push_back(static_cast<std::uint8_t>(
+      flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
+      flag(c.counts.handles != 0, 2) | static_cast<std::uint8_t>(c.places) << 3 |
+      flag(c.has_attributes, 5) | flag(c.keeps_order, 6)));
   out.push_back(
-      static_cast<std::uint8_t>(flag(c.counts.components != 1, 0) | flag(c.counts.loops != 0, 1) |
-                                flag(c.counts.handles != 0, 2) |
-                                static_cast<std::uint8_t>(c.places) << 3 | flag(c.keeps_order, 6)));
-  out.push_back(static_cast<std::uint8_t>(c.method));
+      static_cast<std::uint8_t>(static_cast<std::uint8_t>(c.method) | flag(c.cleared, 2)));
   put_varint(out, c.counts.vertices);
   if (c.counts.components != 1) put_varint(out, c.counts.components);
   if (c.counts.loops != 0) put_varint(out, c.counts.loops);
@@ -124,17 +128,22 @@ Container parse(std::span<const std::uint8_t> stream) {
   Reader reader(stream);
   if (!std::equal(kMagic.begin(), kMagic.end(), reader.take(4).begin()))
     reader.fail("this is no .cmc stream", "give a file that crest encode wrote");
-  if (const std::uint8_t version = reader.byte(); version != kVersion)
-    reader.fail("the stream is of version " + std::to_string(version) + ", this reader knows 1",
+  const std::uint8_t version = reader.byte();
+  if (version != kVersion && version != kNewest)
+    reader.fail("the stream is of version " + std::to_string(version) + ", this reader knows 1, 2",
                 "use a newer crest");
   const std::uint8_t flags = reader.byte();
   Container c;
-  if ((flags & (128 | 32)) != 0 || (flags >> 3 & 3) == 3) reader.fail("a flag has no meaning");
+  c.has_attributes = (flags & 32) != 0;
+  if ((flags & 128) != 0 || (flags >> 3 & 3) == 3) reader.fail("a flag has no meaning");
   c.places = static_cast<Places>(flags >> 3 & 3);
   c.keeps_order = (flags & 64) != 0;
   const std::uint8_t method = reader.byte();
-  if (method > 3) reader.fail("the method has no meaning");
-  c.method = static_cast<Method>(method);
+  if (method > 7) reader.fail("the method has no meaning");
+  c.method = static_cast<Method>(method & 3);
+  c.cleared = method > 3;
+  if ((c.has_attributes || c.cleared) != (version == kNewest))
+    reader.fail("the version is not that of the flags");
   c.counts.vertices = reader.varint();
   c.counts.components = announced(reader, (flags & 1) != 0, 1);
   c.counts.loops = announced(reader, (flags & 2) != 0, 0);
@@ -155,6 +164,15 @@ Container parse(std::span<const std::uint8_t> stream) {
   return c;
 }
 
+std::array<std::uint8_t, 8> digest_head(std::span<const std::uint8_t> bytes) {
+  std::array<std::uint8_t, 32> whole;
+  if (EVP_Digest(bytes.data(), bytes.size(), whole.data(), nullptr, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("OpenSSL has no SHA-256");
+  std::array<std::uint8_t, 8> head;
+  std::copy_n(whole.begin(), head.size(), head.begin());
+  return head;
+}
+
 std::array<std::uint8_t, 8> mesh_digest(Index vertices, std::span<const Triangle> faces,
                                         std::span<const Point> points) {
   Bytes bytes;
@@ -167,12 +185,7 @@ std::array<std::uint8_t, 8> mesh_digest(Index vertices, std::span<const Triangle
   }
   for (const Point& p : points)
     for (const double x : p) put_word(bytes, std::bit_cast<std::uint64_t>(x));
-  std::array<std::uint8_t, 32> whole;
-  if (EVP_Digest(bytes.data(), bytes.size(), whole.data(), nullptr, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL has no SHA-256");
-  std::array<std::uint8_t, 8> head;
-  std::copy_n(whole.begin(), head.size(), head.begin());
-  return head;
+  return digest_head(bytes);
 }
 
 }  // namespace crest::coding

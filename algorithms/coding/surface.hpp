@@ -28,6 +28,18 @@ class Surface {
   Index face_count() const { return table_.face_count(); }
   const Counts& counts() const { return counts_; }
 
+  /// Calls `each` with the half-edges from v, counter-clockwise, from that without a twin on, or
+  /// from the lowest.
+  template <class Each>
+  void around(Index v, Each&& each) const {
+    const Index first = table_.half_of(v);
+    Index h = first;
+    do {
+      each(h);
+      h = twin(previous_half(h));
+    } while (h != kNone && h != first);
+  }
+
   /// The component of a face; components are numbered by their first faces.
   Index component(Index f) const { return component_[f]; }
   /// The first half-edge of each boundary loop, ascending.

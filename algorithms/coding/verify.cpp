@@ -6,42 +6,100 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "kernel/geometry/corner_table.hpp"
 #include "kernel/predicates/within.hpp"
 
 namespace crest::coding {
 namespace {
 
-Triangle turned(const Triangle& f) {
-  const auto least = static_cast<std::size_t>(std::min_element(f.begin(), f.end()) - f.begin());
-  return {f[least], f[(least + 1) % 3], f[(least + 2) % 3]};
-}
+using kernel::next_half;
 
-void compare_faces(const Encoded& encoded, const Decoded& decoded,
-                   std::span<const Triangle> faces) {
+/// A face from its least corner on, and the half-edge that starts there.
+struct Turned {
+  Triangle face;
+  Index half;
+  Turned(const Triangle& f, Index number) : face(f) {
+    const auto least = std::min_element(face.begin(), face.end());
+    half = 3 * number + static_cast<Index>(least - face.begin());
+    std::rotate(face.begin(), least, face.end());
+  }
+};
+
+/// The mesh's and the stream's faces, one beside the other.
+struct Pairing {
+  std::vector<Turned> mine, theirs;
+};
+
+Pairing paired_faces(const Encoded& encoded, const Decoded& decoded,
+                     std::span<const Triangle> faces) {
   std::vector<bool> seen(decoded.info.vertices, false);
   for (const Index v : encoded.vertex_order) {
     if (v >= seen.size() || seen[v])
       throw std::logic_error("the stream's order of vertices is no permutation");
     seen[v] = true;
   }
-  std::vector<Triangle> mine, theirs;
-  for (const Triangle& f : faces) mine.push_back(turned(f));
-  for (const Triangle& f : decoded.faces)
-    theirs.push_back(turned(
-        {encoded.vertex_order[f[0]], encoded.vertex_order[f[1]], encoded.vertex_order[f[2]]}));
-  if (!decoded.info.keeps_order) {
-    std::sort(mine.begin(), mine.end());
-    std::sort(theirs.begin(), theirs.end());
+  Pairing pairs;
+  for (Index f = 0; f < faces.size(); ++f) pairs.mine.emplace_back(faces[f], f);
+  for (Index f = 0; f < decoded.faces.size(); ++f) {
+    Triangle face = decoded.faces[f];
+    for (Index& v : face) v = encoded.vertex_order[v];
+    pairs.theirs.emplace_back(face, f);
   }
-  if (mine != theirs) throw std::logic_error("the stream decodes to other faces");
+  if (!decoded.info.keeps_order)
+    for (std::vector<Turned>* list : {&pairs.mine, &pairs.theirs})
+      std::sort(list->begin(), list->end(),
+                [](const Turned& a, const Turned& b) { return a.face < b.face; });
+  if (!std::equal(pairs.mine.begin(), pairs.mine.end(), pairs.theirs.begin(), pairs.theirs.end(),
+                  [](const Turned& a, const Turned& b) { return a.face == b.face; }))
+    throw std::logic_error("the stream decodes to other faces");
+  return pairs;
+}
+
+/// Calls `same` with all places of the mesh and those in the stream.
+template <class Same>
+bool all_places(kernel::Site site, const Pairing& pairs, std::span<const Index> vertex_order,
+                Same&& same) {
+  if (site == kernel::Site::vertices) {
+    for (Index v = 0; v < vertex_order.size(); ++v)
+      if (!same(vertex_order[v], v)) return false;
+    return true;
+  }
+  for (std::size_t f = 0; f < pairs.mine.size(); ++f) {
+    Index mine = pairs.mine[f].half, theirs = pairs.theirs[f].half;
+    if (site == kernel::Site::faces && !same(mine / 3, theirs / 3)) return false;
+    if (site == kernel::Site::corners)
+      for (int k = 0; k < 3; ++k, mine = next_half(mine), theirs = next_half(theirs))
+        if (!same(mine, theirs)) return false;
+  }
+  return true;
+}
+
+void compare_attributes(const Encoded& encoded, const Decoded& decoded, const Pairing& pairs,
+                        std::span<const kernel::Attribute> attributes) {
+  const auto refuse = [] { throw std::logic_error("the stream decodes to other attributes"); };
+  if (decoded.attributes.size() != attributes.size()) refuse();
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const kernel::Attribute &a = attributes[i], &b = decoded.attributes[i];
+    if (a.name != b.name || a.site != b.site || a.type != b.type || a.components != b.components ||
+        a.words.size() != b.words.size())
+      refuse();
+    const std::size_t places = a.places();
+    const auto same = [&](Index p, Index q) {
+      for (std::size_t first = 0; first < a.words.size(); first += places)
+        if (a.words[first + p] != b.words[first + q]) return false;
+      return a.has(p) == b.has(q);
+    };
+    if (!all_places(a.site, pairs, encoded.vertex_order, same)) refuse();
+  }
 }
 
 }  // namespace
 
 double verify(const Encoded& encoded, std::span<const Triangle> faces,
-              std::span<const Point> points, const EncodeOptions& options) {
+              std::span<const Point> points, const EncodeOptions& options,
+              std::span<const kernel::Attribute> attributes) {
   const Decoded decoded = decode(encoded.stream, static_cast<Index>(faces.size()));
-  compare_faces(encoded, decoded, faces);
+  compare_attributes(encoded, decoded, paired_faces(encoded, decoded, faces), attributes);
   double largest = 0;
   for (std::size_t v = 0; v < decoded.points.size(); ++v) {
     const Point &p = points[encoded.vertex_order[v]], &q = decoded.points[v];

@@ -9,18 +9,6 @@ Index apex(const Surface& surface, Index h) {
   return surface.from(previous_half(h));
 }
 
-/// Calls `each` with the half-edges from v, counter-clockwise, from that without a twin on, or from
-/// the lowest.
-template <class Each>
-void turn(const Surface& surface, Index v, Each&& each) {
-  const Index first = surface.table().half_of(v);
-  Index h = first;
-  do {
-    each(h);
-    h = surface.twin(previous_half(h));
-  } while (h != kNone && h != first);
-}
-
 }  // namespace
 
 Index VisitOrder::take() {
@@ -39,7 +27,7 @@ Index VisitOrder::take() {
 
 void VisitOrder::visit(Index w) {
   known_[w] = 1;
-  turn(surface_, w, [&](Index h) {
+  surface_.around(w, [&](Index h) {
     const Index a = surface_.to(h), b = apex(surface_, h);
     for (const Index v : {a, b}) {
       if (known_[v] || queued_[v]) continue;
@@ -55,23 +43,6 @@ void VisitOrder::visit(Index w) {
       if (known_[b] != known_[c]) credit(known_[b] ? c : b);
     }
   });
-}
-
-Surroundings surroundings(const Surface& surface, const VisitOrder& order, Index v) {
-  Surroundings s;
-  const auto add = [&](Index w) {
-    if (order.known(w) && s.neighbours < Surroundings::kMost) s.neighbour[s.neighbours++] = w;
-  };
-  turn(surface, v, [&](Index h) {
-    const Index a = surface.to(h), b = apex(surface, h), across = surface.twin(next_half(h));
-    add(a);
-    if (surface.twin(previous_half(h)) == kNone) add(b);
-    if (across == kNone || !order.known(a) || !order.known(b)) return;
-    const Index d = apex(surface, across);
-    if (order.known(d) && s.predictions < Surroundings::kMost)
-      s.parallelogram[s.predictions++] = {a, b, d};
-  });
-  return s;
 }
 
 }  // namespace crest::coding

@@ -97,6 +97,44 @@ void reorder(DecodedMesh& mesh, Span section) {
   mesh.positions = std::move(positions);
 }
 
+FaceList decode_faces(Span section, const StreamCounts& counts, int method, std::size_t faces) {
+  return method == 0 ? decode_valences(section, counts, faces)
+                     : decode_strips(section, counts, method, faces);
+}
+
+FaceList decode_cleared(Span section, const StreamCounts& counts, int method, std::size_t faces) {
+  Bytes8 in(section);
+  std::size_t size = 0;
+  const Span length = in.take(4);
+  for (std::size_t i = 4; i-- > 0;) size = size << 8 | length[i];
+  const Span base = in.take(size);
+  Decisions decisions(section.subspan(4 + size));
+  std::array<Counter, 64> counters;
+  const std::uint64_t lost = decisions.large(counters), rounds = 1 + decisions.below(64);
+  require(lost < counts.vertices, "stream: no vertices are left without those of valence 3");
+  StreamCounts fewer = counts;
+  fewer.vertices -= static_cast<u32>(lost);
+  FaceList list = decode_faces(base, fewer, method, faces);
+  u32 vertex = fewer.vertices;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    std::array<Counter, 4> put_back;
+    for (std::size_t f = 0, end = list.size(); f < end; ++f) {
+      const auto [a, b, c] = list[f];
+      const auto fresh =
+          std::count_if(list[f].begin(), list[f].end(), [&](u32 v) { return v >= fewer.vertices; });
+      if (!decisions.alone(put_back[static_cast<std::size_t>(fresh)])) continue;
+      require(vertex < counts.vertices && list.size() + 2 <= faces,
+              "stream: more vertices or faces are put back than the mesh has");
+      list[f] = {a, b, vertex};
+      list.push_back({b, c, vertex});
+      list.push_back({c, a, vertex++});
+    }
+  }
+  require(vertex == counts.vertices, "stream: vertices of valence 3 are missing");
+  decisions.finish();
+  return list;
+}
+
 void check_digest(const DecodedMesh& mesh, Span stated) {
   ByteWriter out;
   out.integer(mesh.vertices);
@@ -115,17 +153,22 @@ void check_digest(const DecodedMesh& mesh, Span stated) {
 }  // namespace
 
 DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) {
-  constexpr std::array<std::uint8_t, 5> magic = {0x43, 0x4d, 0x43, 0x1a, 1};
+  constexpr std::array<std::uint8_t, 4> magic = {0x43, 0x4d, 0x43, 0x1a};
   Bytes8 in(stream);
   const Span start = in.take(magic.size());
-  require(std::equal(magic.begin(), magic.end(), start.begin()), "stream: is not .cmc, version 1");
-  const u32 flags = in.byte();
+  require(std::equal(magic.begin(), magic.end(), start.begin()), "stream: is not .cmc");
+  const u32 version = in.byte(), flags = in.byte();
+  const bool attributes = (flags & 32) != 0;
   DecodedMesh mesh;
   mesh.positions_mode = static_cast<int>(flags >> 3 & 3);
   mesh.ordered = (flags & 64) != 0;
-  require((flags & 0xa0) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
-  mesh.method = static_cast<int>(in.byte());
-  require(mesh.method < 4, "stream: no such method");
+  require((flags & 0x80) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
+  const u32 method = in.byte();
+  const bool cleared = method >= 4;
+  require(method < 8, "stream: no such method");
+  require(version == (attributes || cleared ? 2 : 1), "stream: of version {}, unlike its flags",
+          version);
+  mesh.method = static_cast<int>(method % 4);
   mesh.vertices = in.varint();
   const auto optional = [&](u32 flag, u32 otherwise) {
     if ((flags & flag) == 0) return otherwise;
@@ -143,12 +186,13 @@ DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) 
   const StreamCounts counts = {mesh.vertices, mesh.components, mesh.loops, mesh.handles};
   const Span connectivity = in.section();
   mesh.connectivity_bytes = connectivity.size();
-  mesh.faces = mesh.method == 0 ? decode_valences(connectivity, counts, faces)
-                                : decode_strips(connectivity, counts, mesh.method, faces);
+  mesh.faces = cleared ? decode_cleared(connectivity, counts, mesh.method, faces)
+                       : decode_faces(connectivity, counts, mesh.method, faces);
   require(mesh.faces.size() == faces, "stream: {} faces, the mesh has {}", mesh.faces.size(),
           faces);
   if (mesh.positions_mode > 0)
     mesh.positions = decode_positions(in.section(), mesh.faces, vertices, mesh.positions_mode);
+  if (attributes) mesh.attribute_bytes = in.section().size();
   if (mesh.ordered) reorder(mesh, in.section());
   check_digest(mesh, in.take(8));
   require(in.empty(), "stream: bytes left over");

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "kernel/geometry/attribute.hpp"
+
 namespace crest::io {
 
 static_assert(std::endian::native == std::endian::little);
@@ -29,12 +31,9 @@ T load_number(const char* at, bool big_endian) {
   return std::bit_cast<T>(bits);
 }
 
-/// The types of numbers in files.
-enum class NumberType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
+using kernel::is_real;
+using kernel::NumberType;
 
-constexpr bool is_real(NumberType type) {
-  return type >= NumberType::f32;
-}
 constexpr std::size_t size_of(NumberType type) {
   constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return sizes[static_cast<std::size_t>(type)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: vertices, faces, lines, points and the normals of face corners. Colours, weights,
-// textures, groups and materials are passed over.
+// Wavefront OBJ: vertices, faces, lines, points and the normals of face corners; texture
+// coordinates and the vertices' colours where they are asked for. Weights, groups, materials are
+// passed over.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,20 +79,81 @@ class CornerNormals {
   std::vector<std::pair<Cells::Node, std::int64_t>> corners_;  ///< vertex, normal
 };
 
+/// Up to three numbers that corners of faces name.
+class CornerNumbers {
+ public:
+  explicit CornerNumbers(const char* name) : name_(name) {}
+  void add(const kernel::Vec3& numbers, int count) {
+    pool_.push_back(numbers);
+    components_ = std::max(components_, count);
+  }
+  std::int64_t size() const { return static_cast<std::int64_t>(pool_.size()); }
+  /// The next corner's; negative: none.
+  void corner(std::int64_t number) { corners_.push_back(number); }
+
+  void finish(Soup& soup) const {
+    const auto is_there = [&](std::int64_t i) { return i >= 0 && i < size(); };
+    if (std::none_of(corners_.begin(), corners_.end(), is_there)) return;
+    std::vector<double> numbers;
+    std::vector<bool> missing;
+    for (const std::int64_t i : corners_) {
+      missing.push_back(!is_there(i));
+      for (int k = 0; k < components_; ++k)
+        numbers.push_back(
+            missing.back() ? 0 : pool_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]);
+    }
+    Field& field = soup.corner_fields.emplace_back(
+        Field{.name = name_, .components = components_, .numbers = std::move(numbers)});
+    if (std::find(missing.begin(), missing.end(), true) != missing.end())
+      field.missing = std::move(missing);
+  }
+
+ private:
+  const char* name_;
+  int components_ = 1;
+  std::vector<kernel::Vec3> pool_;
+  std::vector<std::int64_t> corners_;  ///< in the pool
+};
+
+/// Three numbers behind a vertex' place are its colour.
+class VertexColours {
+ public:
+  /// Of the soup's last point. Cost: nothing where the one before has none.
+  void take(TextScan& scan, const Soup& soup) {
+    if (numbers_.size() + 3 < 3 * soup.points.size()) return;
+    double x = 0;
+    for (int k = 0; k < 3 && scan.in_line() && scan.take(x); ++k) numbers_.push_back(x);
+  }
+  /// All vertices have one, or none has.
+  void finish(Soup& soup) {
+    if (numbers_.empty() || numbers_.size() != 3 * soup.points.size()) return;
+    soup.point_fields.push_back(
+        Field{.name = "RGB", .components = 3, .numbers = std::move(numbers_)});
+  }
+
+ private:
+  std::vector<double> numbers_;
+};
+
 class ObjReader {
  public:
-  ObjReader(std::string_view text, bool normals, bool points)
-      : scan_(text, '#'), with_normals_(normals), points_(points) {}
+  ObjReader(std::string_view text, const FieldRequest& request)
+      : scan_(text, '#'),
+        with_normals_(!request.corners && (request.normals || request.asks_for("Normals"))),
+        with_corners_(request.corners),
+        points_(request.points) {}
 
   Soup read() {
     while (scan_.more()) {
       const std::string_view keyword = scan_.word();
       if (keyword == "v")
-        take_point(scan_, "vertex", soup_);
+        read_vertex();
       else if (keyword == "f")
         read_face();
-      else if (keyword == "vn" && with_normals_)
+      else if (keyword == "vn" && (with_normals_ || with_corners_))
         read_normal();
+      else if (keyword == "vt" && with_corners_)
+        read_texture();
       else if (keyword == "l" || keyword == "p")
         read_thin(keyword == "l" ? CellType::poly_line : CellType::poly_vertex);
       scan_.next_line();
@@ -105,10 +167,29 @@ class ObjReader {
     for (std::size_t c = 0; c < thin_.size(); ++c) soup_.cells.add(thin_.type(c), thin_.nodes(c));
     if (points_ && soup_.cells.empty()) normals_.finish_points(soup_);
     normals_.finish(soup_);
+    textures_.finish(soup_);
+    corner_normals_.finish(soup_);
+    colours_.finish(soup_);
     return std::move(soup_);
   }
 
  private:
+  void read_vertex() {
+    take_point(scan_, "vertex", soup_);
+    if (with_corners_) colours_.take(scan_, soup_);
+  }
+
+  void read_texture() {
+    kernel::Vec3 numbers{};
+    int count = 0;
+    while (count < 3 && scan_.in_line() && scan_.take(numbers[static_cast<std::size_t>(count)]))
+      ++count;
+    if (count == 0)
+      fail(numbered("texture", static_cast<std::size_t>(textures_.size()), scan_.line()),
+           "has no numbers", "correct it");
+    textures_.add(numbers, count);
+  }
+
   void read_normal() {
     kernel::Vec3 normal{};
     for (double& x : normal) {
@@ -116,7 +197,7 @@ class ObjReader {
         fail(numbered("normal", static_cast<std::size_t>(normals_.size()), scan_.line()),
              "is not three numbers", "correct it");
     }
-    normals_.add(normal);
+    with_corners_ ? corner_normals_.add(normal, 3) : normals_.add(normal);
   }
 
   /// The vertex that a corner "7", "7/1", "7//3" or "7/1/3" starts with.
@@ -150,12 +231,25 @@ class ObjReader {
     normals_.corner(vertex, number > 0 ? number - 1 : normals_.size() + number);
   }
 
+  /// The rest of a corner, or nothing of it: its texture and its normal.
+  void take_numbers(bool rest) {
+    const auto index = [&](const CornerNumbers& of) {
+      std::int64_t number = 0;
+      if (!rest || !scan_.take_prefix(number) || number == 0) return std::int64_t{-1};
+      return number > 0 ? number - 1 : of.size() + number;
+    };
+    textures_.corner(index(textures_));
+    rest = rest && scan_.take('/');
+    corner_normals_.corner(index(corner_normals_));
+  }
+
   void read_face() {
     corners_.clear();
     while (scan_.in_line()) {
       corners_.push_back(take_vertex(true));
-      if (scan_.after_word()) continue;
-      if (with_normals_) take_normal(corners_.back());
+      const bool rest = !scan_.after_word();
+      if (with_corners_) take_numbers(rest);
+      if (rest && with_normals_) take_normal(corners_.back());
       scan_.skip_word();
     }
     soup_.cells.add(face_type(corners_.size()), corners_);
@@ -171,10 +265,12 @@ class ObjReader {
   }
 
   TextScan scan_;
-  bool with_normals_, points_;
+  bool with_normals_, with_corners_, points_;
   Soup soup_;
   Cells thin_;
   CornerNormals normals_;
+  CornerNumbers textures_{"TCoords"}, corner_normals_{"Normals"};
+  VertexColours colours_;
   std::vector<Cells::Node> corners_;
   /// The highest index beyond the vertices before it, and where it stands.
   std::size_t highest_ = 0, highest_cell_ = 0, highest_line_ = 0;
@@ -185,11 +281,10 @@ class ObjReader {
 
 Soup read_obj(std::string_view bytes, const FieldRequest& request) {
   bytes = check_text(bytes);
-  const bool normals = request.normals || request.asks_for("Normals");
-  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, normals, request.points).read();
+  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, request).read();
   std::string joined(bytes);
   join_continued_lines(joined);
-  return ObjReader(joined, normals, request.points).read();
+  return ObjReader(joined, request).read();
 }
 
 }  // namespace crest::io

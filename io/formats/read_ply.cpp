@@ -63,6 +63,7 @@ class Columns {
     }
     Field& field =
         soup_.point_fields.emplace_back(Field{.name = "Normals", .components = 3, .normals = true});
+    field.type = element_.find("nx")->value;
     if (!request_.normals && !request_.asks_for(field.name)) return;
     auto& numbers = field.numbers.emplace<std::vector<double>>(3 * element_.count);
     if (!numbers.empty()) take_triple({"nx", "ny", "nz"}, numbers.data());
@@ -74,6 +75,7 @@ class Columns {
     if (is_normal(property)) return;
     Field& field =
         fields.emplace_back(Field{.name = property.name, .components = property.list ? 0 : 1});
+    field.type = property.value;
     if (property.list || !request_.asks_for(property.name)) return;
     if (is_real(property.value))
       column.reals = field.numbers.emplace<std::vector<double>>(element_.count).data();

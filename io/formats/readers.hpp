@@ -21,6 +21,7 @@ struct FieldRequest {
   std::string name = {};                  ///< of the field; empty: all fields
   bool normals = false;                   ///< those of the points, whatever their name
   std::optional<std::int64_t> step = {};  ///< of time, as the file numbers it; else its last
+  bool corners = false;  ///< numbers at corners of faces as they are, not as the vertices' normals
   bool points = false;  ///< will do without faces; in OBJ the n-th normal is the n-th vertex's then
   bool asks_for(const std::string& field) const {
     return wanted && (name.empty() || name == field);
@@ -28,7 +29,7 @@ struct FieldRequest {
 };
 
 Soup read_off(std::string_view bytes, const FieldRequest& request);  ///< fields: normals
-Soup read_obj(std::string_view bytes, const FieldRequest& request);  ///< fields: normals
+Soup read_obj(std::string_view bytes, const FieldRequest& request);  ///< normals; corners' textures
 Soup read_ply(std::string_view bytes, const FieldRequest& request);
 Soup read_stl(std::string_view bytes, const FieldRequest& request);  ///< no fields
 Soup read_vtp(std::string_view bytes, const FieldRequest& request);

@@ -3,6 +3,7 @@
 
 // Points, cells of any dimension and fields as they stand in a file: what every reader produces.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/attribute.hpp"
 
 namespace crest::io {
 
@@ -87,7 +89,8 @@ class Cells {
   std::vector<Node> nodes_;
 };
 
-/// Numbers of points or cells, those of one next to each other: a scalar, a vector, a tensor.
+/// Numbers of points, cells or corners, those of one next to each other: a scalar, a vector, a
+/// tensor.
 struct Field {
   /// Reals and integers as the file has them: neither rounds the other.
   using Numbers =
@@ -98,7 +101,8 @@ struct Field {
   Numbers numbers{};            ///< empty: not asked for
   bool normals = false;         ///< the file says that they are the points' normals
   std::vector<bool> missing{};  ///< points or cells without a value (of 0); empty: none
-  std::size_t size() const;     ///< of numbers
+  std::optional<kernel::NumberType> type{};  ///< that the file says the numbers have
+  std::size_t size() const;                  ///< of numbers
 };
 
 /// What a file holds, nothing left out or mended: faces with repeated corners, equal points (those
@@ -108,6 +112,9 @@ struct Soup {
   std::vector<kernel::Vec3> points;
   Cells cells;
   std::vector<Field> point_fields, cell_fields;
+  /// At the nodes of cells, in their order, of the first cells or all: only where they were asked
+  /// for.
+  std::vector<Field> corner_fields;
   /// What the file calls them, for messages; empty: by position.
   std::vector<std::int64_t> point_tags, cell_tags;
   /// Lines of a text with points that are not finite: (point, line), ascending.

@@ -13,7 +13,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLReader.h>
 
+#include <bit>
 #include <functional>
+#include <optional>
 #include <type_traits>
 
 #include "io/formats/files.hpp"
@@ -29,6 +31,24 @@ Field::Numbers copied(const Native* first, std::size_t count) {
                                   std::conditional_t<std::is_signed_v<Native> || sizeof(Native) < 8,
                                                      std::int64_t, std::uint64_t>>;
   return std::vector<Wide>(first, first + count);
+}
+
+template <class Native>
+constexpr kernel::NumberType type_of() {
+  using kernel::NumberType;
+  if constexpr (std::is_floating_point_v<Native>)
+    return sizeof(Native) == 4 ? NumberType::f32 : NumberType::f64;
+  constexpr int size = std::bit_width(sizeof(Native)) - 1,
+                unsigned_one = std::is_unsigned_v<Native>;
+  return static_cast<NumberType>(2 * size + unsigned_one);
+}
+
+std::optional<kernel::NumberType> type_of(vtkDataArray& array) {
+  switch (array.GetDataType()) {
+    vtkTemplateMacro(return type_of<VTK_TT>());
+    default:
+      return std::nullopt;
+  }
 }
 
 Field::Numbers numbers_of(vtkDataArray& array) {
@@ -60,6 +80,7 @@ void take_field(const char* name, vtkDataArray* array, const vtkDataArray* norma
   field.components = array->GetNumberOfComponents();
   field.numbers = numbers_of(*array);
   field.normals = array == normals;
+  field.type = type_of(*array);
 }
 
 /// Those that were loaded.

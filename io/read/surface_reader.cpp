@@ -8,6 +8,7 @@
 #include "io/clean/clean.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/read/mesh_attributes.hpp"
 
 namespace crest::io {
 namespace {
@@ -24,21 +25,31 @@ void refuse_mended(const CleanUp& done) {
 }
 
 /// One line that names what is left out.
-void warn_of_fields(const Soup& soup, std::vector<std::string>& warnings) {
-  std::string names;
-  for (const auto* fields : {&soup.point_fields, &soup.cell_fields})
-    for (const Field& field : *fields) names += (names.empty() ? "" : ", ") + field.name;
-  if (!names.empty()) warnings.push_back("left out the fields " + names);
+void warn_of(const std::vector<std::string>& left_out, std::vector<std::string>& warnings) {
+  if (!left_out.empty())
+    warnings.push_back(fmt::format("left out the fields {}", fmt::join(left_out, ", ")));
 }
 
-SurfaceFile surface_of(const Soup& soup) {
+std::vector<std::string> field_names(const Soup& soup) {
+  std::vector<std::string> names;
+  for (const auto* fields : {&soup.point_fields, &soup.cell_fields})
+    for (const Field& field : *fields) names.push_back(field.name);
+  return names;
+}
+
+SurfaceFile surface_of(const Soup& soup, bool with_attributes) {
   SurfaceFile file;
   Surface surface = clean(soup, {}, Purpose::connectivity, file.cleanup);
   refuse_mended(file.cleanup);
   file.warnings = soup.warnings;
   const std::vector<std::string> lines = words(file.cleanup);
   file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
-  warn_of_fields(soup, file.warnings);
+  std::vector<std::string> left_out;
+  if (with_attributes)
+    file.attributes = attributes_of(soup, surface, left_out);
+  else
+    left_out = field_names(soup);
+  warn_of(left_out, file.warnings);
   file.numbers = file_numbers(soup, surface);
   file.points = std::move(surface.points);
   file.faces = std::move(surface.faces);
@@ -47,9 +58,13 @@ SurfaceFile surface_of(const Soup& soup) {
 
 }  // namespace
 
-SurfaceFile read_surface(const std::string& path) {
+SurfaceFile read_surface(const std::string& path, bool with_attributes) {
   SurfaceFile file;
-  read_named(path, [&] { file = surface_of(read_soup(path, {})); });
+  read_named(path, [&] {
+    const FieldRequest request{
+        .wanted = with_attributes, .normals = with_attributes, .corners = with_attributes};
+    file = surface_of(read_soup(path, request), with_attributes);
+  });
   return file;
 }
 

@@ -46,7 +46,7 @@ void require_finite(vtkDataArray& array, const std::string& name) {
 }
 
 /// Requires of each array a name and finite numbers, and `tuples` rows (-1: as many as it has).
-void require_arrays(vtkFieldData& data, vtkIdType tuples) {
+void require_arrays(vtkFieldData& data, vtkIdType tuples, const std::set<std::string>& given) {
   for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
     vtkAbstractArray& array = *data.GetAbstractArray(i);
     // VTK would name it by its address.
@@ -54,6 +54,7 @@ void require_arrays(vtkFieldData& data, vtkIdType tuples) {
     const std::string name = array.GetName();
     if (tuples >= 0 && array.GetNumberOfTuples() != tuples)
       refuse(fmt::format("array '{}' has {} rows for {}", name, array.GetNumberOfTuples(), tuples));
+    if (given.contains(name)) continue;
     if (auto* numbers = vtkDataArray::SafeDownCast(&array)) require_finite(*numbers, name);
   }
 }
@@ -76,20 +77,20 @@ void require_cells(vtkCellArray* cells, const char* kind, vtkIdType least, vtkId
   }
 }
 
-void require_common(vtkPointSet& data) {
+void require_common(vtkPointSet& data, const std::set<std::string>& given = {}) {
   if (vtkPoints* points = data.GetPoints()) require_finite(*points->GetData(), "Points");
-  require_arrays(*data.GetPointData(), data.GetNumberOfPoints());
-  require_arrays(*data.GetCellData(), data.GetNumberOfCells());
-  require_arrays(*data.GetFieldData(), -1);
+  require_arrays(*data.GetPointData(), data.GetNumberOfPoints(), given);
+  require_arrays(*data.GetCellData(), data.GetNumberOfCells(), given);
+  require_arrays(*data.GetFieldData(), -1, {});
 }
 
-void require_sound(vtkPolyData& data) {
+void require_sound(vtkPolyData& data, const std::set<std::string>& given) {
   const vtkIdType points = data.GetNumberOfPoints();
   require_cells(data.GetVerts(), "vertex", 1, 1, points);
   require_cells(data.GetLines(), "line", 2, VTK_ID_MAX, points);
   require_cells(data.GetPolys(), "polygon", 3, VTK_ID_MAX, points);
   require_cells(data.GetStrips(), "strip", 3, VTK_ID_MAX, points);
-  require_common(data);
+  require_common(data, given);
 }
 
 /// Of triangles or of tetrahedra: no system has other cells.
@@ -137,9 +138,9 @@ class TakenFrom : public Writer {
   std::string take() { return std::move(this->OutputString); }
 };
 
-template <class Writer, class Data>
-std::string bytes_of(Data& data) {
-  require_sound(data);  // first: VTK crashes on some of what is not
+template <class Writer, class Data, class... Given>
+std::string bytes_of(Data& data, const Given&... given) {
+  require_sound(data, given...);  // first: VTK crashes on some of what is not
   const VtkQuiet quiet;
   // In several threads it depends on them which of 0 and -0 is the least number of an array.
   vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
@@ -157,8 +158,8 @@ std::string bytes_of(Data& data) {
 
 }  // namespace
 
-std::string vtp_bytes(vtkPolyData& data) {
-  return bytes_of<vtkXMLPolyDataWriter>(data);
+std::string vtp_bytes(vtkPolyData& data, const std::set<std::string>& given) {
+  return bytes_of<vtkXMLPolyDataWriter>(data, given);
 }
 
 std::string vtu_bytes(vtkUnstructuredGrid& data) {

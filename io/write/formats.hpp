@@ -2,6 +2,7 @@
 #pragma once
 
 // VTK's data sets as bytes of its XML formats.
+#include <set>
 #include <string>
 
 class vtkImageData;
@@ -15,8 +16,9 @@ namespace crest::io {
 /// Throws: std::runtime_error when a cell has too few points or names one that is not there, when
 /// an
 ///   array has no name or another length than points or cells have, when a number is not finite,
-///   and when VTK has any complaint; nothing of it is hidden.
-std::string vtp_bytes(vtkPolyData& data);
+///   and when VTK has any complaint; nothing of it is hidden. Arrays of the names `given`, which
+///   are a user's own, may be of floats and hold anything.
+std::string vtp_bytes(vtkPolyData& data, const std::set<std::string>& given = {});
 /// A .vtu file's, likewise; all cells must be triangles, or all tetrahedra.
 std::string vtu_bytes(vtkUnstructuredGrid& data);
 /// A .vti file's, likewise, of samples in any type; that they are finite is the caller's care.

@@ -86,6 +86,20 @@ inline PlainMesh stacked_sphere(kernel::Index v, Random& random) {
   return mesh;
 }
 
+/// New vertices in the middle of faces, `count` times.
+inline PlainMesh with_stacked_faces(PlainMesh mesh, int count, Random& random) {
+  for (int i = 0; i < count; ++i) {
+    const std::size_t f = random() % mesh.faces.size();
+    const auto [a, b, c] = mesh.faces[f];
+    const kernel::Index x = mesh.vertices();
+    mesh.points.push_back({double(i), double(random() % 100), 0});
+    mesh.faces[f] = {a, b, x};
+    mesh.faces.push_back({b, c, x});
+    mesh.faces.push_back({c, a, x});
+  }
+  return mesh;
+}
+
 inline void flip_edges(PlainMesh& mesh, std::size_t flips, Random& random) {
   sampling::flip_edges(mesh.faces, mesh.vertices(), flips, random);
 }

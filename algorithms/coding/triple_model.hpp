@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Triples of integers at vertices, coded in an order that gives many predictions; one routine both
-// ways.
+// Up to three integers an item (a vertex, a face, a wedge), predicted from items around
+// it; one routine both ways.
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algorithms/coding/residual_model.hpp"
@@ -14,7 +16,9 @@
 
 namespace crest::coding {
 
-/// A vertex's three integers.
+inline constexpr std::int64_t kExactIntegers = std::int64_t{1} << 53;
+
+/// An item's integers.
 using Triple = std::array<std::int64_t, 3>;
 
 /// What an axis' values are like.
@@ -37,12 +41,12 @@ class ValueTable {
   std::int64_t operator[](std::int64_t place) const {
     return values_[static_cast<std::size_t>(place)];
   }
-  /// At most `vertices` values.
+  /// At most `items` values.
   template <class Range>
-  void code(Range& range, std::size_t vertices, std::int64_t lowest, std::int64_t highest) {
+  void code(Range& range, std::size_t items, std::int64_t lowest, std::int64_t highest) {
     SmallNumber count;
     const std::uint32_t n = 1 + count.code(range, static_cast<std::uint32_t>(values_.size()) - 1);
-    if (n > vertices) throw StreamError("lists more values than there are vertices");
+    if (n > items) throw StreamError("lists more values than there may be");
     LargeNumber gap;
     values_.resize(n);
     auto least = static_cast<std::uint64_t>(lowest);
@@ -74,35 +78,33 @@ class ValueTable {
 
 /// Wide: an integer type that holds sums of 48 values.
 template <class Range, class Wide>
-class TripleRoutine {
+class TripleModel {
  public:
   /// `least`, `most`: bounds of all values. `hints`: what is special on each axis.
-  TripleRoutine(Range& range, const Surface& surface, std::span<Triple> values, std::int64_t least,
-                std::int64_t most, std::array<Hint, 3> hints)
+  TripleModel(Range& range, std::span<Triple> values, std::size_t axes, std::int64_t least,
+              std::int64_t most, std::array<Hint, 3> hints)
       : range_(range),
-        surface_(surface),
         values_(values),
+        axes_(axes),
         least_(least),
         most_(most),
         hints_(hints),
         residuals_(range),
-        lengths_(values.size()),
-        order_(surface) {}
+        lengths_(values.size()) {}
 
-  void run() {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+  /// First of all.
+  void code_hints() {
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
       hints_[axis] =
           static_cast<Hint>(code_below(range_, static_cast<std::uint32_t>(hints_[axis]), 3));
       if (hints_[axis] != Hint::table) continue;
       if constexpr (Range::kEncodes) tables_[axis] = ValueTable(values_, axis);
       tables_[axis].code(range_, values_.size(), least_, most_);
     }
-    for (Index v = order_.take(); v != kNone; v = order_.take()) {
-      const Surroundings around = surroundings(surface_, order_, v);
-      for (std::size_t axis = 0; axis < 3; ++axis) code(v, axis, around);
-      order_.visit(v);
-      last_ = v;
-    }
+  }
+  void code(Index item, const Surroundings& around) {
+    for (std::size_t axis = 0; axis < axes_; ++axis) code_axis(item, axis, around);
+    last_ = item;
   }
 
  private:
@@ -146,7 +148,7 @@ class TripleRoutine {
     return p;
   }
 
-  void code(Index v, std::size_t axis, const Surroundings& s) {
+  void code_axis(Index v, std::size_t axis, const Surroundings& s) {
     std::int64_t& value = values_[v][axis];
     if (hints_[axis] == Hint::repeats && code_repeat(value, axis, s)) {
       residuals_.skip(axis);
@@ -161,7 +163,7 @@ class TripleRoutine {
     if constexpr (Range::kEncodes) wanted = (listed ? table.rank(value) : value) - base;
     const Wide result = base + residuals_.code(axis, s.predictions, p, wanted);
     if (listed ? result < 0 || result >= table.size() : result < least_ || result > most_)
-      throw StreamError("has a coordinate beyond its range");
+      throw StreamError("has a number beyond its range");
     value = static_cast<std::int64_t>(result);
     if (listed) value = table[value];
     lengths_[v][axis] = static_cast<std::uint8_t>(residuals_.bits(axis));
@@ -186,16 +188,57 @@ class TripleRoutine {
   }
 
   Range& range_;
-  const Surface& surface_;
   std::span<Triple> values_;
+  std::size_t axes_;
   std::int64_t least_, most_;
   std::array<Hint, 3> hints_;
   std::array<ValueTable, 3> tables_;
   ResidualModel<Range, Wide> residuals_;
   std::vector<std::array<std::uint8_t, 3>> lengths_;  ///< of residuals, in bits
-  VisitOrder order_;
   Index last_ = kNone;
   std::array<std::array<Counter, 4>, 4> repeat_;
 };
+
+/// Calls `use` with a model of the values.
+template <class Range, class Use>
+void with_model(Range& range, std::span<Triple> values, std::size_t axes, bool wide,
+                std::array<Hint, 3> hints, Use&& use) {
+  if (wide)
+    use(TripleModel<Range, Int128>(range, values, axes, std::numeric_limits<std::int64_t>::min(),
+                                   std::numeric_limits<std::int64_t>::max(), hints));
+  else
+    use(TripleModel<Range, std::int64_t>(range, values, axes, -kExactIntegers, kExactIntegers,
+                                         hints));
+}
+
+/// Which hints may pay on an axis, of whose pairs of neighbours the `equal` are equal.
+std::vector<Hint> plausible(std::span<const Triple> values, std::size_t axis, std::size_t equal,
+                            std::size_t pairs);
+
+/// The hints with which `encode` gives least bytes, tried axis by axis, and these bytes.
+/// each_pair() calls its argument with two items that are neighbours.
+template <class EachPair, class Encode>
+std::pair<std::array<Hint, 3>, Bytes> smallest(std::span<const Triple> values, std::size_t axes,
+                                               EachPair&& each_pair, Encode&& encode) {
+  std::array<Hint, 3> hints{};
+  Bytes best = encode(hints);
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::size_t equal = 0, pairs = 0;
+    each_pair([&](Index v, Index w) {
+      ++pairs;
+      equal += values[v][axis] == values[w][axis] ? 1 : 0;
+    });
+    Hint kept = hints[axis];
+    for (const Hint hint : plausible(values, axis, equal, pairs)) {
+      hints[axis] = hint;
+      if (Bytes bytes = encode(hints); bytes.size() < best.size()) {
+        best = std::move(bytes);
+        kept = hint;
+      }
+    }
+    hints[axis] = kept;
+  }
+  return {hints, std::move(best)};
+}
 
 }  // namespace crest::coding
