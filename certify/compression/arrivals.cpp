@@ -2,6 +2,7 @@
 #include "certify/compression/arrivals.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "certify/container/reject.hpp"
 
@@ -26,7 +27,8 @@ class Shore {
     whole_.assign(proof.boundary.region_count, 0);
     for (u32 i = 0; i < loops.size(); ++i) {
       for (u32 k = 0; k < loops[i].size(); ++k) of_side_[loops[i][k]] = {i, k};
-      find_starts(loops[i], proof.boundary.loops[i].zero != 0);
+      whole_of_.push_back(find_starts(loops[i], proof.boundary.loops[i].zero != 0));
+      if (whole_of_[i] != kNone) whole_[whole_of_[i]] = 1;
     }
   }
 
@@ -34,6 +36,8 @@ class Shore {
   std::size_t in_side(u32 side, bool at_head) const { return 4 * of_side_[side][1] + at_head; }
   std::size_t at_head(u32 side) const { return 4 * of_side_[side][1] + 2; }
   bool is_whole(u32 region) const { return whole_[region] != 0; }
+  /// The region that is all of a loop; kNone if it has others, or zeros.
+  u32 whole_of(u32 loop) const { return whole_of_[loop]; }
   /// From the region's beginning on.
   std::size_t from_start(u32 region, u32 side, std::size_t place) const {
     const std::size_t all = 4 * proof_.domain.loops[loop(side)].size();
@@ -41,7 +45,8 @@ class Shore {
   }
 
  private:
-  void find_starts(const std::vector<u32>& sides, bool zero) {
+  /// Returns whole_of().
+  u32 find_starts(const std::vector<u32>& sides, bool zero) {
     const auto region = [&](std::size_t end) {
       return proof_.boundary.regions[sides[end / 2]][end % 2];
     };
@@ -54,12 +59,9 @@ class Shore {
       one = one && here == before;
       if (here != before) starts_[here] = 2 * ends[i] - ends[i] % 2;
     }
-    if (!one || ends.empty()) return;
+    if (!one || ends.empty()) return kNone;
     const u32 only = region(ends[0]);
-    if (!zero) {
-      whole_[only] = 1;
-      return;
-    }
+    if (!zero) return only;
     // Between a zero and itself: it begins behind that.
     std::size_t at = 0;
     for (std::size_t end = 0; end < 2 * sides.size(); ++end) {
@@ -71,6 +73,7 @@ class Shore {
     const auto next = std::upper_bound(ends.begin(), ends.end(), at);
     const std::size_t first = next == ends.end() ? ends[0] : *next;
     starts_[only] = 2 * first - first % 2;
+    return kNone;
   }
 
   const Proof& proof_;
@@ -78,28 +81,44 @@ class Shore {
   std::vector<std::array<u32, 2>> of_side_;  ///< loop, number along it
   std::vector<std::size_t> starts_;
   std::vector<u8> whole_;
+  std::vector<u32> whole_of_;
 };
 
 /// ArrivalTable::silent.
 std::size_t count_silent(const Proof& proof, const ArrivalTable& table, const Shore& shore) {
   const Domain& domain = proof.domain;
+  const auto& lines = proof.stated.separatrices;
+  std::set<std::pair<u32, bool>> followed;  // fans of lines through vertices that end; backward
+  std::vector<u8> met(domain.loops.size(), 0);
+  for (const auto& line : lines) {
+    if (line.origin != SkeletonOrigin::vertex || line.end == SkeletonEnd::undecided) continue;
+    const u32 fan = domain.fan[line.from];
+    followed.insert({fan, line.backward != 0});
+    if (domain.open[fan] != 0) met[shore.loop(previous_corner(domain.corners_of(fan).back()))] = 1;
+  }
+  // A line through an inner vertex would cross an orbit around the place on its other way.
+  const auto tells = [&](u32 i) {
+    if (lines[i].origin != SkeletonOrigin::vertex) return true;
+    const u32 fan = domain.fan[lines[i].from];
+    return domain.open[fan] != 0 || followed.count({fan, lines[i].backward == 0}) != 0;
+  };
   std::size_t count = 0;
-  const auto look = [&](const Place& place) { count += table.orders.count(place) == 0; };
+  const auto look = [&](const Place& place) {
+    const auto found = table.orders.find(place);
+    if (found != table.orders.end())
+      for (const auto& group : found->second.lines)
+        if (std::any_of(group.begin(), group.end(), tells)) return;
+    ++count;
+  };
   const auto& zeros = proof.stated.zeros;
   for (u32 z = 0; z < zeros.size(); ++z)
     if (zeros[z].kind == ZeroClass::source || zeros[z].kind == ZeroClass::sink)
       look({Place::zero, z});
   for (u32 i = 0; i < proof.stated.orbits.size(); ++i)
     for (const auto side : {Place::left_of_orbit, Place::right_of_orbit}) look({side, i});
-  std::vector<u8> met(domain.loops.size(), 0);
-  for (const auto& line : proof.stated.separatrices)
-    if (line.origin == SkeletonOrigin::vertex && !line.legs.empty())
-      if (const u32 fan = domain.fan[line.from]; domain.open[fan] != 0)
-        met[shore.loop(previous_corner(domain.corners_of(fan).back()))] = 1;
-  for (u32 i = 0; i < domain.loops.size(); ++i) {
-    const u32 region = proof.boundary.regions[domain.loops[i][0]][0];
-    if (region != kNone && shore.is_whole(region) && met[i] == 0) look({Place::region, region});
-  }
+  for (u32 i = 0; i < domain.loops.size(); ++i)
+    if (const u32 region = shore.whole_of(i); region != kNone && met[i] == 0)
+      look({Place::region, region});
   return count;
 }
 

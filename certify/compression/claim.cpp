@@ -55,7 +55,9 @@ void compare(const CompressionCertificate& c, Match& match, SignLadder& sign, Ve
   const ArrivalTable lines_in = find_arrivals(in, orbits_in, sign),
                      lines_out = find_arrivals(out, orbits_out, sign);
   const std::size_t open = check_separatrices(match, lines_in, lines_out, maps);
-  prove(verdict, "both: {} separatrices have the same starts and ends, up to {} undecided ones",
+  prove(verdict,
+        "both: {} separatrices and lines through vertices have the same starts and ends, up to {} "
+        "undecided ones",
         maps.separatrices.to.size(), open);
   check_arrivals(match, lines_in, lines_out, maps);
   prove(

@@ -132,7 +132,7 @@ class Corridor {
   // Ends.
   void end_in_region(u32 region) const;
   void end_in_segment(const Segment<Number>& other, bool strictly) const;
-  /// Inside the triangle's own ellipse or a vertex's polygon.
+  /// Inside an ellipse of a triangle or an edge, or a vertex's polygon.
   void end_in_trap(const Trap& trap, const SkeletonBarrier& barrier);
   void end_in_wall(u32 component) const;
 
