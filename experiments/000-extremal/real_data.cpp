@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
         "% | tests an edge | "
         "seconds | certificate, MB | checker | its seconds |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
-        "\n",
+        "---|\n",
         threads, certify ? " with the certificate" : "");
     for (const auto& data : experiments::kData) {
       if (!only.empty() && only != data.file) continue;
