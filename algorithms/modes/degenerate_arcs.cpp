@@ -273,7 +273,8 @@ TetArcs tet_arcs(const std::array<const Tensor*, 4>& corners, const std::array<V
   const Integer scale = largest(exact->coordinates);
   for (std::size_t k = 0; k < 4; ++k) forms.coordinates[k] = ball(exact->coordinates[k], scale);
   if (joined(forms, det)) return result;
-  const auto twins = exact_points(corners, points);
+  // A curve that enters leaves: of an odd number one is false.
+  const auto twins = points.size() % 2 == 0 ? exact_points(corners, points) : std::nullopt;
   result.decided = twins.has_value();
   if (twins)
     result.arcs =

@@ -93,9 +93,10 @@ const Forest::Planted* Forest::planted(const Cube& cube) const {
 }
 
 Index Forest::number_of(const FinePoint& lattice_point) {
-  std::uint64_t key = 0;
-  for (const std::int64_t x : lattice_point)
-    key = key << 21 | static_cast<std::uint64_t>(x >> kFineBits);
+  std::uint64_t key = 0;  // below 27 times the number of cubes
+  for (std::size_t k = 3; k-- > 0;)
+    key = key * (2 * static_cast<std::uint64_t>(cubes_[k]) + 1) +
+          static_cast<std::uint64_t>(lattice_point[k] >> kFineBits);
   const auto [at, fresh] = lattice_points_.try_emplace(key, static_cast<Index>(points_.size()));
   if (fresh) points_.push_back(lattice_point);
   return at->second;

@@ -25,8 +25,9 @@ struct Arrivals {
 struct ArrivalTable {
   std::vector<Path> paths;  ///< of all separatrices
   std::map<Place, Arrivals> orders;
-  /// Sinks, sources, sides of orbits and whole loops of one region at which no line arrives, nor
-  /// any of a vertex on the loop starts; one through an inner vertex counts if both ways end.
+  /// Sinks and sources inside triangles or edges, sides of orbits and whole loops of one region at
+  /// which no line arrives, nor any of a vertex on the loop starts; one through an inner vertex
+  /// counts if both ways end.
   std::size_t silent = 0;
 };
 

@@ -251,6 +251,26 @@ TEST_CASE("random data: whatever the topology, the certificate is accepted") {
   }
 }
 
+TEST_CASE("a long volume: pieces 2^20 cubes apart are two pieces") {
+  const auto noise = random_volume<std::uint8_t>({4, 4, 6}, 255, kSeed + 30);
+  const auto& layers = std::get<std::vector<std::uint8_t>>(noise.samples);
+  const auto surface_of = [&](std::size_t apart) {
+    SampledGrid grid;
+    grid.size = {4, 4, apart + 22};
+    std::vector<std::uint8_t> samples(16 * grid.size[2], 0);
+    for (const std::size_t z : {std::size_t{2}, 2 + apart})
+      std::copy(layers.begin(), layers.end(),
+                samples.begin() + static_cast<std::ptrdiff_t>(16 * z));
+    grid.samples = std::move(samples);
+    return extract_isosurface(QuadraticSpline(grid), 100.3, 30);
+  };
+  const auto near = surface_of(18), far = surface_of(std::size_t{1} << 20);
+  CHECK(near.components > 0);
+  CHECK(near.triangles.size() == far.triangles.size());
+  CHECK(near.euler_characteristic == far.euler_characteristic);
+  CHECK(near.undecided.size() == far.undecided.size());
+}
+
 TEST_CASE("an empty surface has a certificate, too") {
   const auto surface = certified(QuadraticSpline(sphere_volume(6)), -5);
   CHECK(surface.triangles.empty());

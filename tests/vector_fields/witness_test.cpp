@@ -38,11 +38,13 @@ bool accepted(const certify::SkeletonCertificate& record) {
   return certify::verify(certify::encode(record)).accepted;
 }
 
-/// The same with the disk inside the first ring, its centre vertex 0.
+/// The same with the disk inside the first ring around vertex 0; linear, zero at the origin.
 PlanarField filled(const std::vector<Vec2>& size_and_strength) {
   PlanarField ring = rings(size_and_strength), field;
-  field.points = {{0, 0}};
-  field.vectors = {{0, 0}};
+  const Vec2 p = {0.1, 0.05};
+  const double strength = size_and_strength[0][1];
+  field.points = {p};
+  field.vectors = {{strength * p[0] - p[1] / 2, strength * p[1] + p[0] / 2}};
   field.points.insert(field.points.end(), ring.points.begin(), ring.points.end());
   field.vectors.insert(field.vectors.end(), ring.vectors.begin(), ring.vectors.end());
   for (Index i = 0; i < 8; ++i) field.triangles.push_back({0, i + 1, (i + 1) % 8 + 1});
