@@ -9,12 +9,7 @@
 #include <bit>
 #include <cmath>
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define CREST_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define CREST_CLONES
-#endif
+#include "kernel/arithmetic/wide_clones.hpp"
 
 namespace crest::splines {
 namespace {
@@ -27,7 +22,7 @@ using Row = std::array<float, kBatch + 2>;
 using Rows = std::array<const float*, 9>;
 
 /// Least and greatest of a cube's a_v, a_e, a_c: these span the others.
-CREST_CLONES void hull(const Rows& f, std::size_t count, float* lows, float* highs) {
+CREST_WIDE_CLONES void hull(const Rows& f, std::size_t count, float* lows, float* highs) {
   std::array<float, kBatch> low_of, high_of;  // which no row may overlap
   std::array<std::array<Row, 2>, 2> sum;      // over {y, y + 1} x {z, z + 1}
   std::array<Row, 2> along_y, along_z;        // over {z, z + 1} at y = 1; over {y, y + 1} at z = 1
