@@ -248,8 +248,9 @@ class AttributeRoutine {
       const std::size_t numbers =
           places_of(a.site, surface_.counts().vertices, surface_.face_count()) * a.components;
       if (numbers > left)
-        throw StreamError("has attributes of more numbers than are allowed, " +
-                          std::to_string(max_numbers_) + " (--max-numbers)");
+        throw kernel::InputError("section attributes: has more numbers than are allowed, " +
+                                 std::to_string(max_numbers_) +
+                                 "; allow more (--max-numbers) if you trust the file");
       left -= numbers;
     }
   }

@@ -20,7 +20,7 @@ Bytes encode_attributes(const Surface& decoded, std::span<const kernel::Attribut
 
 /// Bit for bit what encode_attributes() was given; more than `max_numbers` numbers are refused
 /// before room is made for any.
-/// Throws: StreamError.
+/// Throws: StreamError; kernel::InputError for so many numbers.
 std::vector<kernel::Attribute> decode_attributes(std::span<const std::uint8_t> bytes,
                                                  const Surface& decoded, std::size_t max_numbers);
 
