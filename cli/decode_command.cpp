@@ -16,26 +16,25 @@ namespace {
 
 struct DecodeOptions {
   CommonOptions common;
-  kernel::Index max_faces = kernel::Index{1} << 28;
+  coding::DecodeLimits limits;
 };
 
-coding::Decoded decode_file(const std::string& path, kernel::Index max_faces) {
+coding::Decoded decode_file(const std::string& path, const coding::DecodeLimits& limits) {
   coding::Decoded decoded;
   io::read_named(path, [&] {
     if (io::lower_extension(path) != ".cmc")
       io::fail("file", "its extension is not .cmc", "give a stream of crest encode");
     const io::FileBytes bytes = io::load(path);
     const std::string_view text = bytes;
-    decoded = coding::decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
-                             max_faces);
+    decoded =
+        coding::decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, limits);
   });
   return decoded;
 }
 
 Outcome work(Run& run, const DecodeOptions& o) {
-  const coding::Decoded decoded = run.step("decode", "decoding " + o.common.input, [&] {
-    return decode_file(o.common.input, o.max_faces);
-  });
+  const coding::Decoded decoded = run.step("decode", "decoding " + o.common.input,
+                                           [&] { return decode_file(o.common.input, o.limits); });
   const coding::StreamInfo& info = decoded.info;
   std::vector<kernel::Vec3> points = decoded.points;
   if (info.places == coding::Places::none) {
@@ -68,8 +67,12 @@ std::function<int()> add_decode(CLI::App& app) {
   app.add_option("INPUT", common.input, "stream (.cmc)")->required();
   app.add_option("-o,--output", common.output, "the mesh (.off .obj .ply .vtp)")->type_name("FILE");
   app.add_option("--report", common.report, "counts and times (.json)")->type_name("FILE");
-  app.add_option("--max-faces", options->max_faces, "refuse streams of more faces (default 2^28)")
+  app.add_option("--max-faces", options->limits.faces,
+                 "refuse streams of more faces (default 2^28)")
       ->check(CLI::Range(kernel::Index{1}, kernel::kNone / 3))
+      ->type_name("N");
+  app.add_option("--max-numbers", options->limits.numbers,
+                 "refuse streams with more numbers in their attributes (default 2^27)")
       ->type_name("N");
   add_run_options(app, common);
   return [options] {

@@ -14,6 +14,7 @@
 #include "certify/coding/encode.hpp"
 #include "cli/attribute_report.hpp"
 #include "cli/run.hpp"
+#include "io/formats/files.hpp"
 #include "io/read/surface_reader.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/text.hpp"
@@ -91,7 +92,8 @@ std::string summary(const coding::Encoded& e, std::span<const kernel::Attribute>
   const coding::StreamInfo& info = e.info;
   const double bits = 8.0 / info.vertices;
   std::string names;
-  for (const kernel::Attribute& a : attributes) names += (names.empty() ? "" : ", ") + a.name;
+  for (const kernel::Attribute& a : attributes)
+    names += (names.empty() ? "" : ", ") + io::one_line(a.name);
   if (!names.empty())
     names = fmt::format("attributes: {} bytes, {}\n", info.sizes.attributes, names);
   return fmt::format(

@@ -13,6 +13,7 @@
 
 #include "cli/references.hpp"
 #include "cli/version.hpp"
+#include "io/formats/files.hpp"
 #include "io/page/page.hpp"
 #include "io/page/scene.hpp"
 #include "io/picture/camera.hpp"
@@ -86,7 +87,7 @@ void Run::finish(const Outcome& outcome) {
   show({});
   if (!options_.quiet) {
     for (const std::string& warning : report_.warnings())
-      fmt::print(stderr, "crest {}: warning: {}\n", command_, warning);
+      fmt::print(stderr, "crest {}: warning: {}\n", command_, io::one_line(warning));
     fmt::print("{}", outcome.summary);
     if (certificate_bytes_ > 0)
       fmt::print("certificate: {} bytes (crest-verify {})\n", certificate_bytes_,

@@ -20,6 +20,13 @@ using kernel::Attribute;
 using kernel::NumberType;
 using kernel::Site;
 
+/// Components of an attribute, bytes of its name.
+constexpr std::uint32_t kMost = 65535;
+
+std::size_t places_of(Site site, Index vertices, Index faces) {
+  return site == Site::vertices ? vertices : site == Site::faces ? faces : 3 * std::size_t{faces};
+}
+
 template <class T>
 bool holds(std::uint64_t word) {
   const auto number = static_cast<std::int64_t>(word);
@@ -191,11 +198,13 @@ class GroupRoutine {
 template <class Range>
 class AttributeRoutine {
  public:
-  AttributeRoutine(Range& range, const Surface& surface, std::vector<Attribute>& list)
-      : range_(range), surface_(surface), list_(list) {}
+  AttributeRoutine(Range& range, const Surface& surface, std::vector<Attribute>& list,
+                   std::size_t max_numbers)
+      : range_(range), surface_(surface), list_(list), max_numbers_(max_numbers) {}
 
   void run() {
     code_list();
+    check_size();
     const std::vector<Index> visits = visit_sequence(surface_);
     for (std::size_t i = 0; i < list_.size();) {
       Items items(surface_, list_[i].site);
@@ -224,10 +233,25 @@ class AttributeRoutine {
       gaps_.push_back(code_bits(range_, a.missing.empty() ? 0 : 1, 1) == 1);
       a.components = 1 + components.code(range_, a.components - 1);
       const std::uint32_t size = length.code(range_, static_cast<std::uint32_t>(a.name.size()));
+      if (!Range::kEncodes && std::max(a.components, size) > kMost)
+        throw StreamError("has an attribute with more than 65535 components or bytes of its name");
       for (std::uint32_t k = 0; k < size; ++k) {
         if constexpr (!Range::kEncodes) a.name.push_back(0);
         a.name[k] = static_cast<char>(code_bits(range_, static_cast<unsigned char>(a.name[k]), 8));
       }
+    }
+  }
+
+  void check_size() const {
+    std::size_t left = max_numbers_;
+    for (const Attribute& a : list_) {
+      const std::size_t numbers =
+          places_of(a.site, surface_.counts().vertices, surface_.face_count()) * a.components;
+      if (numbers > left)
+        throw kernel::InputError("section attributes: has more numbers than are allowed, " +
+                                 std::to_string(max_numbers_) +
+                                 "; allow more (--max-numbers) if you trust the file");
+      left -= numbers;
     }
   }
 
@@ -257,21 +281,20 @@ class AttributeRoutine {
   Range& range_;
   const Surface& surface_;
   std::vector<Attribute>& list_;
+  std::size_t max_numbers_;
   std::vector<bool> gaps_;  ///< of each: has it places without numbers?
 };
 
 }  // namespace
 
 void require_sound(const Attribute& a, Index vertices, Index faces) {
-  const std::size_t places = a.site == Site::vertices ? vertices
-                             : a.site == Site::faces  ? faces
-                                                      : 3 * std::size_t{faces};
+  const std::size_t places = places_of(a.site, vertices, faces);
   const auto refuse = [&](const char* problem, const char* remedy) {
     throw kernel::InputError("attribute '" + a.name + "': " + problem + "; " + remedy);
   };
-  if (a.components == 0 || a.components > 65535)
+  if (a.components == 0 || a.components > kMost)
     refuse("has not 1 to 65535 components", "split it");
-  if (a.name.size() > 65535) refuse("has a name of more than 65535 bytes", "rename it");
+  if (a.name.size() > kMost) refuse("has a name of more than 65535 bytes", "rename it");
   if (a.words.size() != places * a.components || (!a.missing.empty() && a.missing.size() != places))
     refuse("has not a number a place", "give all numbers");
   for (std::size_t i = 0; i < a.words.size(); ++i)
@@ -282,16 +305,17 @@ void require_sound(const Attribute& a, Index vertices, Index faces) {
 Bytes encode_attributes(const Surface& decoded, std::span<const Attribute> attributes) {
   std::vector<Attribute> list(attributes.begin(), attributes.end());
   RangeEncoder range;
-  AttributeRoutine(range, decoded, list).run();
+  AttributeRoutine(range, decoded, list, std::numeric_limits<std::size_t>::max()).run();
   return range.finish();
 }
 
 std::vector<Attribute> decode_attributes(std::span<const std::uint8_t> bytes,
-                                         const Surface& decoded) {
+                                         const Surface& decoded, std::size_t max_numbers) {
   std::vector<Attribute> list;
+  if (bytes.empty()) throw StreamError("is empty");
   RangeDecoder range(bytes);
   with_position(range, [&] {
-    AttributeRoutine(range, decoded, list).run();
+    AttributeRoutine(range, decoded, list, max_numbers).run();
     range.finish();
   });
   return list;

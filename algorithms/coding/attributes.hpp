@@ -18,10 +18,11 @@ void require_sound(const kernel::Attribute& attribute, Index vertices, Index fac
 /// The section's bytes for sound attributes, at least one, in the decoded order.
 Bytes encode_attributes(const Surface& decoded, std::span<const kernel::Attribute> attributes);
 
-/// Bit for bit what encode_attributes() was given.
-/// Throws: StreamError.
+/// Bit for bit what encode_attributes() was given; more than `max_numbers` numbers are refused
+/// before room is made for any.
+/// Throws: StreamError; kernel::InputError for so many numbers.
 std::vector<kernel::Attribute> decode_attributes(std::span<const std::uint8_t> bytes,
-                                                 const Surface& decoded);
+                                                 const Surface& decoded, std::size_t max_numbers);
 
 /// The attribute whose place p is `source[p]` of this one's.
 kernel::Attribute rearranged(const kernel::Attribute& attribute, std::span<const Index> source);

@@ -246,7 +246,7 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
   return result;
 }
 
-Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
+Decoded decode(std::span<const std::uint8_t> stream, const DecodeLimits& limits) {
   const Container c = parse(stream);
   const auto bytes = [&](Section s) { return c.sections[static_cast<std::size_t>(s)]; };
   Decoded result;
@@ -255,10 +255,10 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
     const auto section = bytes(Section::connectivity);
     const auto decode_part = [&](std::span<const std::uint8_t> part, const Counts& counts) {
       return c.method == Method::valence
-                 ? decode_valences(part, counts, max_faces)
-                 : decode_tree(part, tree_method(c.method), counts, max_faces);
+                 ? decode_valences(part, counts, limits.faces)
+                 : decode_tree(part, tree_method(c.method), counts, limits.faces);
     };
-    result.faces = c.cleared ? decode_cleared(section, c.counts, max_faces, decode_part)
+    result.faces = c.cleared ? decode_cleared(section, c.counts, limits.faces, decode_part)
                              : decode_part(section, c.counts);
     try {
       surface.emplace(c.counts.vertices, result.faces);
@@ -275,7 +275,7 @@ Decoded decode(std::span<const std::uint8_t> stream, Index max_faces) {
   });
   in_section(Section::attributes, [&] {
     if (c.has_attributes)
-      result.attributes = decode_attributes(bytes(Section::attributes), *surface);
+      result.attributes = decode_attributes(bytes(Section::attributes), *surface, limits.numbers);
   });
   in_section(Section::order, [&] {
     if (!c.keeps_order) return;

@@ -4,6 +4,7 @@
 // The public calls: triangle meshes to streams and back (format: docs/cmc-format.md; theory:
 // README.md beside this file).
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -81,10 +82,16 @@ struct Decoded {
   StreamInfo info;
 };
 
+/// What decode() makes at most.
+struct DecodeLimits {
+  Index faces = Index{1} << 28;
+  std::size_t numbers = std::size_t{1} << 27;  ///< of all attributes: places times components
+};
+
 /// Trusts nothing: what it gives is an oriented manifold with the counts, checksums and digest that
 /// the stream states.
 /// Throws: kernel::InputError, one line "section SECTION, byte N: PROBLEM; REMEDY".
-/// Cost: as encode(); memory in proportion to what is decoded.
-Decoded decode(std::span<const std::uint8_t> stream, Index max_faces = Index{1} << 28);
+/// Cost: as encode(); memory in proportion to what is decoded, which the limits bound.
+Decoded decode(std::span<const std::uint8_t> stream, const DecodeLimits& limits = {});
 
 }  // namespace crest::coding

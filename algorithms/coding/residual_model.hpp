@@ -39,9 +39,12 @@ class ResidualModel {
  public:
   explicit ResidualModel(Range& range) : range_(range), lines_(16) {}
 
-  /// A residual below 2^64; `predictions`: how many parallelograms p is the mean of.
+  /// A residual below 2^64, below 2^62 if Wide has 64 bits (within +-2^53, whose residuals are
+  /// shorter, so that longer ones are beyond their range); `predictions`: how many parallelograms p
+  /// is the mean of.
   Wide code(std::size_t axis, std::size_t predictions, const Prediction<Wide>& p, Wide wanted) {
     const int bits = code_length(axis, predictions, p, bit_length(wanted));
+    if (sizeof(Wide) == 8 && bits > 62) throw StreamError("has a number beyond its range");
     here_[axis] = bits;
     minus_[axis] = false;
     if (bits == 0) return 0;

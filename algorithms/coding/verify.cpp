@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "kernel/geometry/corner_table.hpp"
@@ -98,7 +99,9 @@ void compare_attributes(const Encoded& encoded, const Decoded& decoded, const Pa
 double verify(const Encoded& encoded, std::span<const Triangle> faces,
               std::span<const Point> points, const EncodeOptions& options,
               std::span<const kernel::Attribute> attributes) {
-  const Decoded decoded = decode(encoded.stream, static_cast<Index>(faces.size()));
+  const Decoded decoded =
+      decode(encoded.stream, {.faces = static_cast<Index>(faces.size()),
+                              .numbers = std::numeric_limits<std::size_t>::max()});
   compare_attributes(encoded, decoded, paired_faces(encoded, decoded, faces), attributes);
   double largest = 0;
   for (std::size_t v = 0; v < decoded.points.size(); ++v) {

@@ -62,7 +62,8 @@ Output run_encode(const Arguments& a, const Progress& progress) {
 Output run_decode(const Arguments& a, const Progress& progress) {
   const auto& stream = std::get<std::vector<std::uint8_t>>(a.array("stream").data);
   const coding::Decoded decoded = progress.step("decoding", [&] {
-    return coding::decode(stream, static_cast<kernel::Index>(a.integer("max_faces")));
+    return coding::decode(stream, {.faces = static_cast<kernel::Index>(a.integer("max_faces")),
+                                   .numbers = static_cast<std::size_t>(a.integer("max_numbers"))});
   });
   Output out;
   fill(decoded.info, out);

@@ -143,7 +143,9 @@ void verify_coding(std::span<const std::uint8_t> data, std::span<const std::uint
   require(decoded.positions_mode == static_cast<int>(c.mode), "stream: is of another mode");
   require(decoded.ordered == c.keep_order, "stream: the order is kept or not, unlike the claim");
   prove(verdict, "stream: {} bytes, method {}, decoded{}", c.stream.size(), name_of(decoded.method),
-        decoded.attribute_bytes > 0 ? " but for its attributes, of which nothing is claimed" : "");
+        decoded.has_attributes ? " without its attributes section; whether a decoder accepts that "
+                                 "section is not claimed"
+                               : "");
   check_isomorphism(c, decoded);
   prove(verdict, "connectivity: the decoded faces are those of the mesh, turned as they are{}",
         c.keep_order ? ", in its order" : "");

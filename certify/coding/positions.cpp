@@ -399,7 +399,7 @@ Patterns decode_exact(Decisions& in, const Walk& walk, std::size_t vertices) {
 Patterns decode_steps(Decisions& in, const Walk& walk, std::size_t vertices) {
   const std::uint64_t pattern = in.plain(64);
   const auto step = std::bit_cast<double>(pattern);
-  require(std::isfinite(step) && step > 0, "stream: the step is not positive");
+  require(std::isnormal(step) && step > 0, "stream: the step is no normal positive number");
   int exponent = 0;
   const double digits = std::frexp(step, &exponent) * 0x1p20;
   require(digits == std::floor(digits), "stream: the step has more than 20 bits");

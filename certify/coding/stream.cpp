@@ -160,6 +160,7 @@ DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) 
   const u32 version = in.byte(), flags = in.byte();
   const bool attributes = (flags & 32) != 0;
   DecodedMesh mesh;
+  mesh.has_attributes = attributes;
   mesh.positions_mode = static_cast<int>(flags >> 3 & 3);
   mesh.ordered = (flags & 64) != 0;
   require((flags & 0x80) == 0 && mesh.positions_mode < 3, "stream: flags of no meaning");
@@ -192,7 +193,7 @@ DecodedMesh decode_stream(Span stream, std::size_t vertices, std::size_t faces) 
           faces);
   if (mesh.positions_mode > 0)
     mesh.positions = decode_positions(in.section(), mesh.faces, vertices, mesh.positions_mode);
-  if (attributes) mesh.attribute_bytes = in.section().size();
+  if (attributes) require(!in.section().empty(), "stream: its attributes' section is empty");
   if (mesh.ordered) reorder(mesh, in.section());
   check_digest(mesh, in.take(8));
   require(in.empty(), "stream: bytes left over");

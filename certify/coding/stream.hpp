@@ -15,7 +15,7 @@ struct DecodedMesh {
   int positions_mode = 0;  ///< 0 none, 1 exact, 2 within a tolerance
   bool ordered = false;
   std::size_t connectivity_bytes = 0;
-  std::size_t attribute_bytes = 0;                      ///< of a section that is not decoded
+  bool has_attributes = false;                          ///< a section that is not decoded
   std::vector<std::array<std::uint32_t, 3>> faces;      ///< in the final numbers and order
   std::vector<std::array<std::uint64_t, 3>> positions;  ///< V binary64 patterns, or none
 };

@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 36;
 
-/// How many bytes of UTF-8 the character has that starts at a place; 0: there is none.
+/// How many bytes of UTF-8 the character has that starts at a place; 0: there is none, or it is a
+/// control character or one that XML does not have.
 std::size_t length_of_character(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -28,22 +30,27 @@ std::size_t length_of_character(const std::string& text, std::size_t at) {
                              : first >= 0xe0 && first < 0xf0 ? 3
                              : first >= 0xc2 && first < 0xe0 ? 2
                                                              : 0;
-  for (std::size_t i = 1; i < length; ++i)
+  std::uint32_t character = first & (0xffU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
     if ((byte(at + i) & 0xc0U) != 0x80) return 0;
-  return length;
+    character = character << 6 | (byte(at + i) & 0x3fU);
+  }
+  constexpr std::array<std::uint32_t, 5> least = {0, 0, 0xa0, 0x800, 0x10000};
+  const bool surrogate = character >= 0xd800 && character < 0xe000;
+  const bool none = surrogate || character == 0xfffe || character == 0xffff || character > 0x10ffff;
+  return none || character < least[length] ? 0 : length;
 }
 
-/// File names and words quoted from files may hold anything; the message stays one line of text.
-std::string one_line(std::string text) {
+}  // namespace
+
+std::string one_line(std::string text, char instead) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = length_of_character(text, at);
-    if (length == 0) text[at] = '?';
+    if (length == 0) text[at] = instead;
     at += std::max<std::size_t>(length, 1);
   }
   return text;
 }
-
-}  // namespace
 
 void fail(const std::string& element, const std::string& problem, const std::string& remedy) {
   // Before the exception's C string ends at a zero quoted from the file.

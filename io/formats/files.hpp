@@ -9,6 +9,10 @@
 
 namespace crest::io {
 
+/// File names and words quoted from files may hold anything; this is one line of UTF-8 that no
+/// terminal obeys: `instead` of control characters and of bytes that are no characters.
+std::string one_line(std::string text, char instead = '?');
+
 /// Throws kernel::InputError "ELEMENT: PROBLEM; REMEDY", one line; read_named puts the file's name
 /// in front.
 [[noreturn]] void fail(const std::string& element, const std::string& problem,

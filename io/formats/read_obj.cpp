@@ -82,17 +82,27 @@ class CornerNormals {
 /// Up to three numbers that corners of faces name.
 class CornerNumbers {
  public:
+  /// Of corners that name none, and of those whose index is no integer or before the first.
+  static constexpr std::int64_t kNoNumber = -1, kWrong = -2;
+
   explicit CornerNumbers(const char* name) : name_(name) {}
   void add(const kernel::Vec3& numbers, int count) {
     pool_.push_back(numbers);
     components_ = std::max(components_, count);
   }
   std::int64_t size() const { return static_cast<std::int64_t>(pool_.size()); }
-  /// The next corner's; negative: none.
+  /// The next corner's, kNoNumber or kWrong.
   void corner(std::int64_t number) { corners_.push_back(number); }
 
   void finish(Soup& soup) const {
     const auto is_there = [&](std::int64_t i) { return i >= 0 && i < size(); };
+    const auto wrong = std::count_if(corners_.begin(), corners_.end(), [&](std::int64_t i) {
+      return i != kNoNumber && !is_there(i);
+    });
+    if (wrong > 0)
+      soup.warnings.push_back(
+          fmt::format("left out {} at {} corners, whose indices are no integers or out of range",
+                      name_, wrong));
     if (std::none_of(corners_.begin(), corners_.end(), is_there)) return;
     std::vector<double> numbers;
     std::vector<bool> missing;
@@ -115,14 +125,17 @@ class CornerNumbers {
   std::vector<std::int64_t> corners_;  ///< in the pool
 };
 
-/// Three numbers behind a vertex' place are its colour.
+/// Just three numbers behind a vertex' place are its colour; the first of four is a weight.
 class VertexColours {
  public:
   /// Of the soup's last point. Cost: nothing where the one before has none.
   void take(TextScan& scan, const Soup& soup) {
     if (numbers_.size() + 3 < 3 * soup.points.size()) return;
-    double x = 0;
-    for (int k = 0; k < 3 && scan.in_line() && scan.take(x); ++k) numbers_.push_back(x);
+    kernel::Vec3 colour{};
+    std::size_t count = 0;
+    while (count < 3 && scan.in_line() && scan.take(colour[count])) ++count;
+    if (count == 3 && !scan.in_line())
+      numbers_.insert(numbers_.end(), colour.begin(), colour.end());
   }
   /// All vertices have one, or none has.
   void finish(Soup& soup) {
@@ -234,8 +247,11 @@ class ObjReader {
   /// The rest of a corner, or nothing of it: its texture and its normal.
   void take_numbers(bool rest) {
     const auto index = [&](const CornerNumbers& of) {
+      const auto at_end = [&] { return scan_.after_word() || scan_.peek(1) == "/"; };
+      if (!rest || at_end()) return CornerNumbers::kNoNumber;
       std::int64_t number = 0;
-      if (!rest || !scan_.take_prefix(number) || number == 0) return std::int64_t{-1};
+      if (!scan_.take_prefix(number) || !at_end() || number == 0 || number < -of.size())
+        return CornerNumbers::kWrong;
       return number > 0 ? number - 1 : of.size() + number;
     };
     textures_.corner(index(textures_));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read/mesh_attributes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -79,7 +81,8 @@ Attribute taken(const Field& field, Site site, const std::vector<Index>& source)
   return a;
 }
 
-/// The soup's corner at each of the triangles' corners.
+/// The soup's corner at each of the triangles' corners; kNone where its polygon meets the vertex
+/// more than once: the triangles do not say which time.
 std::vector<Index> corner_sources(const Soup& soup, const Surface& surface) {
   std::vector<std::size_t> begin;
   for (std::size_t c = 0, nodes = 0; c < soup.cells.size(); ++c) {
@@ -91,8 +94,12 @@ std::vector<Index> corner_sources(const Soup& soup, const Surface& surface) {
     const Index cell = surface.cell_of[f];
     const auto nodes = soup.cells.nodes(cell);
     for (const Index v : surface.faces[f]) {
-      const auto at = std::find(nodes.begin(), nodes.end(), Cells::Node{surface.point_of[v]});
-      source.push_back(static_cast<Index>(begin[cell]) + static_cast<Index>(at - nodes.begin()));
+      const Cells::Node node{surface.point_of[v]};
+      const auto at = std::find(nodes.begin(), nodes.end(), node);
+      const bool once = std::count(nodes.begin(), nodes.end(), node) == 1;
+      source.push_back(
+          once ? static_cast<Index>(begin[cell] + static_cast<std::size_t>(at - nodes.begin()))
+               : kernel::kNone);
     }
   }
   return source;
@@ -137,7 +144,12 @@ std::vector<Attribute> attributes_of(const Soup& soup, const Surface& surface,
   take(soup.cell_fields, Site::faces, surface.cell_of);
   if (soup.corner_fields.empty()) return attributes;
   const std::size_t first = attributes.size();
-  take(soup.corner_fields, Site::corners, corner_sources(soup, surface));
+  const std::vector<Index> source = corner_sources(soup, surface);
+  take(soup.corner_fields, Site::corners, source);
+  if (const auto twice = std::count(source.begin(), source.end(), kernel::kNone))
+    for (const Field& field : soup.corner_fields)
+      left_out.push_back(fmt::format("{} (at {} corners of polygons that meet a vertex twice)",
+                                     field.name, twice));
   for (std::size_t i = first; i < attributes.size(); ++i)
     attributes[i] = at_vertices(std::move(attributes[i]), surface);
   return attributes;

@@ -14,6 +14,7 @@
 #include <set>
 
 #include "io/formats/binary.hpp"
+#include "io/formats/files.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
@@ -165,6 +166,18 @@ class Pool {
   std::vector<std::size_t> number_;  ///< of corners
 };
 
+/// As VTK's writer puts it between quotes, unescaped.
+std::string vtp_name(const std::string& name) {
+  std::string text;
+  for (const char c : one_line(name, '_'))
+    text += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
+  return text.empty() ? "_" : text;
+}
+
 vtkSmartPointer<vtkDataArray> array_of(const Attribute& a) {
   constexpr std::array types = {VTK_TYPE_INT8,    VTK_TYPE_UINT8,  VTK_TYPE_INT16, VTK_TYPE_UINT16,
                                 VTK_TYPE_INT32,   VTK_TYPE_UINT32, VTK_TYPE_INT64, VTK_TYPE_UINT64,
@@ -247,7 +260,7 @@ std::string vtp_text(const MeshPoints& points, const MeshFaces& faces, Attribute
   std::set<std::string> given, of_points, of_cells;
   for (const Attribute* a : kept(attributes, left_out, is_whole)) {
     const bool cell = a->site == Site::faces;
-    const std::string name = new_name(a->name, cell ? of_cells : of_points);
+    const std::string name = new_name(vtp_name(a->name), cell ? of_cells : of_points);
     const auto array = array_of(*a);
     array->SetName(name.c_str());
     given.insert(name);

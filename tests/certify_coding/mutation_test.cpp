@@ -9,6 +9,9 @@
 #include <set>
 
 #include "algorithms/coding/coding.hpp"
+#include "algorithms/coding/container.hpp"
+#include "algorithms/coding/numbers.hpp"
+#include "algorithms/coding/range_coder.hpp"
 #include "certify/coding/encode.hpp"
 #include "certify/coding/stream.hpp"
 #include "certify/container/container.hpp"
@@ -269,6 +272,34 @@ TEST_CASE("coding: streams of another mesh of the same counts are rejected") {
   CHECK(verdict.reason.find("faces") != std::string::npos);
 }
 
+TEST_CASE("coding: of an attributes section nothing is claimed but that it is not empty") {
+  Random random(12);
+  const CodingCertificate plain = certificate(stacked(20, random), {});
+  const auto with_section = [&](const coding::Bytes& section) {
+    coding::Container parts = coding::parse(plain.stream);
+    parts.has_attributes = true;
+    parts.sections[static_cast<std::size_t>(coding::Section::attributes)] = section;
+    CodingCertificate c = plain;
+    c.stream = coding::compose(parts);
+    CHECK_THROWS(coding::decode(c.stream));
+    return verify(encode(c));
+  };
+  const auto disclaims = [](const Verdict& verdict) {
+    return std::any_of(verdict.lines.begin(), verdict.lines.end(), [](const std::string& line) {
+      return line.find(
+                 "without its attributes section; whether a decoder accepts that section is "
+                 "not claimed") != std::string::npos;
+    });
+  };
+  CHECK_FALSE(disclaims(verify(encode(plain))));
+  const Verdict garbage = with_section({0x67, 0x61, 0x72, 0x62, 0x61, 0x67, 0x65, 0xff});
+  CHECK(garbage.accepted);
+  CHECK(disclaims(garbage));
+  const Verdict empty = with_section({});
+  CHECK_FALSE(empty.accepted);
+  CHECK(empty.reason.find("section is empty") != std::string::npos);
+}
+
 TEST_CASE("coding: data that are no oriented manifold are rejected before the stream is read") {
   const Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
@@ -310,6 +341,24 @@ TEST_CASE("coding: a residual of more than 64 bits is refused") {
   } catch (const Reject& reject) {
     CHECK(std::string(reject.what()).find("more than 64 bits") != std::string::npos);
   }
+}
+
+TEST_CASE("coding: a step below the normal numbers is refused") {
+  const auto problem = [](double step) -> std::string {
+    coding::RangeEncoder range;
+    coding::LargeNumber::code_lower(range, std::bit_cast<std::uint64_t>(step), 64);
+    auto section = range.finish();
+    section.resize(64, 0);
+    try {
+      decode_positions(section, {{0, 1, 2}}, 3, 2);
+    } catch (const Reject& reject) {
+      return reject.what();
+    }
+    return "";
+  };
+  for (const double bad : {0x1p-1023, 0x1p-1055, 0.0, -1.0, HUGE_VAL})
+    CHECK(problem(bad).find("no normal positive number") != std::string::npos);
+  CHECK(problem(0x1p-1022).find("no normal positive number") == std::string::npos);
 }
 
 TEST_CASE("coding: hostile streams end soon") {

@@ -146,3 +146,24 @@ TEST_CASE("a report can go to a device, an output replaces a link's target") {
   CHECK(fs::is_symlink(folder / "link.vtp"));
   CHECK(read_text(folder / "real.vtp").find("<VTKFile") != std::string::npos);
 }
+
+TEST_CASE("names of attributes reach no terminal as control characters") {
+  const TemporaryFolder folder;
+  write_text(folder / "t.ply",
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nproperty float a\x1b[31mRED\nelement face 1\n"
+             "property list uchar int vertex_indices\nend_header\n"
+             "0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n");
+  const auto encoded = run_crest("crest encode t.ply -o t.cmc", folder.path());
+  CHECK(encoded.exit_code == 0);
+  CHECK(encoded.out.find("a?[31mRED") != std::string::npos);
+  const auto decoded = run_crest("crest decode t.cmc -o t.obj", folder.path());
+  CHECK(decoded.exit_code == 0);
+  CHECK(decoded.err.find("a?[31mRED") != std::string::npos);
+  for (const std::string& text : {encoded.out, encoded.err, decoded.out, decoded.err})
+    CHECK(text.find('\x1b') == std::string::npos);
+  const auto refused = run_crest("crest decode t.cmc --max-numbers 2 -o u.vtp", folder.path());
+  CHECK(refused.exit_code == 3);
+  CHECK(is_one_line(refused.err));
+  CHECK(refused.err.find("--max-numbers") != std::string::npos);
+}

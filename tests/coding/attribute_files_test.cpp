@@ -173,6 +173,55 @@ TEST_CASE("attribute files: OBJ's textures and normals at corners, colours, corn
   again(folder, "e.ply", file, 2);  // colours alone
 }
 
+TEST_CASE("attribute files: OBJ's weights before colours, indices that name nothing") {
+  const TemporaryFolder folder;
+  const auto colours = [&](const std::string& end) {
+    return written_and_read(folder, "a.obj",
+                            "v 0 0 0" + end + "\nv 1 0 0" + end + "\nv 0 1 0" + end + "\nf 1 2 3\n")
+        .attributes.size();
+  };
+  CHECK(colours(" 0.1 0.2 0.3") == 1);
+  CHECK(colours(" 0.1 0.2 0.3 # three") == 1);
+  CHECK(colours(" 1 0.1 0.2 0.3") == 0);
+  CHECK(colours(" 1") == 0);
+  const auto warnings = [&](const std::string& corner) {
+    return written_and_read(folder, "a.obj",
+                            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0\nvt 1\nf 1/1 2/2 " + corner + "\n")
+        .warnings;
+  };
+  for (const char* good : {"3", "3/", "3//", "3/1", "3/-2", "3/2/"}) {
+    INFO(good);
+    CHECK(warnings(good).empty());
+  }
+  for (const char* bad : {"3/3", "3/99", "3/-3", "3/x", "3/1x", "3/0", "3/+", "3/1.5"}) {
+    INFO(bad);
+    REQUIRE(warnings(bad).size() == 1);
+    CHECK(warnings(bad)[0].find("left out TCoords at 1 corners") == 0);
+  }
+  CHECK(warnings("3/1/7")[0].find("left out Normals at 1 corners") == 0);
+}
+
+TEST_CASE("attribute files: corners of a polygon that meets a vertex twice have no numbers") {
+  const TemporaryFolder folder;
+  std::string text = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n";
+  for (int i = 1; i <= 10; ++i) text += "vt " + std::to_string(i) + "\n";
+  text += "f 1/1 2/2 3/3 4/4 1/5 5/6 8/7 7/8 6/9 5/10\n";
+  const io::SurfaceFile file = written_and_read(folder, "a.obj", text);
+  const Attribute a = named(file, "TCoords");
+  REQUIRE(a.site == Site::vertices);  // on which the triangles' corners agree
+  const std::vector<double> wanted = {0, 2, 3, 4, 0, 9, 8, 7};  // 0: met twice
+  for (std::size_t v = 0; v < wanted.size(); ++v) {
+    CHECK(a.has(v) == (wanted[v] != 0));
+    CHECK(std::bit_cast<double>(a.words[v]) == wanted[v]);
+  }
+  std::size_t twice = 0;
+  for (const auto& face : file.faces)
+    for (const auto v : face) twice += v == 0 || v == 4 ? 1 : 0;
+  REQUIRE(file.warnings.size() >= 1);
+  CHECK(file.warnings.back() == "left out the fields TCoords (at " + std::to_string(twice) +
+                                    " corners of polygons that meet a vertex twice)");
+}
+
 TEST_CASE("attribute files: names of a VTP that PLY cannot have") {
   const TemporaryFolder folder;
   io::SurfaceFile file = written_and_read(folder, "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -185,6 +234,36 @@ TEST_CASE("attribute files: names of a VTP that PLY cannot have") {
   REQUIRE(after.attributes.size() == file.attributes.size());
   CHECK(after.points == file.points);
   CHECK(after.faces == file.faces);
+}
+
+TEST_CASE("attribute files: names that XML cannot have as they are") {
+  const TemporaryFolder folder;
+  io::SurfaceFile file = written_and_read(folder, "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<std::pair<std::string, std::string>> names = {
+      {"a<b&c>\"d'", "a<b&c>\"d'"},
+      {"&lt;", "&lt;"},
+      {"e\x1b[1m\n", "e_[1m_"},
+      {std::string("f\0g", 3), "f_g"},
+      {"h\xe9", "h_"},
+      {"h\xc3\xa9", "h\xc3\xa9"},
+      {"i\xed\xa0\x80\xef\xbf\xbf\xc0\x80\xe0\x80\x80", "i___________"},
+      {"", "_"},
+      {"_", "__"}};
+  for (const auto& [name, after] : names)
+    for (const Site site : {Site::vertices, Site::faces})
+      file.attributes.push_back({name, site, NumberType::i32, 1, {}});
+  for (std::size_t i = 0; i < file.attributes.size(); ++i)
+    file.attributes[i].words.assign(file.attributes[i].site == Site::faces ? 1 : 3, i);
+  const io::SurfaceFile after = again(folder, "b.vtp", file);
+  REQUIRE(after.attributes.size() == file.attributes.size());
+  for (std::size_t i = 0; i < file.attributes.size(); ++i) {
+    const auto same = [&](const Attribute& a) {
+      return a.name == names[i / 2].second && a.site == file.attributes[i].site &&
+             a.words == file.attributes[i].words;
+    };
+    INFO(names[i / 2].second);
+    CHECK(std::any_of(after.attributes.begin(), after.attributes.end(), same));
+  }
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Attributes of every type at vertices, faces and corners come back bit for bit.
+#include "algorithms/coding/attributes.hpp"
+
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
+#include "algorithms/coding/stream_error.hpp"
 #include "algorithms/coding/verify.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/coding/meshes.hpp"
@@ -187,6 +190,51 @@ TEST_CASE("attributes: those that are not what they say are refused by name") {
     a.type = NumberType::f32;
     a.words[0] = std::bit_cast<std::uint64_t>(0.1);
   }));
+}
+
+TEST_CASE("attributes: few bytes that stand for many numbers are refused before room is made") {
+  const PlainMesh mesh = torus_grid(20, 20);
+  Attribute wide = blank(mesh, "wide", Site::corners, NumberType::u8, 1000);
+  const std::vector list = {blank(mesh, "thin", Site::vertices, NumberType::u8, 2), wide};
+  const auto stream = coding::encode(mesh.vertices(), mesh.faces, mesh.points, {}, list).stream;
+  const std::size_t numbers = 2 * mesh.points.size() + wide.words.size();
+  CHECK(numbers > 200 * stream.size());
+  CHECK(coding::decode(stream, {.numbers = numbers}).attributes.size() == 2);
+  const auto refused = [&](std::size_t limit) {
+    try {
+      coding::decode(stream, {.numbers = limit});
+    } catch (const kernel::InputError& error) {
+      return std::string(error.what()).find("more numbers than are allowed") != std::string::npos;
+    }
+    return false;
+  };
+  for (const std::size_t limit : {numbers - 1, wide.words.size(), std::size_t{0}})
+    CHECK(refused(limit));
+}
+
+TEST_CASE("attributes: sections with more components or longer names than may be are refused") {
+  const PlainMesh triangle = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const coding::Surface surface(3, triangle.faces);
+  const auto problem = [&](const Attribute& a) -> std::string {
+    try {
+      coding::decode_attributes(coding::encode_attributes(surface, std::vector{a}), surface,
+                                1000000);
+    } catch (const coding::StreamError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto of_components = [&](std::uint32_t n) {
+    return blank(triangle, "a", Site::faces, NumberType::u8, n);
+  };
+  const auto of_length = [&](std::size_t n) {
+    return blank(triangle, std::string(n, 'a'), Site::faces, NumberType::u8, 1);
+  };
+  CHECK(problem(of_components(65535)) == "");
+  CHECK(problem(of_length(65535)) == "");
+  for (const Attribute& a : {of_components(65536), of_length(65536)})
+    CHECK(problem(a).find("more than 65535") != std::string::npos);
+  CHECK_THROWS_AS(coding::decode_attributes({}, surface, 1000000), coding::StreamError);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using coding::Places;
 /// Empty: decoded.
 std::string refusal(const Bytes& stream, kernel::Index max_faces = 1u << 20) {
   try {
-    coding::decode(stream, max_faces);
+    coding::decode(stream, {.faces = max_faces});
   } catch (const kernel::InputError& error) {
     return error.what();
   }
@@ -130,6 +130,16 @@ TEST_CASE("forged streams: a doubled edge, pieces that are left, loops that are 
   disk.left(1);
   CHECK(refusal(forged(disk.finish(), {.vertices = 4})) != "");
   CHECK(refusal(forged({}, {.vertices = 4000000000u, .components = 7})) != "");
+}
+
+TEST_CASE("forged streams: a residual of 64 bits where numbers have 54 does not wrap") {
+  // A tetrahedron whose first coordinate is 0 + (2^64 - 5), with the digest of -5.
+  const Bytes stream = {0x43, 0x4d, 0x43, 0x1a, 0x01, 0x08, 0x00, 0x04, 0x02, 0x3d, 0xfb,
+                        0xef, 0x3b, 0xbb, 0x8f, 0x17, 0x19, 0x81, 0xaa, 0xe2, 0xff, 0xff,
+                        0xff, 0xdf, 0x0c, 0x50, 0x64, 0xfc, 0x00, 0x00, 0x00, 0x00, 0x78,
+                        0xfc, 0x6f, 0xb7, 0x13, 0x4f, 0x7d, 0xd7, 0xb9, 0x05, 0x88, 0x68,
+                        0xee, 0x00, 0x2d, 0x45, 0x6b, 0x81, 0x79};
+  CHECK_THAT(refusal(stream), Catch::Contains("beyond its range"));
 }
 
 TEST_CASE("streams of other versions, with other flags, with bytes after them are refused") {

@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (data[0] % 8 != 0) edit(stream = streams[data[1] % streams.size()], input);
   if (data[0] % 16 > 2 && stream.size() > 16) tests::renew_checksums(stream);
   try {
-    require_same(coding::decode(stream, 1u << 20), stream);
+    require_same(coding::decode(stream, {.faces = 1u << 20}), stream);
   } catch (const kernel::InputError&) {
     // refused
   }

@@ -671,12 +671,13 @@ def encode(V: ArrayLike, F: ArrayLike, *, tolerance: float | None = None,
     return Stream(run("encode", arguments, threads, progress))
 
 
-def decode(stream: Any, *, max_faces: int = 2**28, threads: int = 0,
+def decode(stream: Any, *, max_faces: int = 2**28, max_numbers: int = 2**27, threads: int = 0,
            progress: Progress = None) -> tuple[np.ndarray, np.ndarray]:
     """The mesh of a stream, V (n, 3) float64 and F (m, 3) int64 (`crest decode`).
 
-    stream: bytes. max_faces: refuse larger ones. Where the stream has no places V is all zero.
-    Faces may start with another corner. threads, progress, errors: as for ridges().
+    stream: bytes. max_faces: refuse larger ones. Attributes are checked, but not given: `crest
+    decode` writes them. max_numbers: refuse streams with more numbers in their attributes. Where
+    the stream has no places V is all zero. Faces may start with another corner. threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("ellipsoid.off")
@@ -685,7 +686,8 @@ def decode(stream: Any, *, max_faces: int = 2**28, threads: int = 0,
     True
     """
     raw = run("decode", {"stream": check.octets(stream, "stream"),
-                         "max_faces": check.whole(max_faces, "max_faces", 1, 2**31 - 1)},
+                         "max_faces": check.whole(max_faces, "max_faces", 1, 2**31 - 1),
+                         "max_numbers": check.whole(max_numbers, "max_numbers", 0, 2**63 - 1)},
               threads, progress)
     V = raw.get("V")
     return np.zeros((raw["vertices"], 3)) if V is None else V, raw["F"]
