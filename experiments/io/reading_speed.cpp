@@ -20,6 +20,7 @@
 namespace crest {
 namespace {
 
+using experiments::processor_seconds;
 using kernel::Triangle;
 using kernel::Vec3;
 
