@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The witness line, through a vertex, stands where no separatrix does: into a sink, out of a source,
-// from each side into a closed orbit, from a loop of the boundary that is one region. So no orbit
-// appears around these unseen, and some orbits are found that no separatrix reaches.
+// The witness line, through a vertex, stands where no separatrix does: into a sink, out of a
+// source, from each side into a closed orbit, from a loop of the boundary that is one region. So no
+// orbit appears around these unseen, and some orbits are found that no separatrix reaches.
 #include <array>
 
 #include "algorithms/vector_fields/trace.hpp"
