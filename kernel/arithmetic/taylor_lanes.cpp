@@ -255,7 +255,7 @@ inline void inverse_series_lanes(const Lanes& centre, const Lanes& radius,
       power *= size;
     });
     const double below = power * nearest, quotient = 1 / below;
-    rest[l] = analytic & (below > 0x1p-960) ? grow(quotient) : HUGE_VAL;
+    rest[l] = (analytic & (below > 0x1p-960)) ? grow(quotient) : HUGE_VAL;
   }
 }
 
