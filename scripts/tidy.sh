@@ -6,7 +6,9 @@ cd "$(dirname "$0")/.."
 if [ $# -eq 0 ]; then
   set -- $(git ls-files -co --exclude-standard 'kernel/*.cpp')
 fi
-build=${CREST_BUILD:-build}
+# A folder of its own: clang reads no precompiled header of another compiler.
+build=${CREST_BUILD:-build-tidy}
 [ -f "$build/compile_commands.json" ] ||
-  cmake -S . -B "$build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+  cmake -S . -B "$build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 printf '%s\n' "$@" | xargs -n 1 -P 2 clang-tidy --quiet -p "$build"

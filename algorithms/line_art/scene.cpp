@@ -2,64 +2,43 @@
 #include "algorithms/line_art/scene.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
+#include "kernel/geometry/equal_points.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::line_art {
-namespace {
-
-/// Equal for equal points; -0 equals 0. The constants are those of splitmix64.
-std::uint64_t hash_of(const Vec3& p) {
-  std::uint64_t h = 0;
-  for (const double x : p) {
-    h += std::bit_cast<std::uint64_t>(x + 0.0) + 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
-    h ^= h >> 31;
-  }
-  return h;
-}
-
-/// For every used point the first used one that equals it.
-std::vector<Index> first_equal(const std::vector<Vec3>& points, const std::vector<bool>& used) {
-  const std::size_t places = std::bit_ceil(2 * points.size() + 1);
-  std::vector<Index> table(places, kNone), first(points.size(), kNone);
-  for (Index v = 0; v < points.size(); ++v) {
-    if (!used[v]) continue;
-    std::size_t at = hash_of(points[v]) & (places - 1);
-    while (table[at] != kNone && points[table[at]] != points[v]) at = (at + 1) & (places - 1);
-    if (table[at] == kNone) table[at] = v;
-    first[v] = table[at];
-  }
-  return first;
-}
-
-}  // namespace
 
 Scene weld(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {
-  std::vector<bool> used(points.size());
+  std::vector<bool> is_used(points.size());
   for (const Triangle& f : faces)
-    for (const Index v : f) used[v] = true;
-  for (Index v = 0; v < points.size(); ++v)
+    for (const Index v : f) is_used[v] = true;
+  std::vector<Index> input, number(points.size(), kNone);
+  std::vector<Vec3> used;
+  for (Index v = 0; v < points.size(); ++v) {
+    if (!is_used[v]) continue;
     for (const double x : points[v])
-      if (used[v] && !std::isfinite(x))
+      if (!std::isfinite(x))
         throw kernel::InputError("vertex " + std::to_string(v) +
                                  ": a coordinate is not finite; export the mesh again");
-  const std::vector<Index> first = first_equal(points, used);
+    input.push_back(v);
+    used.push_back({points[v][0] + 0.0, points[v][1] + 0.0, points[v][2] + 0.0});
+  }
+  const std::vector<Index> first = kernel::first_equal(used);
   Scene scene;
-  std::vector<Index> number(points.size(), kNone);
-  for (Index v = 0; v < points.size(); ++v) {
-    if (first[v] != v) continue;
-    number[v] = static_cast<Index>(scene.points.size());
-    scene.points.push_back({points[v][0] + 0.0, points[v][1] + 0.0, points[v][2] + 0.0});
-    scene.input_vertex.push_back(v);
+  for (Index i = 0; i < used.size(); ++i) {
+    if (first[i] == i) {
+      number[input[i]] = static_cast<Index>(scene.points.size());
+      scene.points.push_back(used[i]);
+      scene.input_vertex.push_back(input[i]);
+    } else {
+      number[input[i]] = number[input[first[i]]];
+    }
   }
   for (Index f = 0; f < faces.size(); ++f) {
     Triangle t;
-    for (std::size_t k = 0; k < 3; ++k) t[k] = number[first[faces[f][k]]];
+    for (std::size_t k = 0; k < 3; ++k) t[k] = number[faces[f][k]];
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     scene.faces.push_back(t);
     scene.input_face.push_back(f);

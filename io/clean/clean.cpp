@@ -7,13 +7,13 @@
 
 #include "io/clean/collapse.hpp"
 #include "io/clean/drop.hpp"
-#include "io/clean/equal_points.hpp"
 #include "io/clean/fans.hpp"
 #include "io/clean/finite.hpp"
 #include "io/clean/orient.hpp"
 #include "io/clean/triangulate.hpp"
 #include "io/clean/weld.hpp"
 #include "io/formats/files.hpp"
+#include "kernel/geometry/equal_points.hpp"
 
 namespace crest::io {
 namespace {
@@ -126,7 +126,7 @@ class Cleaning {
 
   /// Vertices that are split are no others.
   void count_coincident() {
-    const std::vector<Index> first = first_equal(surface_.points);
+    const std::vector<Index> first = kernel::first_equal(surface_.points);
     std::vector<std::pair<Index, Index>> equal;  // first vertex, point
     for (Index v = 0; v < first.size(); ++v) {
       if (first[v] == v) continue;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/clean/equal_points.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
+#include "kernel/geometry/equal_points.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "kernel/predicates/enclosed_volume.hpp"
 
@@ -73,7 +73,7 @@ std::optional<TriangleMesh> sound_mesh(const Soup& soup, const CleanOptions& opt
   try {
     TriangleMesh mesh(soup.points, std::move(faces));
     done.inside_out_parts = inside_out_parts(mesh);
-    done.coincident_vertices = count_equal(mesh.points());
+    done.coincident_vertices = kernel::count_equal(mesh.points());
     return mesh;
   } catch (const kernel::InputError&) {
     return std::nullopt;  // cleaning mends it, or says what is wrong in the file's words

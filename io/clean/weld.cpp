@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/clean/equal_points.hpp"
+#include "kernel/geometry/equal_points.hpp"
 #include "kernel/predicates/within.hpp"
 
 namespace crest::io {
@@ -54,7 +54,7 @@ class Grid {
 };
 
 std::vector<Index> lowest_within(const std::vector<Vec3>& points, double distance) {
-  if (distance == 0) return first_equal(points);
+  if (distance == 0) return kernel::first_equal(points);
   std::vector<Index> joined(points.size());
   Grid grid(points, distance);
   for (Index v = 0; v < points.size(); ++v) {

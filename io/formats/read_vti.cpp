@@ -32,7 +32,7 @@ Samples samples_of(vtkDataArray& array, std::size_t count) {
 
 }  // namespace
 
-Volume read_vti(std::string_view bytes, const VolumeRequest& request) {
+vtkSmartPointer<vtkImageData> read_image_data(std::string_view bytes, const char* remedy) {
   check_xml(bytes);
   check_extents(bytes);
   const VtkQuiet quiet;
@@ -42,9 +42,12 @@ Volume read_vti(std::string_view bytes, const VolumeRequest& request) {
   reader->Update();
   vtkImageData* data = reader->GetOutput();
   if (quiet.failed() || reader->GetErrorCode() != 0 || !data || data->GetNumberOfPoints() < 1)
-    fail("file", "cannot be read as VTI (wrong format, truncated or damaged)",
-         "export the volume again");
-  return volume_of(*data, request.field);
+    fail("file", "cannot be read as VTI (wrong format, truncated or damaged)", remedy);
+  return data;
+}
+
+Volume read_vti(std::string_view bytes, const VolumeRequest& request) {
+  return volume_of(*read_image_data(bytes, "export the volume again"), request.field);
 }
 
 Volume volume_of(vtkImageData& data, const std::string& field_name) {

@@ -2,10 +2,13 @@
 #pragma once
 
 // Data sets of VTK as soups, and what the readers of its XML formats share.
+#include <vtkSmartPointer.h>
+
 #include <string>
 
 #include "io/formats/readers.hpp"
 
+class vtkImageData;
 class vtkPointSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -18,6 +21,9 @@ namespace crest::io {
 void check_xml(std::string_view bytes);
 /// Likewise before it reads VTI: where an extent announces more.
 void check_extents(std::string_view bytes);
+
+/// The grid of VTI's bytes, at least one point. Throws with this remedy.
+vtkSmartPointer<vtkImageData> read_image_data(std::string_view bytes, const char* remedy);
 
 /// Checks the bytes, reads them and takes over points and fields: a named field alone if it is a
 /// scalar of the points, else, for the message, all fields; any: all. The data set belongs to the

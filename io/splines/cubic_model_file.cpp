@@ -9,8 +9,6 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkStringArray.h>
-#include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +19,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
-#include "io/formats/vtk_quiet.hpp"
+#include "io/splines/model_fields.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 
@@ -33,7 +31,6 @@ using splines::Domain;
 using splines::Smoothness;
 
 constexpr const char* kSmoothness[] = {"c1", "local", "sequential"};
-constexpr const char* kRemedy = "save the model again with crest spline -o";
 
 template <class Row>
 void add_rows(vtkFieldData& to, const char* name, const std::vector<Row>& rows) {
@@ -45,33 +42,21 @@ void add_rows(vtkFieldData& to, const char* name, const std::vector<Row>& rows) 
   to.AddArray(array);
 }
 
-void add_text(vtkFieldData& to, const char* name, const std::string& text) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  to.AddArray(array);
-}
-
-std::string text_of(vtkFieldData& from, const char* name) {
-  auto* array = vtkStringArray::SafeDownCast(from.GetAbstractArray(name));
-  return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : std::string();
-}
-
 /// Throws unless the array has these rows of finite doubles.
 template <class Row>
 std::vector<Row> rows_of(vtkFieldData& from, const char* name, std::size_t count) {
   auto* array = vtkDoubleArray::SafeDownCast(from.GetAbstractArray(name));
   const std::string element = fmt::format("array '{}'", name);
-  if (!array) fail(element, "is missing or not of doubles", kRemedy);
+  if (!array) fail(element, "is missing or not of doubles", kModelRemedy);
   if (array->GetNumberOfComponents() != static_cast<int>(std::tuple_size_v<Row>) ||
       array->GetNumberOfTuples() != static_cast<vtkIdType>(count))
     fail(element, fmt::format("has not {} rows of {} numbers", count, std::tuple_size_v<Row>),
-         kRemedy);
+         kModelRemedy);
   std::vector<Row> rows(count);
   std::memcpy(rows.data(), array->GetPointer(0), count * sizeof(Row));
   for (std::size_t i = 0; i < count; ++i)
     for (const double x : rows[i])
-      if (!std::isfinite(x)) fail(element, fmt::format("row {} is not finite", i), kRemedy);
+      if (!std::isfinite(x)) fail(element, fmt::format("row {} is not finite", i), kModelRemedy);
   return rows;
 }
 
@@ -84,8 +69,8 @@ Domain domain_of(vtkImageData& data) {
     domain.low[d] = box[2 * d];
     domain.high[d] = box[2 * d + 1];
     if (!(domain.low[d] < domain.high[d]) || !std::isfinite(domain.high[d] - domain.low[d]))
-      fail("array 'box'", "is empty", kRemedy);
-    if (size[d] < 2) fail("file", "has no cubes", kRemedy);
+      fail("array 'box'", "is empty", kModelRemedy);
+    if (size[d] < 2) fail("file", "has no cubes", kModelRemedy);
     domain.cubes[d] = static_cast<kernel::Index>(size[d] - 1);
   }
   return domain;
@@ -93,12 +78,12 @@ Domain domain_of(vtkImageData& data) {
 
 CubicModel model_of(vtkImageData& data) {
   vtkFieldData& fields = *data.GetFieldData();
-  if (text_of(fields, "type") != "cubic") fail("field 'type'", "is not 'cubic'", kRemedy);
+  if (text_of(fields, "type") != "cubic") fail("field 'type'", "is not 'cubic'", kModelRemedy);
   CubicModel model;
   model.domain = domain_of(data);
   const auto smoothness =
       std::find(std::begin(kSmoothness), std::end(kSmoothness), text_of(fields, "smoothness"));
-  if (smoothness == std::end(kSmoothness)) fail("field 'smoothness'", "is unknown", kRemedy);
+  if (smoothness == std::end(kSmoothness)) fail("field 'smoothness'", "is unknown", kModelRemedy);
   model.smoothness = static_cast<Smoothness>(smoothness - std::begin(kSmoothness));
   model.unit = rows_of<std::array<double, 1>>(fields, "unit", 1)[0][0];
   const std::size_t vertices = model.domain.vertex_count();
@@ -107,20 +92,6 @@ CubicModel model_of(vtkImageData& data) {
   model.centres =
       rows_of<splines::ValueAndSlope>(*data.GetCellData(), "centre", model.domain.cube_count());
   return model;
-}
-
-CubicModel parse(std::string_view bytes) {
-  check_xml(bytes);
-  check_extents(bytes);
-  const VtkQuiet quiet;
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(std::string(bytes));
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
-  if (quiet.failed() || reader->GetErrorCode() != 0 || !data || data->GetNumberOfPoints() < 1)
-    fail("file", "cannot be read as VTI (wrong format, truncated or damaged)", kRemedy);
-  return model_of(*data);
 }
 
 }  // namespace
@@ -162,13 +133,13 @@ bool is_cubic_model(const std::string& path) {
 
 CubicModel read_cubic_model_bytes(const std::string& name, std::string_view bytes) {
   CubicModel model;
-  read_named(name, [&] { model = parse(bytes); });
+  read_named(name, [&] { model = model_of(*read_image_data(bytes, kModelRemedy)); });
   return model;
 }
 
 CubicModel read_cubic_model(const std::string& path) {
   CubicModel model;
-  read_named(path, [&] { model = parse(load(path)); });
+  read_named(path, [&] { model = model_of(*read_image_data(load(path), kModelRemedy)); });
   return model;
 }
 

@@ -5,15 +5,13 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkXMLImageDataReader.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
-#include "io/formats/vtk_quiet.hpp"
+#include "io/splines/model_fields.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/image_data.hpp"
@@ -21,32 +19,12 @@
 namespace crest::io {
 namespace {
 
-void add_text(vtkFieldData& to, const char* name, const char* text) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  to.AddArray(array);
-}
-
-std::string text_of(vtkFieldData& from, const char* name) {
-  auto* array = vtkStringArray::SafeDownCast(from.GetAbstractArray(name));
-  return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : std::string();
-}
-
 [[noreturn]] void refuse(const char* element, const char* problem) {
-  fail(element, problem, "save the model again with crest spline -o");
+  fail(element, problem, kModelRemedy);
 }
 
 std::optional<QuadraticHeader> parse(std::string_view bytes) {
-  check_xml(bytes);
-  const VtkQuiet quiet;
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(std::string(bytes));
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
-  if (quiet.failed() || reader->GetErrorCode() != 0 || !data)
-    refuse("file", "cannot be read as VTI (wrong format, truncated or damaged)");
+  const vtkSmartPointer<vtkImageData> data = read_image_data(bytes, kModelRemedy);
   vtkFieldData& fields = *data->GetFieldData();
   if (text_of(fields, "type") != "quadratic") return std::nullopt;
   QuadraticHeader header;

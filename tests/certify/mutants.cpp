@@ -6,48 +6,13 @@
 
 #include "certify/container/container.hpp"
 #include "certify/ridges_mesh/decode.hpp"
+#include "tests/support/edits.hpp"
 
 namespace crest::tests {
 namespace {
 
 using namespace certify;
 using Certificate = RidgesMeshCertificate;
-
-template <class Row>
-bool edit_list(std::vector<Row>& rows, Random& random) {
-  if (rows.empty()) return false;
-  const auto i = static_cast<std::ptrdiff_t>(random() % rows.size());
-  const auto j = static_cast<std::ptrdiff_t>(random() % rows.size());
-  switch (random() % 4) {
-    case 0:
-      rows.erase(rows.begin() + i);
-      break;
-    case 1:
-      rows.insert(rows.begin() + j, Row(rows[static_cast<std::size_t>(i)]));
-      break;
-    case 2:
-      std::swap(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-      break;
-    default:
-      std::rotate(rows.begin(), rows.begin() + i, rows.end());
-  }
-  return true;
-}
-
-/// A small step, another bit, or anything.
-template <class Integer>
-void edit_number(Integer& x, Random& random) {
-  switch (random() % 3) {
-    case 0:
-      x = static_cast<Integer>(x + (random() % 2 ? 1 : -1));
-      break;
-    case 1:
-      x = static_cast<Integer>(x ^ static_cast<Integer>(Integer{1} << random() % (8 * sizeof x)));
-      break;
-    default:
-      x = static_cast<Integer>(random());
-  }
-}
 
 template <class Row>
 Row* pick(std::vector<Row>& rows, Random& random) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/support/edits.hpp"
+
 namespace crest::tests {
 namespace {
 
@@ -13,40 +15,6 @@ using u32 = std::uint32_t;
 template <class Row>
 std::size_t place(const std::vector<Row>& rows, Random& random) {
   return rows.empty() ? 0 : random() % rows.size();
-}
-
-template <class Row>
-void edit_list(std::vector<Row>& rows, Random& random) {
-  if (rows.empty()) return;
-  const auto i = static_cast<std::ptrdiff_t>(place(rows, random));
-  const auto j = static_cast<std::ptrdiff_t>(place(rows, random));
-  switch (random() % 4) {
-    case 0:
-      rows.erase(rows.begin() + i);
-      break;
-    case 1:
-      rows.insert(rows.begin() + j, Row(rows[static_cast<std::size_t>(i)]));
-      break;
-    case 2:
-      std::swap(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-      break;
-    default:
-      std::rotate(rows.begin(), rows.begin() + i, rows.end());
-  }
-}
-
-template <class Integer>
-void edit_number(Integer& x, Random& random) {
-  switch (random() % 3) {
-    case 0:
-      x = static_cast<Integer>(x + (random() % 2 ? 1 : -1));
-      break;
-    case 1:
-      x = static_cast<Integer>(x ^ static_cast<Integer>(Integer{1} << random() % 31));
-      break;
-    default:
-      x = static_cast<Integer>(random());
-  }
 }
 
 void sort_arcs(ReebCertificate& c) {

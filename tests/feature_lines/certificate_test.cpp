@@ -9,6 +9,7 @@
 #include "certify/features_mesh/decode.hpp"
 #include "certify/verify.hpp"
 #include "tests/feature_lines/meshes.hpp"
+#include "tests/support/edits.hpp"
 #include "tests/support/failures.hpp"
 
 using namespace crest::tests;
@@ -207,20 +208,7 @@ TEST_CASE("edited bytes: resealed all rejected unless true, rebound only true on
   std::uint64_t mutants = 0, accepted = 0;
   for (std::uint64_t i = 0; i < scaled(2000); ++i) {
     cert::Bytes bytes = all[random() % all.size()];
-    const auto at = random() % bytes.size();
-    switch (random() % 4) {
-      case 0:
-        bytes[at] ^= static_cast<std::uint8_t>(1u << random() % 8);
-        break;
-      case 1:
-        bytes[at] = static_cast<std::uint8_t>(random());
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      default:
-        bytes.insert(bytes.begin() + static_cast<long>(at), static_cast<std::uint8_t>(random()));
-    }
+    edit_bytes(bytes, random);
     ++mutants;
     const OnFailure shown([&] { return "mutant " + std::to_string(i); });
     cert::Bytes sealed = bytes;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/clean/equal_points.hpp"
+#include "kernel/geometry/equal_points.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
-namespace crest::io {
+namespace crest::kernel {
 namespace {
 
 /// Equal for equal points; the constants are those of splitmix64.
-std::uint64_t hash_of(const kernel::Vec3& p) {
+std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t h = 0;
   for (const double x : p) {
     h += std::bit_cast<std::uint64_t>(x + 0.0) + 0x9e3779b97f4a7c15u;
@@ -24,8 +24,8 @@ std::uint64_t hash_of(const kernel::Vec3& p) {
 /// from memory side by side.
 class EqualPoints {
  public:
-  explicit EqualPoints(const std::vector<kernel::Vec3>& points)
-      : points_(points), table_(std::bit_ceil(2 * points.size() + 1), kernel::kNone) {}
+  explicit EqualPoints(const std::vector<Vec3>& points)
+      : points_(points), table_(std::bit_ceil(2 * points.size() + 1), kNone) {}
 
   /// Calls `use` with every point and the first one that equals it.
   template <class Use>
@@ -39,36 +39,36 @@ class EqualPoints {
         __builtin_prefetch(&table_[places[i]]);
       }
       for (std::size_t i = 0; i < count; ++i) {
-        const auto v = static_cast<kernel::Index>(begin + i);
+        const auto v = static_cast<Index>(begin + i);
         use(v, first(v, places[i]));
       }
     }
   }
 
  private:
-  kernel::Index first(kernel::Index v, std::size_t at) {
-    while (table_[at] != kernel::kNone && points_[table_[at]] != points_[v])
+  Index first(Index v, std::size_t at) {
+    while (table_[at] != kNone && points_[table_[at]] != points_[v])
       at = (at + 1) & (table_.size() - 1);
-    if (table_[at] == kernel::kNone) table_[at] = v;
+    if (table_[at] == kNone) table_[at] = v;
     return table_[at];
   }
 
-  const std::vector<kernel::Vec3>& points_;
-  std::vector<kernel::Index> table_;
+  const std::vector<Vec3>& points_;
+  std::vector<Index> table_;
 };
 
 }  // namespace
 
-std::vector<kernel::Index> first_equal(const std::vector<kernel::Vec3>& points) {
-  std::vector<kernel::Index> first(points.size());
-  EqualPoints(points).for_each([&](kernel::Index v, kernel::Index of) { first[v] = of; });
+std::vector<Index> first_equal(const std::vector<Vec3>& points) {
+  std::vector<Index> first(points.size());
+  EqualPoints(points).for_each([&](Index v, Index of) { first[v] = of; });
   return first;
 }
 
-std::size_t count_equal(const std::vector<kernel::Vec3>& points) {
+std::size_t count_equal(const std::vector<Vec3>& points) {
   std::size_t count = 0;
-  EqualPoints(points).for_each([&](kernel::Index v, kernel::Index of) { count += v != of; });
+  EqualPoints(points).for_each([&](Index v, Index of) { count += v != of; });
   return count;
 }
 
-}  // namespace crest::io
+}  // namespace crest::kernel
