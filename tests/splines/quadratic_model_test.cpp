@@ -42,6 +42,12 @@ TEST_CASE("a saved quadratic spline is read back bit by bit, a plain volume is n
   damaged.replace(damaged.find("Name=\"border\""), 13, "Name=\"margin\"");
   write_text(folder / "damaged.vti", damaged);
   CHECK_THROWS_AS(io::read_quadratic_header((folder / "damaged.vti").string()), kernel::InputError);
+  auto huge = text;
+  const std::size_t at = huge.find("WholeExtent=\"") + 13;
+  huge.replace(at, huge.find('"', at) - at, "0 9000000 0 9 0 9");
+  write_text(folder / "huge.vti", huge);
+  CHECK_THROWS_WITH(io::read_quadratic_header((folder / "huge.vti").string()),
+                    Catch::Contains("more than the file holds"));
   write_text(folder / "plain.txt", "frame");
   CHECK_FALSE(io::read_quadratic_header((folder / "plain.txt").string()));
 }
