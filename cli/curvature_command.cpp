@@ -11,6 +11,7 @@
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/curvature/focal.hpp"
 #include "algorithms/sampling/surfaces.hpp"
+#include "cli/mesh_workers.hpp"
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/curvature/curvature_picture.hpp"
@@ -295,7 +296,8 @@ Outcome work(Run& run, CurvatureOptions& o, const std::string& source,
   const TriangleMesh& mesh = file.mesh;
   o.estimate.normals = given_normals(source, file, surface);
   const curvature::Result result = run.step("estimate", "estimating curvatures", [&] {
-    return run.with_input([&] { return curvature::estimate(mesh, o.estimate); });
+    return run.with_input(
+        [&] { return curvature::estimate(mesh, o.estimate, mesh_workers().curvature); });
   });
   const Spreads spreads = spreads_of(result.vertices);
   fill_report(run.report(), o, mesh, result, spreads, source);

@@ -15,6 +15,7 @@
 #include "certify/certificate.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/verify.hpp"
+#include "cli/mesh_workers.hpp"
 #include "cli/modes_curves_report.hpp"
 #include "cli/modes_report.hpp"
 #include "cli/run.hpp"
@@ -154,8 +155,10 @@ Outcome work(Run& run, const ModesOptions& o) {
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
     auto result = run.step("extract", fmt::format("mode {}", w.level.value()), [&] {
-      return run.wanted("--certificate") ? modes::extract(field, w.level, extraction, record)
-                                         : modes::extract(field, w.level, extraction);
+      const modes::Workers* workers = mesh_workers().modes;
+      return run.wanted("--certificate")
+                 ? modes::extract(field, w.level, extraction, record, workers)
+                 : modes::extract(field, w.level, extraction, workers);
     });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;

@@ -13,6 +13,7 @@
 #include "algorithms/ridges/certificate.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
+#include "cli/mesh_workers.hpp"
 #include "cli/ridges_report.hpp"
 #include "cli/run.hpp"
 #include "cli/smooth_ridges_run.hpp"
@@ -198,19 +199,22 @@ io::Scene page_scene(const kernel::TriangleMesh& mesh, const ridges::RidgeGraph&
 Outcome work(Run& run, const RidgesOptions& o) {
   const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
+  const ridges::Workers* workers = mesh_workers().ridges;
   ridges::FitOptions fitting = o.fit;
   ridges::SupportChoice choice;
   if (o.auto_scale) {
-    choice = run.step("scale", "choosing the fits' support",
-                      [&] { return ridges::choose_support(mesh, o.fit, o.graph, o.salience); });
+    choice = run.step("scale", "choosing the fits' support", [&] {
+      return ridges::choose_support(mesh, o.fit, o.graph, o.salience, workers);
+    });
     fitting.min_points = choice.points;
   }
-  const ridges::FitResult fit = run.step("fit", "fitting Monge forms",
-                                         [&] { return ridges::fit_monge_forms(mesh, fitting); });
+  const ridges::FitResult fit = run.step("fit", "fitting Monge forms", [&] {
+    return ridges::fit_monge_forms(mesh, fitting, workers);
+  });
   warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
   ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
-    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates);
+    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates, workers);
   });
   ridges::RidgeGraph& graph = certified.graph;
   if (run.wanted("--report")) {

@@ -17,15 +17,15 @@
 
 #include "cli/command.hpp"
 #include "cli/program.hpp"
-#include "distributed/rank_engine.hpp"
+#include "distributed/systems.hpp"
 
 namespace {
 
 /// Whoever starts the ranks ends those that are left when one has died.
 void stop(int) {
   constexpr std::string_view words =
-      "crest-mpi: stopped before the end, nothing was written (did a rank die? --restart FOLDER "
-      "goes on from what is done)\n";
+      "crest-mpi: stopped before the end, nothing was written (did a rank die? extremal's "
+      "--restart FOLDER goes on from what is done)\n";
   // Whether it can be said or not.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
   _exit(crest::cli::kInternal);
@@ -36,10 +36,23 @@ int refuse(const char* what) {
   return crest::cli::kUsage;
 }
 
+/// Smooth surfaces are searched by one process.
+bool is_smooth(int argc, char** argv) {
+  return std::any_of(argv, argv + argc, [](std::string_view word) {
+    return word.starts_with("--surface") || word.starts_with("--param");
+  });
+}
+
 int run(int argc, char** argv) {
-  if (argc < 2 || std::string_view(argv[1]) != "extremal")
-    return refuse("extremal is what several processes do (mpirun -np N crest-mpi extremal ...)");
-  crest::distributed::use_all_ranks();
+  const std::string_view command = argc < 2 ? "" : argv[1];
+  if (command != "curvature" && command != "extremal" && command != "modes" && command != "ridges")
+    return refuse(
+        "curvature, extremal, modes and ridges are what several processes do (mpirun -np N "
+        "crest-mpi ridges ...)");
+  if (command == "ridges" && is_smooth(argc, argv))
+    return refuse("several processes find ridges of meshes, not of --surface or --param");
+  crest::distributed::use_ranks_for_volumes();
+  crest::distributed::use_ranks_for_meshes();
   return crest::cli::run_program(argc, argv);
 }
 
@@ -59,7 +72,9 @@ int main(int argc, char** argv) {
       std::printf("processes: %d, which sent one another %zu bytes\n", world.size(),
                   crest::distributed::bytes_exchanged());
   } else {
-    crest::distributed::serve();
+    auto skills = crest::distributed::volume_skills();
+    skills.merge(crest::distributed::mesh_skills());
+    crest::distributed::serve(skills);
   }
   diy::mpi::broadcast(world, code, 0);
   return code;

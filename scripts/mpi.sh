@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds crest-mpi and tests it: the same bytes as crest's by 1, 2, 4 and 8 processes, damaged input,
-# a killed process and a restart. scripts/mpi.sh --programs FOLDER tests those in a folder instead.
+# killed processes and a restart. scripts/mpi.sh --programs FOLDER tests those in a folder instead.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -41,11 +41,54 @@ done
 ranks 2 extremal sheet.nrrd --ridge --min-value 0.4 --blocks 27 -o many.vtp --certificate many.crest
 same "2 processes, 27 blocks"
 
+# Meshes: rank 0 cuts them. The fits' support is chosen, which asks the ranks up to 14 times.
+"$crest" sample ellipsoid --noise 0.05 --vertices 4000 -o mesh.off --quiet
+"$crest" ridges mesh.off --scale auto -o one.vtp --certificate one.crest --quiet
+for count in 1 2 4; do
+  ranks $count ridges mesh.off --scale auto -o many.vtp --certificate many.crest
+  same "ridges, $count processes"
+done
+"$crest" curvature mesh.off --method jet -o one.vtp --quiet
+ranks 4 curvature mesh.off --method jet -o many.vtp
+cmp one.vtp many.vtp || fail "curvature: other bytes"
+echo "curvature, 4 processes: the same bytes"
+rm many.vtp
+"$crest" sample block-twist --vertices 4000 -o solid.vtu --quiet
+"$crest" modes solid.vtu --mode 0.5 --neutral --degenerate -o one.vtp --certificate one.crest --quiet || [ $? = 1 ]
+for count in 1 2 4; do
+  ranks $count modes solid.vtu --mode 0.5 --neutral --degenerate -o many.vtp --certificate many.crest || [ $? = 1 ]
+  same "modes, $count processes"
+done
+
+# Damaged input: the line of crest, exit code 3, nothing written.
+damaged() {  # WHAT COMMAND FILE ARGUMENTS
+  what=$1
+  shift
+  code=0
+  ranks 4 "$@" -o bad.vtp 2>words || code=$?
+  [ "$code" = 3 ] && [ "$(wc -l <words)" = 1 ] && [ ! -e bad.vtp ] || { cat words >&2; fail "$what"; }
+  echo "$what: $(cat words)"
+}
 head -c -100 sheet.nrrd >short.nrrd
+damaged "a truncated volume" extremal short.nrrd --ridge
+sed '1000s/.*/1 nan 2/' mesh.off >nan.off
+damaged "a mesh with a bad coordinate" ridges nan.off
+head -c 5000 solid.vtu >short.vtu
+damaged "a truncated solid" modes short.vtu --neutral
 code=0
-ranks 4 extremal short.nrrd --ridge -o bad.vtp 2>words || code=$?
-[ "$code" = 3 ] && [ "$(wc -l <words)" = 1 ] && [ ! -e bad.vtp ] || fail "a truncated file"
-echo "a truncated file: $(cat words)"
+ranks 2 ridges --surface 'x^2+y^2+z^2-1' --box '-2,2' -o bad.vtp 2>words || code=$?
+[ "$code" = 2 ] && [ "$(wc -l <words)" = 1 ] || fail "a smooth surface"
+echo "a smooth surface: $(cat words)"
+
+# Of a mesh: a process is killed while it works; nothing is left.
+"$crest" sample ellipsoid --vertices 100000 --noise 0.05 -o large.off --quiet
+ranks 2 ridges large.off --scale auto -o many.vtp --certificate many.crest 2>words & run=$!
+until victim=$(pgrep -n -f "^$mpi ridges large.off"); do sleep 0.1; done
+sleep 2
+kill -9 "$victim"
+if wait $run; then fail "a killed process went unnoticed"; fi
+[ ! -e many.vtp ] && [ ! -e many.crest ] || fail "a killed process left output"
+echo "a process was killed: $(cat words)"
 
 # A process is killed as soon as a block is done; a restart must end with the same bytes.
 "$crest" sample moebius-sheet --nodes 80 -o sheet.nrrd --quiet

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "algorithms/curvature/methods.hpp"
+#include "algorithms/curvature/pieces.hpp"
 #include "algorithms/curvature/tangent.hpp"
 #include "kernel/geometry/coordinate_range.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -30,7 +30,17 @@ void require_normals(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& 
   }
 }
 
+void check(const kernel::TriangleMesh& mesh, const Options& options) {
+  if (mesh.vertex_count() == 0) throw kernel::InputError("mesh: it is empty; give a mesh");
+  kernel::require_carried(mesh.points());
+  if (!options.normals.empty())
+    require_normals(mesh, options.normals);
+  else if (options.method == Method::np)
+    throw kernel::InputError("normals: np needs them; give a file with normals or use ne");
+}
+
 void count(const std::vector<VertexFlags>& flags, Result& result) {
+  result.lowered = result.complex = result.undetermined = 0;
   for (const VertexFlags& f : flags) {
     result.lowered += f.lowered ? 1 : 0;
     result.complex += f.complex ? 1 : 0;
@@ -107,23 +117,28 @@ void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::si
   }
 }
 
-Result estimate(const kernel::TriangleMesh& mesh, const Options& options) {
+Result estimate(const kernel::TriangleMesh& mesh, const Options& options, const Workers* workers) {
   Result result;
-  estimate(mesh, options, result);
+  if (workers == nullptr || workers->pieces <= 1) {
+    estimate(mesh, options, result);
+    return result;
+  }
+  check(mesh, options);
+  count(estimate_pieces(mesh, options, *workers, result), result);
   return result;
 }
 
 void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& result) {
-  if (mesh.vertex_count() == 0) throw kernel::InputError("mesh: it is empty; give a mesh");
-  kernel::require_carried(mesh.points());
-  result.lowered = result.complex = result.undetermined = 0;
+  check(mesh, options);
+  count(estimate_all(mesh, options, result), result);
+}
+
+std::vector<VertexFlags> estimate_all(const kernel::TriangleMesh& mesh, const Options& options,
+                                      Result& result) {
   if (options.normals.empty()) {
-    if (options.method == Method::np)
-      throw kernel::InputError("normals: np needs them; give a file with normals or use ne");
     result.normals.resize(mesh.vertex_count());
     area_weighted_normals(mesh, result.normals);
   } else {
-    require_normals(mesh, options.normals);
     result.normals = options.normals;
   }
   result.vertices.resize(mesh.vertex_count());
@@ -144,7 +159,7 @@ void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& 
     result.vertices[v] = {};
     flags[v] = {false, false, true};
   });
-  count(flags, result);
+  return flags;
 }
 
 Distances distances(const std::vector<PointCurvature>& estimates,

@@ -18,6 +18,8 @@ namespace crest::curvature {
 using kernel::Index;
 using kernel::Vec3;
 
+struct Workers;  // pieces.hpp: who works on pieces of the mesh; none: this process on all of it
+
 enum class Method : std::uint8_t {
   np,           ///< normal-based tensor, given normals (section 3.2)
   ne,           ///< the same with area-weighted normals
@@ -63,11 +65,12 @@ struct Result {
 
 /// Estimates the tensor at every vertex. np, ne: the uniform mean of the adjacent triangles'
 /// tensors at the corner, its K and H those of the mean (section 3.3, "Estimation-per-Vertex").
-/// Guarantees: the same bytes for any number of threads.
+/// Guarantees: the same bytes for any number of threads and pieces.
 /// Throws: kernel::InputError for np without normals, normals that are zero, not finite or not one
 ///   a vertex, and for coordinates whose range is beyond what products of four lengths allow.
 /// Cost: O(V) for bounded valences.
-Result estimate(const kernel::TriangleMesh& mesh, const Options& options);
+Result estimate(const kernel::TriangleMesh& mesh, const Options& options,
+                const Workers* workers = nullptr);
 
 /// The same into a result whose storage is used again: fresh pages cost more than np and ne do.
 void estimate(const kernel::TriangleMesh& mesh, const Options& options, Result& result);

@@ -26,6 +26,24 @@ constexpr std::array<std::size_t, 2> others(std::size_t i, std::size_t j) {
 
 }  // namespace
 
+KnownTests::KnownTests(std::vector<CellTest> tests, const std::vector<std::uint32_t>& counts)
+    : tests_(std::move(tests)) {
+  std::size_t first = 0;
+  for (const std::uint32_t count : counts) {
+    next_.push_back(first);
+    end_.push_back(first += count);
+  }
+}
+
+const CellTest* KnownTests::next(Index tet) {
+  if (next_.empty() || next_[tet] == end_[tet]) return nullptr;
+  return &tests_[next_[tet]++];
+}
+
+void KnownTests::drop(Index tet) {
+  next_[tet] = end_[tet];
+}
+
 Index Cells::edge(const Cell& cell, std::size_t i, std::size_t j) const {
   return faces_.edge_of(cell.faces[others(i, j)[0]], cell.corners[i], cell.corners[j]);
 }
@@ -65,17 +83,47 @@ void Cells::take(Index c, const CellResult<3>& r, std::vector<Index>& next) {
   }
 }
 
-void Cells::test(std::vector<Index> asked) {
+/// Tests of cells: those that are known, and of the others their results.
+std::vector<Cells::Found> Cells::find(const std::vector<Index>& asked) {
+  std::vector<Found> r(asked.size());
+  std::vector<std::size_t> unknown;
   std::vector<std::array<Index, 4>> corners;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Cell& cell = cells_[asked[i]];
+    if (const CellTest* test = known_.next(cell.tet)) {
+      r[i] = {test->result, test};
+      continue;
+    }
+    unknown.push_back(i);
+    corners.push_back(cell.corners);
+  }
+  const auto results = test_all<3>(faces_.vertices(), corners, level_);
+  for (std::size_t k = 0; k < unknown.size(); ++k) r[unknown[k]].result = results[k];
+  return r;
+}
+
+void Cells::test(std::vector<Index> asked) {
   std::vector<Index> next;
   while (!asked.empty()) {
-    corners.clear();
-    for (const Index c : asked) corners.push_back(cells_[c].corners);
-    const auto results = test_all<3>(faces_.vertices(), corners, level_);
+    const auto found = find(asked);
     next.clear();
-    for (std::size_t i = 0; i < asked.size(); ++i) take(asked[i], results[i], next);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      take(asked[i], found[i].result, next);
+      const Cell& cell = cells_[asked[i]];
+      if (found[i].known && found[i].known->split != cell.split) known_.drop(cell.tet);
+      if (keeps_) made_.push_back({cell.tet, {found[i].result, cell.split}});
+    }
     asked.swap(next);
   }
+}
+
+std::vector<std::pair<Index, CellTest>> Cells::test_trees() {
+  std::vector<Index> asked(cells_.size());
+  std::iota(asked.begin(), asked.end(), Index{0});
+  keeps_ = true;
+  test(std::move(asked));
+  keeps_ = false;
+  return std::move(made_);
 }
 
 void Cells::close_facets() {
@@ -86,7 +134,8 @@ void Cells::close_facets() {
   faces_.close(facets);
 }
 
-void Cells::decide() {
+void Cells::decide(KnownTests known) {
+  known_ = std::move(known);
   std::vector<Index> asked(cells_.size());
   std::iota(asked.begin(), asked.end(), Index{0});
   while (!asked.empty()) {

@@ -269,8 +269,8 @@ certify::SurfaceCounts counts_of(const ModeSurface& surface) {
 }  // namespace
 
 ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
-                   certify::ModeLevel& record) {
-  Extraction e(field, level, options);
+                   certify::ModeLevel& record, const Workers* workers) {
+  Extraction e(field, level, options, workers);
   ModeResult r = e.result();
   record.numerator = static_cast<std::uint64_t>(level.p);
   record.denominator = static_cast<std::uint64_t>(level.q);

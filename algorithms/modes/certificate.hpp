@@ -10,7 +10,7 @@ namespace crest::modes {
 
 /// extract(), with the record of its trees and counts.
 ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
-                   certify::ModeLevel& record);
+                   certify::ModeLevel& record, const Workers* workers = nullptr);
 
 /// The field before the zeros' insertion, these, and the levels' records.
 certify::ModesCertificate make_certificate(const ModeField& field, const ZeroSet& zeros,

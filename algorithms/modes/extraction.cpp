@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "algorithms/modes/surface_counts.hpp"
-#include "algorithms/modes/test_all.hpp"
 
 namespace crest::modes {
 namespace {
@@ -26,7 +25,8 @@ std::uint64_t key(Index a, Index b) {
 
 }  // namespace
 
-Extraction::Extraction(const ModeField& field, const Level& level, const ModeOptions& options)
+Extraction::Extraction(const ModeField& field, const Level& level, const ModeOptions& options,
+                       const Workers* workers)
     : field_(field),
       scale_(scale_of(field.tensors)),
       level_(level),
@@ -37,7 +37,7 @@ Extraction::Extraction(const ModeField& field, const Level& level, const ModeOpt
       faces_(vertices_, lines_, level, limits_),
       cells_(faces_, level, limits_),
       mesh_faces_(field.mesh.faces().size(), kNone) {
-  decide_all();
+  decide_all(workers);
   close_cones();
   list_open();
 }
@@ -63,38 +63,17 @@ Index Extraction::face(Index mesh_face) {
   return f;
 }
 
-/// The signs of f on every tetrahedron.
-std::vector<Extraction::Scanned> Extraction::scan() {
-  std::vector<Scanned> r(field_.mesh.tets().size());
-  std::vector<Index> plain;
-  std::vector<std::array<Index, 4>> corners;
-  plain.reserve(r.size());
-  corners.reserve(r.size());
-  for (Index t = 0; t < r.size(); ++t) {
-    const auto v = field_.mesh.sorted(t);
-    r[t].cone = std::any_of(v.begin(), v.end(), [&](Index x) { return vertices_.is_zero(x); });
-    if (r[t].cone) continue;
-    plain.push_back(t);
-    corners.push_back(v);
-  }
-  for_all_groups<3>(vertices_, corners, [&](std::size_t first, auto cells, const auto& exact) {
-    std::array<CellSign, kTogether> signs;
-    cell_signs(cells, exact, level_, {signs.data(), cells.size()});
-    for (std::size_t i = 0; i < cells.size(); ++i) r[plain[first + i]].sign = signs[i];
-  });
-  return r;
-}
-
-void Extraction::decide_all() {
+void Extraction::decide_all(const Workers* workers) {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
-  const auto scanned = scan();
+  TetRecords records = test_tets(field_, vertices_, scale_, level_, limits_, workers);
   for (Index t = 0; t < count; ++t) {
-    const auto& [sign, cone] = scanned[t];
-    if (cone) {
+    const CellSign& sign = records.signs[t];
+    const auto corners = field_.mesh.sorted(t);
+    if (std::any_of(corners.begin(), corners.end(),
+                    [&](Index x) { return vertices_.is_zero(x); })) {
       Cone c{t, {}, {}};
-      for (const Index x : field_.mesh.sorted(t))
-        (vertices_.is_zero(x) ? c.zeros : c.others).push_back(x);
+      for (const Index x : corners) (vertices_.is_zero(x) ? c.zeros : c.others).push_back(x);
       if (c.others.size() >= 2) cones_.push_back(std::move(c));
       ++counts_.cones;
     } else if (sign.finding != Finding::none) {
@@ -104,10 +83,10 @@ void Extraction::decide_all() {
       ++counts_.active;
       std::array<Index, 4> faces;
       for (std::size_t i = 0; i < 4; ++i) faces[i] = face(field_.mesh.faces_of(t)[i]);
-      trees_.push_back({t, cells_.add(t, field_.mesh.sorted(t), faces)});
+      trees_.push_back({t, cells_.add(t, corners, faces)});
     }
   }
-  cells_.decide();
+  cells_.decide({std::move(records.tests), records.counts});
   for (const Tree& tree : trees_)
     counts_.graph_at_once += cells_.cell(tree.cell).state == State::graph ? 1 : 0;
 }

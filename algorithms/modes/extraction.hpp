@@ -7,6 +7,7 @@
 
 #include "algorithms/modes/cells.hpp"
 #include "algorithms/modes/modes.hpp"
+#include "algorithms/modes/pieces.hpp"
 #include "algorithms/modes/surface_builder.hpp"
 
 namespace crest::modes {
@@ -20,7 +21,8 @@ struct Cone {
 class Extraction {
  public:
   /// Decides all tetrahedra. The field must outlive this.
-  Extraction(const ModeField& field, const Level& level, const ModeOptions& options);
+  Extraction(const ModeField& field, const Level& level, const ModeOptions& options,
+             const Workers* workers);
   ModeResult result();
 
   struct Tree {
@@ -42,12 +44,7 @@ class Extraction {
   const ModeField& field() const { return field_; }
 
  private:
-  struct Scanned {
-    CellSign sign;
-    bool cone = false;  ///< it has a zero corner
-  };
-  std::vector<Scanned> scan();
-  void decide_all();
+  void decide_all(const Workers* workers);
   Index face(Index mesh_face);
   Index edge(Index a, Index b);
   void close_cones();

@@ -22,8 +22,9 @@ double diagonal(const ModeField& field) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options) {
-  Extraction e(field, level, options);
+ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
+                   const Workers* workers) {
+  Extraction e(field, level, options, workers);
   return e.result();
 }
 

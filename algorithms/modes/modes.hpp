@@ -10,6 +10,8 @@
 
 namespace crest::modes {
 
+struct Workers;  // pieces.hpp: who tests pieces of the mesh; none: this process
+
 struct ModeField {
   kernel::TetMesh mesh;
   std::vector<std::array<double, 6>> tensors;  ///< a vertex: xx yy zz xy yz xz, finite
@@ -42,8 +44,10 @@ struct ModeResult {
 };
 
 /// The two surfaces of mode +mu and -mu, or the neutral one.
-/// Guarantees: the same result whatever else is asked for; topology as README.md states, for all
+/// Guarantees: the same result whatever else is asked for and whoever works; topology as README.md
+/// states, for all
 ///   tetrahedra but the undecided ones.
-ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options = {});
+ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options = {},
+                   const Workers* workers = nullptr);
 
 }  // namespace crest::modes

@@ -15,13 +15,14 @@ double quotient(double s, double length) {
 }
 
 SupportTrial tried(const kernel::TriangleMesh& mesh, FitOptions options, int points,
-                   const GraphOptions& graph_options, const SalienceOptions& salience) {
+                   const GraphOptions& graph_options, const SalienceOptions& salience,
+                   const Workers* workers) {
   options.rings = 0;
   options.scale = 0;
   options.min_points = points;
   options.errors = true;
-  const FitResult fit = fit_monge_forms(mesh, options);
-  RidgeGraph graph = extract_ridge_graph(mesh, fit.forms, graph_options);
+  const FitResult fit = fit_monge_forms(mesh, options, workers);
+  RidgeGraph graph = extract_ridge_graph(mesh, fit.forms, graph_options, nullptr, workers);
   const SalienceReport r = mark_salience(mesh, fit, graph, salience);
   return {points, r.length, r.length_unweighted, r.length_significant,
           quotient(r.length_unweighted, r.length)};
@@ -57,10 +58,11 @@ std::vector<double> smoothed(const std::vector<SupportTrial>& trials) {
 }  // namespace
 
 SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions& options,
-                             const GraphOptions& graph_options, const SalienceOptions& salience) {
+                             const GraphOptions& graph_options, const SalienceOptions& salience,
+                             const Workers* workers) {
   SupportChoice choice;
   for (const int points : kSupports) {
-    choice.trials.push_back(tried(mesh, options, points, graph_options, salience));
+    choice.trials.push_back(tried(mesh, options, points, graph_options, salience, workers));
     if (falling(choice.trials)) break;
   }
   if (std::all_of(choice.trials.begin(), choice.trials.end(),

@@ -24,9 +24,11 @@ struct SupportChoice {
 };
 
 /// Requires: nothing of options but degree and smooth matters. Guarantees: the same for any number
-/// of threads. Cost: of seven fits and extractions, the last of them 340 points, at most.
+/// of threads and pieces. Cost: of seven fits and extractions, the last of them 340 points, at
+/// most.
 SupportChoice choose_support(const kernel::TriangleMesh& mesh, const FitOptions& options,
                              const GraphOptions& graph_options = {},
-                             const SalienceOptions& salience = {});
+                             const SalienceOptions& salience = {},
+                             const Workers* workers = nullptr);
 
 }  // namespace crest::ridges

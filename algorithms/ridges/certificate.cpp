@@ -3,6 +3,8 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "algorithms/ridges/pieces.hpp"
+
 namespace crest::ridges {
 namespace {
 
@@ -80,10 +82,13 @@ certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh
 
 CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
                                   const std::vector<kernel::MongeForm>& forms,
-                                  const GraphOptions& options, PredicateReport* report) {
+                                  const GraphOptions& options, PredicateReport* report,
+                                  const Workers* workers) {
   CertifiedRidges result;
+  // Before the two threads: workers may be asked by the calling thread alone.
+  const Decisions decided = decide_all(mesh, forms, options.guarded, workers);
   certify::EncodedData data;
-  tbb::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
+  tbb::parallel_invoke([&] { result.graph = graph_of(mesh, forms, options, decided, report); },
                        [&] {
                          data =
                              certify::encode_data(mesh.faces(), mesh.points(),

@@ -18,11 +18,12 @@ struct CertifiedRidges {
   certify::Digest data_digest;  ///< names the data the certificate speaks of
 };
 
-/// extract_ridge_graph with its certificate. The certificate's data section does not wait for the
-/// graph: a second thread encodes and hashes it meanwhile.
+/// extract_ridge_graph with its certificate. Once edges and faces are decided, a second thread
+/// encodes and hashes the certificate's data section while the graph is made of them.
 CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
                                   const std::vector<kernel::MongeForm>& forms,
                                   const GraphOptions& options = {},
-                                  PredicateReport* report = nullptr);
+                                  PredicateReport* report = nullptr,
+                                  const Workers* workers = nullptr);
 
 }  // namespace crest::ridges

@@ -22,25 +22,28 @@ kernel::Decision plain_acute_rule(const Vec3& d, const Vec3& e) {
   return {kernel::dot(d, e) < 0 ? kernel::Sign::negative : kernel::Sign::positive, Stage::triage};
 }
 
-void decide_extremalities(const std::vector<MongeForm>& forms, EdgeStates& s) {
+void decide_extremalities(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
+                          EdgeStates& s) {
   for (int c = 0; c < 2; ++c) {
     s.extremality[c].resize(forms.size());
-    for (std::size_t v = 0; v < forms.size(); ++v) {
+    for (Index v = 0; v < forms.size(); ++v) {
       const kernel::Decision d =
           kernel::extremality_sign(c == 0 ? forms[v].b0 : forms[v].b3, forms[v].d1);
+      s.extremality[c][v] = as_int(d.sign);
+      if (!piece.owns(v)) continue;
       s.extremality_counts.add(d.stage);
       s.zero_extremalities[c] += d.stage == Stage::symbolic;
-      s.extremality[c][v] = as_int(d.sign);
     }
   }
 }
 
 }  // namespace
 
-EdgeStates edge_states(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+EdgeStates edge_states(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
                        bool guarded) {
+  const kernel::TriangleMesh& mesh = piece.mesh();
   EdgeStates s;
-  decide_extremalities(forms, s);
+  decide_extremalities(piece, forms, s);
   s.acute.resize(mesh.edge_count());
   s.crossed.resize(mesh.edge_count());
   tbb::enumerable_thread_specific<StageCounts> counts;
@@ -48,9 +51,10 @@ EdgeStates edge_states(const kernel::TriangleMesh& mesh, const std::vector<Monge
     StageCounts local;
     for (Index e = range.begin(); e != range.end(); ++e) {
       const Index p = mesh.edges()[e].v0, q = mesh.edges()[e].v1;
+      if (!piece.is_inner(p) || !piece.is_inner(q)) continue;
       const kernel::Decision d = guarded ? kernel::acute_rule(forms[p].d1, forms[q].d1)
                                          : plain_acute_rule(forms[p].d1, forms[q].d1);
-      local.add(d.stage);
+      if (piece.owns(p)) local.add(d.stage);
       s.acute[e] = as_int(d.sign);
       unsigned bits = 0;
       for (unsigned c = 0; c < 2; ++c)

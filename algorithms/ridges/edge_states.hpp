@@ -5,10 +5,12 @@
 // Ambiguous edge: its principal vectors are exactly perpendicular. Conflict triangle: it has 1 or 3
 // crossed sides of a colour (then of both: lemma 1 of certify/ridges_mesh/SPEC.md).
 #include "algorithms/ridges/ridges.hpp"
+#include "kernel/geometry/mesh_piece.hpp"
 
 namespace crest::ridges {
 
-/// Shapes: E edges, V vertices; colour 0 blue, 1 red.
+/// Shapes: E edges, V vertices; colour 0 blue, 1 red. Of a piece: counts of what it owns; edges
+/// with an end on the rim are 0.
 struct EdgeStates {
   std::vector<std::int8_t> acute;     ///< +1: stored maximal vectors agree; -1: reverse one
   std::vector<std::uint8_t> crossed;  ///< bit c: crossed by a ridge of colour c (observation 2)
@@ -32,7 +34,7 @@ struct EdgeStates {
 };
 
 /// guarded = false decides in plain double (0 counts as positive), to measure what exactness costs.
-EdgeStates edge_states(const kernel::TriangleMesh& mesh,
-                       const std::vector<kernel::MongeForm>& forms, bool guarded);
+EdgeStates edge_states(const kernel::MeshPiece& piece, const std::vector<kernel::MongeForm>& forms,
+                       bool guarded);
 
 }  // namespace crest::ridges

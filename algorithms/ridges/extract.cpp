@@ -4,11 +4,10 @@
 #include "algorithms/ridges/chains.hpp"
 #include "algorithms/ridges/measures.hpp"
 #include "algorithms/ridges/patch_joins.hpp"
+#include "algorithms/ridges/pieces.hpp"
 #include "algorithms/ridges/ridge_types.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/umbilics.hpp"
-#include "kernel/predicates/against_faces.hpp"
-#include "kernel/predicates/collinear.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -53,36 +52,20 @@ Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
   return ridge;
 }
 
-/// The three counts of frames that no surface has.
-void count_frames(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
-                  RidgeGraph& graph) {
-  std::vector<std::array<Vec3, 2>> sides;
-  const auto count = [&](Index v) {
-    const std::span<const Index> ring = mesh.ring(v);
-    const std::size_t faces = ring.size() - (mesh.on_boundary(v) ? 1 : 0);
-    sides.clear();
-    for (std::size_t k = 0; k < faces; ++k)
-      sides.push_back({mesh.points()[ring[k]], mesh.points()[ring[(k + 1) % ring.size()]]});
-    graph.against_faces += kernel::against_faces(forms[v].n, mesh.points()[v], sides);
-    graph.equal_curvatures += forms[v].k1 == forms[v].k2;
-    graph.parallel_frames += kernel::collinear({0, 0, 0}, forms[v].n, forms[v].d1);
-  };
-  for (Index v = 0; v < mesh.vertex_count(); ++v) count(v);
-}
-
 }  // namespace
 
-RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
-                               const std::vector<MongeForm>& forms, const GraphOptions& options,
-                               PredicateReport* report) {
-  const EdgeStates states = edge_states(mesh, forms, options.guarded);
-  const FaceIndices indices = face_indices(mesh, forms, states);
+RidgeGraph graph_of(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+                    const GraphOptions& options, const Decisions& decided,
+                    PredicateReport* report) {
+  const auto& [states, indices, against_faces, equal_curvatures, parallel_frames] = decided;
   UmbilicPatches patches = find_umbilics(mesh, forms, states, indices, options.umbilic_patch);
 
   RidgeGraph graph;
   graph.model_size = model_size(mesh);
   graph.ambiguous_edges = states.ambiguous_edges;
-  count_frames(mesh, forms, graph);
+  graph.against_faces = against_faces;
+  graph.equal_curvatures = equal_curvatures;
+  graph.parallel_frames = parallel_frames;
   std::copy(states.zero_extremalities, states.zero_extremalities + 2, graph.zero_extremalities);
   graph.twice_index_sum = indices.twice_sum;
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -101,6 +84,12 @@ RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
         {"umbilic_kind", patches.kind_counts}, {"crossing_type", counts.crossing},
         {"segment_type", counts.segment}};
   return graph;
+}
+
+RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
+                               const std::vector<MongeForm>& forms, const GraphOptions& options,
+                               PredicateReport* report, const Workers* workers) {
+  return graph_of(mesh, forms, options, decide_all(mesh, forms, options.guarded, workers), report);
 }
 
 Index open_ends(const RidgeGraph& graph) {

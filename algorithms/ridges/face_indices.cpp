@@ -53,8 +53,9 @@ void scatter(const kernel::TriangleMesh& mesh, Index v, const std::vector<double
   }
 }
 
-Angles all_angles(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+Angles all_angles(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
                   StageCounts& total) {
+  const kernel::TriangleMesh& mesh = piece.mesh();
   Angles angles;
   angles.phi.resize(mesh.vertex_count());
   angles.error.resize(mesh.vertex_count());
@@ -66,12 +67,13 @@ Angles all_angles(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>
     std::vector<double> position, corner;
     StageCounts local;
     for (Index v = r.begin(); v != r.end(); ++v) {
+      if (!piece.is_inner(v)) continue;
       ring_points(mesh, v, ring);
       position.resize(ring.size());
       corner.resize(ring.size());
       const kernel::StarAngles s =
           kernel::star_angles(star_of(mesh, forms[v], v, ring), position, corner);
-      local.add(s.stage);
+      if (piece.owns(v)) local.add(s.stage);
       angles.phi[v] = s.phi;
       angles.error[v] = s.error;
       scatter(mesh, v, position, corner, angles);
@@ -106,17 +108,19 @@ kernel::Rotation rotation(const kernel::TriangleMesh& mesh, const std::vector<Mo
 
 }  // namespace
 
-FaceIndices face_indices(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
+FaceIndices face_indices(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
                          const EdgeStates& states) {
+  const kernel::TriangleMesh& mesh = piece.mesh();
   FaceIndices result;
-  const Angles angles = all_angles(mesh, forms, result.star_counts);
+  const Angles angles = all_angles(piece, forms, result.star_counts);
   std::vector<double> omega(mesh.edge_count());
   tbb::enumerable_thread_specific<StageCounts> counts;
   tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), kGrain), [&](const auto& r) {
     StageCounts local;
     for (Index e = r.begin(); e != r.end(); ++e) {
+      if (states.acute[e] == 0) continue;
       const kernel::Rotation turn = rotation(mesh, forms, states, angles, e);
-      local.add(turn.stage);
+      if (piece.owns(mesh.edges()[e].v0)) local.add(turn.stage);
       omega[e] = turn.omega;
     }
     counts.local() += local;
@@ -125,10 +129,12 @@ FaceIndices face_indices(const kernel::TriangleMesh& mesh, const std::vector<Mon
 
   result.twice.resize(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& corners = mesh.faces()[f];
+    if (!piece.owns(*std::min_element(corners.begin(), corners.end()))) continue;
     double t = -kernel::kPi;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index e = mesh.face_edges()[f][k];
-      t += angles.corner[f][k] + (mesh.edges()[e].v0 == mesh.faces()[f][k] ? omega[e] : -omega[e]);
+      t += angles.corner[f][k] + (mesh.edges()[e].v0 == corners[k] ? omega[e] : -omega[e]);
     }
     // t is an integer multiple of pi known to far less than pi (lemma 2).
     const double twice = std::nearbyint(t / kernel::kPi);

@@ -7,13 +7,14 @@
 
 namespace crest::ridges {
 
+/// Of a piece: counts and sum of what it owns; other faces are 0.
 struct FaceIndices {
   std::vector<std::int8_t> twice;  ///< F: twice the index; odd exactly on conflict triangles
   int twice_sum = 0;               ///< on a closed mesh twice the Euler characteristic, identically
   StageCounts star_counts, rotation_counts;
 };
 
-FaceIndices face_indices(const kernel::TriangleMesh& mesh,
+FaceIndices face_indices(const kernel::MeshPiece& piece,
                          const std::vector<kernel::MongeForm>& forms, const EdgeStates& states);
 
 }  // namespace crest::ridges

@@ -10,7 +10,7 @@
 #include "algorithms/ridges/local_frame.hpp"
 #include "algorithms/ridges/monge_from_jet.hpp"
 #include "algorithms/ridges/neighbourhood.hpp"
-#include "algorithms/ridges/ridges.hpp"
+#include "algorithms/ridges/pieces.hpp"
 #include "algorithms/ridges/smoothing.hpp"
 #include "algorithms/ridges/standard_errors.hpp"
 #include "kernel/geometry/coordinate_range.hpp"
@@ -21,8 +21,8 @@ namespace {
 using kernel::MongeForm;
 
 struct Workspace {
-  Workspace(const kernel::TriangleMesh& mesh, const std::vector<std::uint8_t>& creases)
-      : collector(mesh, creases) {}
+  Workspace(const kernel::MeshPiece& piece, const std::vector<std::uint8_t>& creases)
+      : collector(piece, creases) {}
   NeighbourhoodCollector collector;
   std::array<Support, kLanes> around;
   NeighbourhoodLanes local;
@@ -84,24 +84,26 @@ void estimate_errors(const std::array<Jet, kLanes>& jets,
   }
 }
 
-/// What is fitted, by vertex.
+/// What is fitted, by place among the owned vertices.
 struct Rows {
   MongeForm* forms;
   FitQuality* quality;
   CurvatureError* errors;  ///< null: not wanted
   double* residuals;
+  std::uint8_t* left;  ///< 1: the rim has cut the support short
 };
 
-/// Fits vertices first, first + 1, ... (at most four).
-void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, Index first,
-                  std::size_t count, const FitOptions& options, Workspace& work, const Rows& rows) {
+/// Fits owned vertices first, first + 1, ... (at most four).
+void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
+                  const std::vector<Index>& owned, std::size_t first, std::size_t count,
+                  const FitOptions& options, Workspace& work, const Rows& rows) {
   std::array<Vec3, kLanes> normal{};
   for (std::size_t l = 0; l < kLanes; ++l) {
     work.around[l].points.clear();
     work.around[l].inner = 0;
     if (l >= count) continue;
-    const Index v = first + static_cast<Index>(l);
-    work.collector.collect(v, options, work.around[l]);
+    const Index v = owned[first + l];
+    rows.left[first + l] = !work.collector.collect(v, options, work.around[l]);
     normal[l] = normals[v];
   }
   const auto frames = local_frames(mesh.points(), work.around, normal, work.local);
@@ -129,34 +131,52 @@ void fit_vertices(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& nor
 
 }  // namespace
 
-FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options) {
-  kernel::require_carried(mesh.points());
+FitRecords fit_records(const kernel::MeshPiece& piece, const std::vector<std::uint8_t>& creases,
+                       const FitOptions& options) {
+  const kernel::TriangleMesh& mesh = piece.mesh();
   const std::vector<Vec3> normals = vertex_normals(mesh);
+  const std::vector<Index> owned = piece.owned_vertices();
+  FitRecords r;
+  r.forms.resize(owned.size());
+  r.quality.resize(owned.size());
+  r.errors.resize(options.errors ? owned.size() : 0);
+  r.residuals.resize(r.errors.size());
+  std::vector<std::uint8_t> left(owned.size());
+  const Rows rows{r.forms.data(), r.quality.data(), options.errors ? r.errors.data() : nullptr,
+                  r.residuals.data(), left.data()};
+  tbb::enumerable_thread_specific<Workspace> workspaces([&] { return Workspace(piece, creases); });
+  // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, owned.size(), 1024), [&](const auto& range) {
+    Workspace& work = workspaces.local();
+    for (std::size_t i = range.begin(); i < range.end(); i += kLanes)
+      fit_vertices(mesh, normals, owned, i, std::min(kLanes, range.end() - i), options, work, rows);
+  });
+  for (Index i = 0; i < owned.size(); ++i)
+    if (left[i] != 0) r.left.push_back(i);
+  if (r.left.empty()) return r;
+  const auto drop = [&](auto& items) {
+    std::size_t i = 0;
+    std::erase_if(items, [&](const auto&) { return left[i++] != 0; });
+  };
+  drop(r.forms);
+  drop(r.quality);
+  drop(r.errors);
+  drop(r.residuals);
+  return r;
+}
+
+FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options,
+                          const Workers* workers) {
+  kernel::require_carried(mesh.points());
   FitResult result;
   result.scale = options.scale;
   if (!(options.scale > 0) && options.rings == 0) result.points = options.min_points;
-  result.forms.resize(mesh.vertex_count());
-  result.quality.resize(mesh.vertex_count());
-  std::vector<double> residuals;
-  if (options.errors) {
-    result.errors.resize(mesh.vertex_count());
-    result.creases = crease_vertices(mesh);
-    residuals.resize(mesh.vertex_count());
-  }
-  const Rows rows{result.forms.data(), result.quality.data(),
-                  options.errors ? result.errors.data() : nullptr, residuals.data()};
-  tbb::enumerable_thread_specific<Workspace> workspaces(
-      [&] { return Workspace(mesh, result.creases); });
-  // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
-                    [&](const tbb::blocked_range<Index>& range) {
-                      Workspace& work = workspaces.local();
-                      for (Index v = range.begin(); v < range.end(); v += kLanes) {
-                        const std::size_t count = std::min<std::size_t>(kLanes, range.end() - v);
-                        fit_vertices(mesh, normals, v, count, options, work, rows);
-                      }
-                    });
-  if (options.errors) scale_errors(mesh, residuals, result.quality, result.errors);
+  if (options.errors) result.creases = crease_vertices(mesh);
+  FitRecords found = fit_all(mesh, result.creases, options, workers);
+  result.forms = std::move(found.forms);
+  result.quality = std::move(found.quality);
+  result.errors = std::move(found.errors);
+  if (options.errors) scale_errors(mesh, found.residuals, result.quality, result.errors);
   smooth_extremalities(mesh, result.forms, options.smooth);
   return result;
 }

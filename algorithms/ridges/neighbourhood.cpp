@@ -14,9 +14,9 @@ namespace {
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 }  // namespace
 
-NeighbourhoodCollector::NeighbourhoodCollector(const kernel::TriangleMesh& mesh,
+NeighbourhoodCollector::NeighbourhoodCollector(const kernel::MeshPiece& piece,
                                                const std::vector<std::uint8_t>& creases)
-    : mesh_(mesh), creases_(creases), mark_(mesh.vertex_count(), 0) {}
+    : piece_(piece), creases_(creases), mark_(piece.mesh().vertex_count(), 0) {}
 
 /// How many points the support is to have, if it has reached found by rings.
 std::size_t NeighbourhoodCollector::wanted(const FitOptions& options,
@@ -30,9 +30,11 @@ std::size_t NeighbourhoodCollector::wanted(const FitOptions& options,
 
 bool NeighbourhoodCollector::add_ring(std::vector<Index>& found, Index first, Index last,
                                       const Vec3& centre, double squared_radius) {
-  const auto& points = mesh_.points();
+  const kernel::TriangleMesh& mesh = piece_.mesh();
+  const auto& points = mesh.points();
   for (Index i = first; i < last; ++i) {
-    for (Index w : mesh_.ring(found[i])) {
+    at_rim_ = at_rim_ || !piece_.is_inner(found[i]);
+    for (Index w : mesh.ring(found[i])) {
       if (mark_[w] == stamp_) continue;
       mark_[w] = stamp_;
       const Vec3 d = points[w] - centre;
@@ -42,12 +44,13 @@ bool NeighbourhoodCollector::add_ring(std::vector<Index>& found, Index first, In
   return found.size() > last;
 }
 
-void NeighbourhoodCollector::collect(Index v, const FitOptions& options, Support& support) {
+bool NeighbourhoodCollector::collect(Index v, const FitOptions& options, Support& support) {
+  at_rim_ = false;
   std::vector<Index>& found = support.points;
   ++stamp_;
   found.assign(1, v);
   mark_[v] = stamp_;
-  const Vec3 centre = mesh_.points()[v];
+  const Vec3 centre = piece_.mesh().points()[v];
   Index first = 0;
   for (int ring = 1;; ++ring) {
     const bool by_radius = options.scale > 0 && ring > 2;
@@ -62,6 +65,7 @@ void NeighbourhoodCollector::collect(Index v, const FitOptions& options, Support
   }
   support.inner = found.size();
   if (options.errors) widen(options, centre, first, found);
+  return !at_rim_;
 }
 
 void NeighbourhoodCollector::widen(const FitOptions& options, const Vec3& centre, Index last_ring,

@@ -15,6 +15,8 @@
 
 namespace crest::ridges {
 
+struct Workers;  // pieces.hpp: who works on pieces of the mesh; none: this process on all of it
+
 /// How the Monge forms are estimated (jet fitting, Cazals and Pouget 2003).
 struct FitOptions {
   int rings = 0;        ///< rings of neighbours; 0: grow until min_points
@@ -26,9 +28,10 @@ struct FitOptions {
                         ///< take the smallest supports by rings where they reach a crease
 };
 
-/// Shapes: one form and one quality a vertex. Deterministic for any thread count.
+/// Shapes: one form and one quality a vertex. The same bytes for any number of threads and pieces.
 /// Throws: kernel::InputError for coordinates out of range (kernel::require_carried).
-FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options);
+FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& options,
+                          const Workers* workers = nullptr);
 
 /// Counts of the predicates' stages, by name, in a fixed order.
 using PredicateReport = std::vector<std::pair<std::string, StageCounts>>;
@@ -47,11 +50,13 @@ struct PaperUmbilics {
 
 /// The acute-rule ridge graph of the mesh for these Monge data, joined at umbilics.
 /// Requires: forms.size() == V, every number finite, d1 and n non-zero, k1 >= k2.
-/// Guarantees: what certify/ridges_mesh/SPEC.md defines, whatever the thread count; independent of
+/// Guarantees: what certify/ridges_mesh/SPEC.md defines, whatever threads and pieces; independent
+/// of
 ///   the frames' signs where no d1 is parallel to its n. Cost: O(V) for bounded patches.
 RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
                                const std::vector<kernel::MongeForm>& forms,
-                               const GraphOptions& options = {}, PredicateReport* report = nullptr);
+                               const GraphOptions& options = {}, PredicateReport* report = nullptr,
+                               const Workers* workers = nullptr);
 
 PaperUmbilics paper_umbilics(const kernel::TriangleMesh& mesh,
                              const std::vector<kernel::MongeForm>& forms, const RidgeGraph& graph,
