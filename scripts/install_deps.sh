@@ -7,7 +7,7 @@ set -eu
 packages="build-essential cmake ninja-build pkg-config git ca-certificates
   libcgal-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev libeigen3-dev libboost-dev libtbb-dev libfmt-dev libssl-dev
   nlohmann-json3-dev libcli11-dev catch2 libvtk9-dev libcairo2-dev libnetcdf-dev
-  zlib1g-dev liblzma-dev
+  zlib1g-dev libdeflate-dev liblzma-dev
   libpython3-dev pybind11-dev python3-numpy python3-pytest python3-pip"
 
 if [ "${1:-}" = "--list" ]; then

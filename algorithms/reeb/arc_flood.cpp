@@ -14,6 +14,8 @@ ArcFlood::ArcFlood(const OrderedComplex& complex, VertexStars& stars, const Swep
       only_below_(swept.graph.nodes.size(), kNone),
       only_above_(swept.graph.nodes.size(), kNone) {
   const auto& arcs = swept.graph.arcs;
+  const auto rank_of = [&](Index node) { return complex.rank[swept.graph.nodes[node].vertex]; };
+  for (const ReebArc& arc : arcs) span_.push_back({rank_of(arc.lower), rank_of(arc.upper)});
   std::vector<Index> below(only_below_.size(), 0), above(below);
   for (Index a = 0; a < arcs.size(); ++a) {
     only_above_[arcs[a].lower] = ++above[arcs[a].lower] == 1 ? a : kNone;
@@ -36,9 +38,7 @@ std::vector<std::uint8_t> ArcFlood::unlabelled() const {
 }
 
 bool ArcFlood::on_arc(Index v, Index arc) const {
-  const auto rank_of = [&](Index node) { return complex_.rank[swept_.graph.nodes[node].vertex]; };
-  const ReebArc& a = swept_.graph.arcs[arc];
-  return rank_of(a.lower) < complex_.rank[v] && complex_.rank[v] < rank_of(a.upper);
+  return span_[arc][0] < complex_.rank[v] && complex_.rank[v] < span_[arc][1];
 }
 
 void ArcFlood::label(Index v, Index arc) {
@@ -68,10 +68,11 @@ void ArcFlood::start_at_nodes() {
 void ArcFlood::flood() {
   while (!queue_.empty()) {
     const Index v = queue_.back(), arc = arc_of_[v];
+    const auto [low, high] = span_[arc];
     queue_.pop_back();
     for (const VertexStars::Side& side : stars_.star(v))
       for (const Index w : side)
-        if (arc_of_[w] == kNone && on_arc(w, arc)) label(w, arc);
+        if (arc_of_[w] == kNone && low < complex_.rank[w] && complex_.rank[w] < high) label(w, arc);
   }
 }
 
@@ -81,7 +82,7 @@ Index ArcFlood::walk(Index arc, Index v) const {
   for (int most = 32; most > 0 && arc != kNone; --most) {
     if (on_arc(v, arc)) return arc;
     const ReebArc& a = swept_.graph.arcs[arc];
-    const bool up = complex_.rank[v] > complex_.rank[swept_.graph.nodes[a.upper].vertex];
+    const bool up = complex_.rank[v] > span_[arc][1];
     arc = up ? only_above_[a.upper] : only_below_[a.lower];
   }
   return kNone;

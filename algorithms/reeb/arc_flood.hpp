@@ -2,6 +2,7 @@
 #pragma once
 
 // The arcs of vertices by walks over the surface, from a sweep that stopped at nodes alone.
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +42,7 @@ class ArcFlood {
   const SweptGraph& swept_;
   std::vector<Index> arc_of_;
   std::vector<std::uint8_t> is_node_;
+  std::vector<std::array<Index, 2>> span_;      ///< by arc: the ranks of its nodes
   std::vector<Index> only_below_, only_above_;  ///< by node: its only arc there, else kNone
   std::vector<Index> queue_;                    ///< labelled vertices whose neighbours are to come
 };

@@ -229,19 +229,21 @@ TileComplex tessellate(const QuadraticMesh& mesh, PredicateReport* report, bool 
 
 std::vector<NodePlace> node_places(const QuadraticMesh& mesh, const TileComplex& tiles) {
   std::vector<NodePlace> places(tiles.node_count());
+  for (Index v = 0; v < tiles.vertex_count; ++v) places[v].point = mesh.points()[v];
   // The largest lower bound so far lies in every node's enclosure and never descends.
   double value = 0;
   for (Index r = 0; r < tiles.node_count(); ++r) {
     const Index node = tiles.order[r];
-    const kernel::CriticalValue v = node_value(mesh, tiles, {}, node);
-    const double low = kernel::value_range(v).low;
-    value = r == 0 ? low : std::max(value, low);
+    const auto raise = [&](double low) { value = r == 0 ? low : std::max(value, low); };
     NodePlace& place = places[node];
-    place.value = value;
-    if (v.kind == kernel::ValueKind::vertex) {
-      place.point = mesh.points()[node];
+    if (node < tiles.vertex_count) {  // nearly all are: nothing but its value is needed
+      raise(mesh.values()[node]);
+      place.value = value;
       continue;
     }
+    const kernel::CriticalValue v = node_value(mesh, tiles, {}, node);
+    raise(kernel::value_range(v).low);
+    place.value = value;
     Triangle corners{};
     if (v.kind == kernel::ValueKind::edge) {
       const kernel::Edge& e = mesh.edges()[tiles.critical_edges[node - tiles.vertex_count]];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/certificate.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_invoke.h>
 
 #include "algorithms/ridges/pieces.hpp"
@@ -88,12 +89,18 @@ CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
   // Before the two threads: workers may be asked by the calling thread alone.
   const Decisions decided = decide_all(mesh, forms, options.guarded, workers);
   certify::EncodedData data;
-  tbb::parallel_invoke([&] { result.graph = graph_of(mesh, forms, options, decided, report); },
-                       [&] {
-                         data =
-                             certify::encode_data(mesh.faces(), mesh.points(),
-                                                  [&](std::size_t v) { return row_of(forms[v]); });
-                       });
+  const auto extract = [&] { result.graph = graph_of(mesh, forms, options, decided, report); };
+  const auto encode = [&] {
+    data = certify::encode_data(mesh.faces(), mesh.points(),
+                                [&](std::size_t v) { return row_of(forms[v]); });
+  };
+  // One thread gains nothing from both at a time, and what they need is then not needed at once.
+  if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1) {
+    tbb::parallel_invoke(extract, encode);
+  } else {
+    extract();
+    encode();
+  }
   result.data_digest = data.digest;
   result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));
   return result;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Patches around umbilics: topological disks grown by a priority queue (paper 002, section 8.1).
-#include <memory>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -10,8 +10,7 @@
 
 namespace crest::ridges {
 
-/// Grows disks of triangles; keeps its marks between calls. Copies share what does not change, for
-/// use in several threads.
+/// Grows disks of triangles; keeps its marks between calls. Copies work in several threads.
 class PatchGrower {
  public:
   explicit PatchGrower(const kernel::TriangleMesh& mesh);
@@ -25,18 +24,19 @@ class PatchGrower {
   const std::vector<Index>& asked() const { return asked_; }
 
   bool contains(Index f) const { return face_mark_[f] == stamp_; }
-  const Vec3& centroid(Index f) const { return (*centroids_)[f]; }
+  Vec3 centroid(Index f) const;
 
  private:
-  bool stays_disk(Index f) const;
+  std::array<Index, 3> around(Index f) const;
+  bool stays_disk(Index f, const std::array<Index, 3>& around) const;
   void join(Index f);
   double one_ring_reach(Index seed) const;
-  double distance(Index f, Index g) const;
+  double distance(Index f) const;
 
   const kernel::TriangleMesh& mesh_;
-  std::shared_ptr<const std::vector<Vec3>> centroids_;
   std::vector<std::uint32_t> face_mark_, queued_mark_, vertex_mark_;
   std::uint32_t stamp_ = 0;
+  Vec3 centre_{};  ///< the seed's centroid
   std::vector<Index> faces_, asked_;
   std::vector<std::pair<double, Index>> queue_;  // a heap: distance, then face number
 };

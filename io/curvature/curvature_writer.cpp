@@ -211,22 +211,20 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
                      const curvature::Result& result,
                      const std::vector<curvature::CornerCurvatures>& corners) {
   const std::string extension = lower_extension(path);
-  std::string bytes;
   if (extension == ".vtp") {
-    bytes = vtp_bytes(*curvature_poly_data(mesh, result, corners));
+    write_vtp(path, *curvature_poly_data(mesh, result, corners));
   } else if (extension == ".vtu") {
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(vtk_points(mesh.points()));
     grid->SetCells(VTK_TRIANGLE, vtk_triangles(mesh.faces()));
     add_point_data(*grid->GetPointData(), result);
     add_cell_data(*grid->GetCellData(), corners);
-    bytes = vtu_bytes(*grid);
+    write_vtu(path, *grid);
   } else if (extension == ".ply") {
-    return write_ply(path, mesh, result);
+    write_ply(path, mesh, result);
   } else {
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .vtu .ply");
   }
-  write_atomically(path, bytes);
 }
 
 void write_focal(const std::string& path, const std::vector<curvature::FocalSurface>& surfaces) {
@@ -238,7 +236,7 @@ void write_focal(const std::string& path, const std::vector<curvature::FocalSurf
   colours->SetNumberOfComponents(3);
   data.add_point_array(colours);
   for (const curvature::FocalSurface& surface : surfaces) add_focal(surface, data, *colours);
-  write_atomically(path, data.bytes());
+  write_vtp(path, *data.data());
 }
 
 }  // namespace crest::io

@@ -88,8 +88,7 @@ vtkSmartPointer<vtkPolyData> extremal_poly_data(const Result& r, const std::stri
 
 void write_extremal(const std::string& path, const Result& result, const std::string& data_digest) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp")
-    return write_atomically(path, vtp_bytes(*extremal_poly_data(result, data_digest)));
+  if (extension == ".vtp") return write_vtp(path, *extremal_poly_data(result, data_digest));
   if (extension == ".obj") return write_atomically(path, obj(result));
   if (extension == ".ply") return write_atomically(path, ply(result));
   throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");

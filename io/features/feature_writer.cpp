@@ -103,14 +103,15 @@ std::string obj_of(const kernel::TriangleMesh& mesh, const FeatureGraph& graph,
   return text.text();
 }
 
-std::string patches_vtp(const kernel::TriangleMesh& mesh, const std::vector<Index>& face_patch) {
+vtkSmartPointer<vtkPolyData> patches_data(const kernel::TriangleMesh& mesh,
+                                          const std::vector<Index>& face_patch) {
   PolyData data;
   data.add_points(mesh.points());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto& [a, b, c] = mesh.faces()[f];
     data.add_triangle(a, b, c).add("patch", id(face_patch[f]));
   }
-  return data.bytes();
+  return data.data();
 }
 
 std::string patches_ply(const kernel::TriangleMesh& mesh, const std::vector<Index>& face_patch) {
@@ -134,7 +135,7 @@ void write_patches(const std::string& path, const kernel::TriangleMesh& mesh,
                    const std::vector<Index>& face_patch) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, patches_vtp(mesh, face_patch));
+    write_vtp(path, *patches_data(mesh, face_patch));
   else if (extension == ".ply")
     write_atomically(path, patches_ply(mesh, face_patch));
   else
@@ -158,7 +159,7 @@ void write_features(const std::string& path, const kernel::TriangleMesh& mesh,
                     const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, vtp_bytes(*feature_poly_data(mesh, graph, field, data_digest_hex)));
+    write_vtp(path, *feature_poly_data(mesh, graph, field, data_digest_hex));
   else if (extension == ".obj")
     write_atomically(path, obj_of(mesh, graph, data_digest_hex));
   else

@@ -8,6 +8,7 @@
 
 #include "io/formats/files.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/text_parts.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
@@ -297,7 +298,13 @@ class ObjReader {
 
 Soup read_obj(std::string_view bytes, const FieldRequest& request) {
   bytes = check_text(bytes);
-  if (continuation(bytes, 0) == bytes.npos) return ObjReader(bytes, request).read();
+  if (continuation(bytes, 0) == bytes.npos) {
+    const bool plain =
+        reads_parts() && !request.corners && !request.normals && !request.asks_for("Normals");
+    Soup soup;
+    if (plain && read_obj_triangles(bytes, soup)) return soup;
+    return ObjReader(bytes, request).read();
+  }
   std::string joined(bytes);
   join_continued_lines(joined);
   return ObjReader(joined, request).read();

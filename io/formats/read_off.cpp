@@ -8,6 +8,7 @@
 #include "io/formats/files.hpp"
 #include "io/formats/off_binary.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/text_parts.hpp"
 #include "io/formats/text_scan.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -82,8 +83,9 @@ void refuse_third_count(TextScan& scan) {
 class OffReader {
  public:
   /// `scan` is behind the keyword.
-  OffReader(const TextScan& scan, OffVertex vertex, bool normals)
-      : scan_(scan),
+  OffReader(std::string_view text, const TextScan& scan, OffVertex vertex, bool normals)
+      : text_(text),
+        scan_(scan),
         vertex_(vertex),
         normals_(normals && vertex.normals),
         start_(scan.position()) {}
@@ -125,6 +127,9 @@ class OffReader {
     scan_.move_to(start_);
     read_counts(layout);
     Soup soup;
+    if (layout == Layout::lines && !vertex_.normals && reads_parts() && scan_.more() &&
+        read_triangle_rows(text_, {scan_.position(), vertices_, faces_, {}, {}, '#'}, soup))
+      return soup;
     // The shortest vertex is "0 0 0", the shortest face "1 0", each with a line end.
     const std::size_t room = scan_.room() + 1, faces = std::min(faces_, room / 4);
     soup.points.reserve(std::min(vertices_, room / 6));
@@ -217,6 +222,7 @@ class OffReader {
     if (layout == Layout::lines || layout == Layout::wrapped) scan_.next_line();
   }
 
+  std::string_view text_;
   TextScan scan_;
   OffVertex vertex_;
   bool normals_;       ///< they are in the file and asked for
@@ -240,7 +246,7 @@ Soup read_off(std::string_view bytes, const FieldRequest& request) {
   const std::string_view text = check_text(bytes);
   TextScan scan(text, '#');
   scan.move_to(std::min(start.position(), text.size()));  // the zeros may be in a comment
-  return OffReader(scan, vertex, normals).read();
+  return OffReader(text, scan, vertex, normals).read();
 }
 
 }  // namespace crest::io

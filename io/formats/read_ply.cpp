@@ -8,6 +8,7 @@
 #include "io/formats/files.hpp"
 #include "io/formats/ply_header.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/text_parts.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
@@ -324,12 +325,36 @@ class BinaryPly : public PlyReader {
   bool big_endian_;
 };
 
+/// Where a text has nothing but vertices that start with their place, faces that start with their
+/// corners, and no value that is asked for: what read_triangle_rows() may try.
+std::optional<TriangleRows> plain_rows(const PlyHeader& header, const FieldRequest& request) {
+  if (header.elements.size() != 2 || request.wanted || request.normals) return std::nullopt;
+  const PlyElement &points = header.elements[0], &faces = header.elements[1];
+  if (!points.vertices() || !faces.faces() || points.properties.size() < 3) return std::nullopt;
+  const auto is_list = [](const PlyProperty& property) { return property.list; };
+  if (std::any_of(points.properties.begin(), points.properties.end(), is_list) ||
+      std::count_if(faces.properties.begin(), faces.properties.end(), is_list) != 1 ||
+      faces.corners() != &faces.properties[0])
+    return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (points.properties[k].name != std::string(1, "xyz"[k])) return std::nullopt;
+  return TriangleRows{header.size, points.count, faces.count, points.properties.size() - 3,
+                      faces.properties.size() - 1};
+}
+
 }  // namespace
 
 Soup read_ply(std::string_view bytes, const FieldRequest& request) {
   const PlyHeader header = read_ply_header(bytes, request.points);
   if (header.binary) return BinaryPly(bytes, header, request).read();
-  return TextPly(check_text(bytes), header, request).read();
+  const std::string_view text = check_text(bytes);
+  const auto rows = reads_parts() ? plain_rows(header, request) : std::nullopt;
+  Soup soup;
+  if (rows && read_triangle_rows(text, *rows, soup)) {
+    for (const PlyElement& element : header.elements) Columns(element, request, soup);  // lists
+    return soup;
+  }
+  return TextPly(text, header, request).read();
 }
 
 }  // namespace crest::io

@@ -10,7 +10,6 @@
 #include "io/formats/files.hpp"
 #include "io/page/scene.hpp"
 #include "io/picture/picture_file.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
@@ -204,7 +203,7 @@ SceneSurface mode_surface(const ModeScene& scene, const modes::ModeSurface& s) {
 
 void write_modes(const std::string& path, const ModeScene& scene) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp") return write_atomically(path, vtp_bytes(*mode_poly_data(scene)));
+  if (extension == ".vtp") return write_vtp(path, *mode_poly_data(scene));
   if (extension != ".ply" && extension != ".obj")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .ply or .obj");
   const Joined all(scene);

@@ -13,7 +13,6 @@
 #include <cmath>
 
 #include "io/formats/files.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -219,9 +218,9 @@ vtkSmartPointer<vtkPolyData> reeb_poly_data(const ReebScene& scene) {
 void write_reeb(const std::string& path, const ReebScene& scene) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp")
-    write_atomically(path, vtp_bytes(*reeb_poly_data(scene)));
+    write_vtp(path, *reeb_poly_data(scene));
   else if (extension == ".vtu")
-    write_atomically(path, vtu_bytes(*reeb_tiles(scene)));
+    write_vtu(path, *reeb_tiles(scene));
   else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp or .vtu");
 }

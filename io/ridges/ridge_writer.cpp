@@ -203,16 +203,14 @@ void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
                   const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
   const Table table = table_of(mesh, fit, graph);
-  std::string bytes;
   if (extension == ".vtp")
-    bytes = vtp_bytes(*data_of(table, graph, data_digest_hex, fit));
+    write_vtp(path, *data_of(table, graph, data_digest_hex, fit));
   else if (extension == ".obj")
-    bytes = obj_of(table, graph, data_digest_hex);
+    write_atomically(path, obj_of(table, graph, data_digest_hex));
   else if (extension == ".ply")
-    bytes = ply_of(table, data_digest_hex);
+    write_atomically(path, ply_of(table, data_digest_hex));
   else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
-  write_atomically(path, bytes);
 }
 
 }  // namespace crest::io

@@ -242,22 +242,20 @@ void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
                          const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
   const Table table = table_of(result);
-  std::string bytes;
   if (extension == ".vtp")
-    bytes = vtp_bytes(*data_of(table, result, data_digest_hex));
+    write_vtp(path, *data_of(table, result, data_digest_hex));
   else if (extension == ".obj")
-    bytes = obj_of(table, result, data_digest_hex);
+    write_atomically(path, obj_of(table, result, data_digest_hex));
   else if (extension == ".ply")
-    bytes = ply_of(table, result, data_digest_hex);
+    write_atomically(path, ply_of(table, result, data_digest_hex));
   else
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
-  write_atomically(path, bytes);
 }
 
 void write_smooth_mesh(const std::string& path, const SmoothRidges& result,
                        const std::string& data_digest_hex) {
   if (lower_extension(path) == ".vtp")
-    write_atomically(path, vtp_bytes(*smooth_mesh_poly_data(result, data_digest_hex)));
+    write_vtp(path, *smooth_mesh_poly_data(result, data_digest_hex));
   else
     write_mesh(path, result.points, result.faces);
 }

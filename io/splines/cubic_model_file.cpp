@@ -20,7 +20,6 @@
 #include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
 #include "io/splines/model_fields.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 
 namespace crest::io {
@@ -119,7 +118,7 @@ void write_cubic_model(const std::string& path, const CubicModel& model) {
   add_text(fields, "smoothness", kSmoothness[static_cast<std::size_t>(model.smoothness)]);
   add_rows(fields, "box", std::vector{box});
   add_rows(fields, "unit", std::vector{std::array{model.unit}});
-  write_atomically(path, vti_bytes(*data));
+  write_vti(path, *data);
 }
 
 bool is_cubic_model(const std::string& path) {

@@ -55,8 +55,7 @@ vtkSmartPointer<vtkPolyData> isosurface_poly_data(const Isosurface& surface,
 void write_isosurface(const std::string& path, const Isosurface& surface,
                       const std::string& data_digest) {
   const std::string extension = lower_extension(path);
-  if (extension == ".vtp")
-    return write_atomically(path, vtp_bytes(*isosurface_poly_data(surface, data_digest)));
+  if (extension == ".vtp") return write_vtp(path, *isosurface_poly_data(surface, data_digest));
   if (extension == ".obj") return write_atomically(path, obj(surface));
   if (extension == ".ply") return write_atomically(path, ply(surface));
   throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");

@@ -12,7 +12,6 @@
 #include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
 #include "io/splines/model_fields.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/image_data.hpp"
 
@@ -64,7 +63,7 @@ void write_quadratic_model(const std::string& path, const splines::QuadraticSpli
        {grid.origin, grid.spacing, grid.directions[0], grid.directions[1], grid.directions[2]})
     for (const double x : row) frame->InsertNextValue(x);
   fields.AddArray(frame);
-  write_atomically(path, vti_bytes(*data));
+  write_vti(path, *data);
 }
 
 std::optional<QuadraticHeader> read_quadratic_header(const std::string& path) {

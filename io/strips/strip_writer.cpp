@@ -47,7 +47,7 @@ void write_strips(const std::string& path, const std::vector<kernel::Vec3>& poin
                   const strips::Strips& strips) {
   if (lower_extension(path) != ".vtp")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
-  write_atomically(path, vtp_bytes(*strip_poly_data(points, strips)));
+  write_vtp(path, *strip_poly_data(points, strips));
 }
 
 void write_index_buffer(const std::string& path, const strips::Strips& strips) {

@@ -2,7 +2,6 @@
 #include "io/vector_fields/skeleton_writer.hpp"
 
 #include "io/formats/files.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -58,7 +57,7 @@ void write_paths(const std::string& path, const Skeleton& skeleton, const Import
     row.add("first", w.first);
     row.add("weight", w.weight);
   }
-  write_atomically(path, data.bytes());
+  write_vtp(path, *data.data());
 }
 
 vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene) {
@@ -86,7 +85,7 @@ vtkSmartPointer<vtkPolyData> skeleton_poly_data(const SkeletonScene& scene) {
 void write_skeleton(const std::string& path, const SkeletonScene& scene) {
   if (lower_extension(path) != ".vtp")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtp");
-  write_atomically(path, vtp_bytes(*skeleton_poly_data(scene)));
+  write_vtp(path, *skeleton_poly_data(scene));
 }
 
 }  // namespace crest::io

@@ -16,16 +16,20 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
-#include <utility>
+#include <string_view>
 
 #include "io/formats/vtk_quiet.hpp"
+#include "io/write/atomic_file.hpp"
+#include "io/write/inline_array.hpp"
 
 namespace crest::io {
 namespace {
@@ -130,30 +134,72 @@ std::string with_finite_ranges(std::string xml) {
   return xml;
 }
 
-/// VTK's getter copies the file.
+/// VTK's writer, which hands on the file in pieces: what it says between arrays, and the arrays.
 template <class Writer>
-class TakenFrom : public Writer {
+class Streaming : public Writer {
  public:
-  static TakenFrom* New() { VTK_STANDARD_NEW_BODY(TakenFrom); }
-  std::string take() { return std::move(this->OutputString); }
+  static Streaming* New() { VTK_STANDARD_NEW_BODY(Streaming); }
+  const Sink* sink = nullptr;
+  /// Hands on what was said since the last array, with all that is left after Write().
+  void hand_on_text() {
+    const bool open = this->OutStringStream != nullptr;
+    (*sink)(with_finite_ranges(open ? this->OutStringStream->str() : this->OutputString));
+    if (open) this->OutStringStream->str({});
+  }
+
+ protected:
+  void WriteInlineData(vtkAbstractArray* array, vtkIndent indent) override {
+    *this->OutStringStream << indent.GetNextIndent();
+    hand_on_text();
+    if (auto* texts = vtkStringArray::SafeDownCast(array)) {
+      std::string bytes;  // each with a zero behind it
+      for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+        bytes.append(texts->GetValue(i)).push_back('\0');
+      write_inline_array(bytes, this->GetBlockSize(), *sink);
+    } else {
+      if (!array->HasStandardMemoryLayout())
+        throw std::logic_error("an array that is not in order");
+      const auto size = array->GetNumberOfValues() * array->GetDataTypeSize();
+      write_inline_array(
+          {static_cast<const char*>(array->GetVoidPointer(0)), static_cast<std::size_t>(size)},
+          this->GetBlockSize(), *sink);
+    }
+    *this->OutStringStream << "\n";
+  }
 };
 
-template <class Writer, class Data, class... Given>
-std::string bytes_of(Data& data, const Given&... given) {
-  require_sound(data, given...);  // first: VTK crashes on some of what is not
+template <class Writer, class Data>
+void hand_on(Data& data, const Sink& sink) {
   const VtkQuiet quiet;
   // In several threads it depends on them which of 0 and -0 is the least number of an array.
   vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
-  vtkNew<TakenFrom<Writer>> writer;
+  vtkNew<Streaming<Writer>> writer;
+  writer->sink = &sink;
   writer->SetInputData(&data);
   writer->WriteToOutputStringOn();
   // Never appended data: ParaView 5.11 with Debian 12's libexpat 2.5.0-1+deb12u5 reads none of it.
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
+  writer->SetHeaderTypeToUInt32();
   writer->SetByteOrderToLittleEndian();
   if (writer->Write() != 1 || !quiet.complaint().empty())
     throw std::runtime_error("VTK cannot write the data: " + quiet.complaint());
-  return with_finite_ranges(writer->take());
+  writer->hand_on_text();
+}
+
+/// First what is sound: VTK crashes on some of what is not, and no file is begun.
+template <class Writer, class Data, class... Given>
+std::string bytes_of(Data& data, const Given&... given) {
+  require_sound(data, given...);
+  std::string bytes;
+  hand_on<Writer>(data, [&](std::string_view piece) { bytes += piece; });
+  return bytes;
+}
+
+template <class Writer, class Data, class... Given>
+void write_file(const std::string& path, Data& data, const Given&... given) {
+  require_sound(data, given...);
+  write_atomically(path, [&](const Sink& sink) { hand_on<Writer>(data, sink); });
 }
 
 }  // namespace
@@ -168,6 +214,18 @@ std::string vtu_bytes(vtkUnstructuredGrid& data) {
 
 std::string vti_bytes(vtkImageData& data) {
   return bytes_of<vtkXMLImageDataWriter>(data);
+}
+
+void write_vtp(const std::string& path, vtkPolyData& data, const std::set<std::string>& given) {
+  write_file<vtkXMLPolyDataWriter>(path, data, given);
+}
+
+void write_vtu(const std::string& path, vtkUnstructuredGrid& data) {
+  write_file<vtkXMLUnstructuredGridWriter>(path, data);
+}
+
+void write_vti(const std::string& path, vtkImageData& data) {
+  write_file<vtkXMLImageDataWriter>(path, data);
 }
 
 }  // namespace crest::io

@@ -14,7 +14,6 @@
 #include <stdexcept>
 
 #include "io/formats/files.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -133,7 +132,7 @@ void write_geometry(const std::string& path, const Geometry& geometry) {
   if (data->GetPointData()->HasArray("Normals")) data->GetPointData()->SetActiveNormals("Normals");
   add_columns(geometry.cell_data, *data->GetCellData());
   add_columns(geometry.field_data, *data->GetFieldData());
-  write_atomically(path, vtp_bytes(*data));
+  write_vtp(path, *data);
 }
 
 }  // namespace crest::io

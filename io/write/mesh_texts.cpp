@@ -251,8 +251,8 @@ std::string ply_text(const MeshPoints& points, const MeshFaces& faces, Attribute
       kNothing, [&](std::size_t f) { return row(of_faces, f); });
 }
 
-std::string vtp_text(const MeshPoints& points, const MeshFaces& faces, Attributes attributes,
-                     LeftOut& left_out) {
+void write_vtp_mesh(const std::string& path, const MeshPoints& points, const MeshFaces& faces,
+                    Attributes attributes, LeftOut& left_out) {
   PolyData cells;
   cells.add_points(points);
   for (const kernel::Triangle& f : faces) cells.add_triangle(f[0], f[1], f[2]);
@@ -270,7 +270,7 @@ std::string vtp_text(const MeshPoints& points, const MeshFaces& faces, Attribute
     if (a->name == "Normals" && a->components == 3) to->SetActiveNormals("Normals");
     if (a->name == "TCoords" && a->components <= 3) to->SetActiveTCoords("TCoords");
   }
-  return vtp_bytes(*data, given);
+  write_vtp(path, *data, given);
 }
 
 }  // namespace crest::io

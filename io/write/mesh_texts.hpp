@@ -23,7 +23,8 @@ std::string obj_text(const MeshPoints& points, const MeshFaces& faces, Attribute
 /// Properties are numbers, one a name: components get one each.
 std::string ply_text(const MeshPoints& points, const MeshFaces& faces, Attributes attributes,
                      LeftOut& left_out);
-std::string vtp_text(const MeshPoints& points, const MeshFaces& faces, Attributes attributes,
-                     LeftOut& left_out);
+/// This one is a file at once: it need not be in memory as a whole.
+void write_vtp_mesh(const std::string& path, const MeshPoints& points, const MeshFaces& faces,
+                    Attributes attributes, LeftOut& left_out);
 
 }  // namespace crest::io

@@ -17,19 +17,17 @@ std::vector<std::string> write_mesh(const std::string& path,
                                     const std::vector<kernel::Triangle>& faces,
                                     std::span<const kernel::Attribute> attributes) {
   const std::string extension = lower_extension(path);
-  std::string bytes;
   LeftOut left_out;
   if (extension == ".off")
-    bytes = off_text(points, faces, attributes, left_out);
+    write_atomically(path, off_text(points, faces, attributes, left_out));
   else if (extension == ".obj")
-    bytes = obj_text(points, faces, attributes, left_out);
+    write_atomically(path, obj_text(points, faces, attributes, left_out));
   else if (extension == ".ply")
-    bytes = ply_text(points, faces, attributes, left_out);
+    write_atomically(path, ply_text(points, faces, attributes, left_out));
   else if (extension == ".vtp")
-    bytes = vtp_text(points, faces, attributes, left_out);
+    write_vtp_mesh(path, points, faces, attributes, left_out);
   else
     throw kernel::InputError(path + ": file: has an unknown extension; write .off .obj .ply .vtp");
-  write_atomically(path, bytes);
   return left_out;
 }
 

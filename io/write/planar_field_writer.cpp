@@ -11,7 +11,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "io/formats/files.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -42,7 +41,7 @@ void write_planar_field(const std::string& path, const std::vector<kernel::Vec2>
                         const std::vector<kernel::Vec2>& vectors) {
   if (lower_extension(path) != ".vtu")
     throw kernel::InputError(path + ": file: has an unknown extension; write .vtu");
-  write_atomically(path, vtu_bytes(*planar_field_grid(points, triangles, name, vectors)));
+  write_vtu(path, *planar_field_grid(points, triangles, name, vectors));
 }
 
 }  // namespace crest::io

@@ -10,7 +10,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "io/formats/files.hpp"
-#include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -35,7 +34,7 @@ void write_tets(const std::string& path, const std::vector<kernel::Vec3>& points
   grid->SetCells(VTK_TETRA, cells);
   grid->GetPointData()->AddArray(rows);
   grid->GetPointData()->SetActiveTensors(name.c_str());
-  write_atomically(path, vtu_bytes(*grid));
+  write_vtu(path, *grid);
 }
 
 }  // namespace crest::io

@@ -37,7 +37,7 @@ std::string nrrd(const SampledGrid& grid) {
 void write_volume(const std::string& path, const SampledGrid& grid) {
   const std::string extension = lower_extension(path);
   if (extension == ".nrrd") return write_atomically(path, nrrd(grid));
-  if (extension == ".vti") return write_atomically(path, vti_bytes(*image_data(grid)));
+  if (extension == ".vti") return write_vti(path, *image_data(grid));
   throw kernel::InputError(path + ": file: has an unknown extension; write .nrrd or .vti");
 }
 

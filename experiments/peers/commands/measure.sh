@@ -57,8 +57,8 @@ echo '|---|---|---|---|---|---|'
 row 'ridges, VTP and certificate' ridges blend.off -o o.vtp --certificate o.crest
 row 'ridges, nothing written' ridges blend.off
 row 'curvature ne, nothing written' curvature blend.off
-row 'curvature ne, PLY (old: text, new: binary)' curvature blend.off -o o.ply
-row 'curvature ne, VTP (old: with corners)' curvature blend.off -o o.vtp
+row 'curvature ne, PLY' curvature blend.off -o o.ply
+row 'curvature ne, VTP' curvature blend.off -o o.vtp
 row 'features, VTP and certificate' features blend.off -o o.vtp --certificate o.crest
 row 'reeb, nothing written' reeb blend.off $reeb
 row 'reeb, VTP' reeb blend.off $reeb -o o.vtp
