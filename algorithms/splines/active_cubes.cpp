@@ -179,8 +179,7 @@ ActiveCubes::ActiveCubes(const QuadraticSpline& spline, double c) {
   tbb::enumerable_thread_specific<std::array<float, 2>> extremes(
       std::array<float, 2>{HUGE_VALF, -HUGE_VALF});
   for_each_row_hull(
-      spline, c, scale,
-      [&](int y, int z, std::span<const float> low, std::span<const float> high) {
+      spline, c, scale, [&](int y, int z, std::span<const float> low, std::span<const float> high) {
         auto& extreme = extremes.local();
         std::uint64_t* row =
             cubes.words.data() + static_cast<std::size_t>(cubes.size[0]) *

@@ -18,8 +18,8 @@ using RowWork =
     std::function<void(int y, int z, std::span<const float> low, std::span<const float> high)>;
 void for_each_row_hull(const QuadraticSpline& spline, double c, double scale, const RowWork& work);
 
-/// The power of two that takes a number to [1, 2), or nearly for those at the ends of doubles; 1 for
-/// 0 and infinity.
+/// The power of two that takes a number to [1, 2), or nearly for those at the ends of doubles; 1
+/// for 0 and infinity.
 double scale_to_one(double largest);
 
 class ActiveCubes {

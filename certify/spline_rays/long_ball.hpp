@@ -35,7 +35,10 @@ struct LongBall {
     if (!(std::fabs(high) < HUGE_VAL)) return;
     const auto low = static_cast<double>(kernel::Rational(x - kernel::Rational(high)));
     mid = static_cast<long double>(high) + low;
-    rad = (kUnit * std::fabs(mid) + 0x1p-50L * std::fabs(low)) * kSlack + 0x1p-1000L;
+    if (low == 0 && x == high)
+      rad = 0;
+    else
+      rad = (kUnit * std::fabs(mid) + 0x1p-50L * std::fabs(low)) * kSlack + 0x1p-1000L;
   }
 
   friend LongBall operator-(const LongBall& a) { return {-a.mid, a.rad}; }

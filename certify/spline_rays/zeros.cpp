@@ -59,10 +59,13 @@ Along<Number> Zeros::along(const Segment& segment, std::array<Number, 3> from,
     to[d] = to[d] - centre;
   }
   const Tetrahedron tet = tetrahedron(segment.tetrahedron);
-  const auto q = quadratic_on(segment.cube, tet, Number(0));
+  auto q = quadratic_on(segment.cube, tet, Number(0));
   const auto a = barycentrics(tet, from), b = barycentrics(tet, to);
+  // Before the blossom: errors of barycentrics count by the coefficients' size.
   const Number c(scene_.volume.level);
-  return {blossom(q, a, a) - c, blossom(q, a, b) - c, blossom(q, b, b) - c};
+  for (auto& row : q)
+    for (Number& x : row) x = x - c;
+  return {blossom(q, a, a), blossom(q, a, b), blossom(q, b, b)};
 }
 
 template <class Number>

@@ -71,7 +71,7 @@ int work(const Choice& choice) {
   const auto exact = on_grid(model, choice.nodes);
   Panels plain(6, choice.width), noise(3, choice.width);
   for (const double isovalue : {-0.1, 0.0, 0.1, 0.3, 0.5, 0.8})
-    draw(plain, model, exact, isovalue, 5e-5, choice);
+    draw(plain, model, exact, isovalue, 2e-5, choice);
   plain.write(choice.folder / "figure-9.4.png");
   for (const double percent : {0.5, 1.0, 2.5}) {
     Uniform uniform(2);

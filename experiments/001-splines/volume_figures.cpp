@@ -97,7 +97,7 @@ struct Work {
                                   double isovalue) const {
     const double distance = kernel::distance(camera.eye, camera.target);
     double spacing = HUGE_VAL;
-    for (const Vec3& step : spline.frame().steps()) spacing = std::min(spacing, norm(step));
+    for (const Vec3& step : spline.frame().steps()) spacing = std::min(spacing, kernel::norm(step));
     return hits_by_steps(camera, trilinear_field(spline), isovalue, 0, 2 * distance, spacing / 2);
   }
 };

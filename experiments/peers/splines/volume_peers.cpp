@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crest's rays and isosurfaces of volumes beside VTK's (flying edges, rays by a cell locator) and,
 // if it was there when this was built, OpenVDB's (level set rays, volume to mesh), in one run on
-// one thread: processor time, medians, the systems take turns.
+// one thread: processor time, medians, the systems take turns. (<ctime>: programs that read clocks
+// are optimised.)
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <vtkFloatArray.h>
@@ -11,7 +12,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkStaticCellLocator.h>
 #ifdef CREST_OPENVDB
 #include <openvdb/openvdb.h>
@@ -20,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 
 #include "algorithms/splines/isosurface.hpp"
@@ -214,10 +215,9 @@ int main(int argc, char** argv) {
   Program program("rays and isosurfaces of Marschner and Lobb's function beside peers");
   program.option("--size", size, "pixels along each side");
   program.option("--repeat", repeat, "runs, of which the median counts");
-  program.option("--nodes", nodes, "samples along each axis, several numbers (41 256)");
+  program.list("--nodes", nodes, "samples along each axis (41 256)");
   return program.run(argc, argv, [&] {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    vtkSMPTools::Initialize(1);
 #ifdef CREST_OPENVDB
     openvdb::initialize();
 #else
