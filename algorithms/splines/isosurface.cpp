@@ -129,11 +129,14 @@ Isosurface Mesher::run(int max_depth) {
   march();
   describe(mesh_, border_);
   mesh_.exact_corners = exact_.size();
-  const auto values = spline_.evaluate(mesh_.points);
-  mesh_.gradients.resize(mesh_.points.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-    // Rounded, a point of the border may be outside.
-    mesh_.gradients[v] = std::isnan(values[v].value) ? Vec3{} : values[v].gradient;
+  constexpr std::size_t kPiece = 1 << 16;  // of values, which are not kept
+  const std::span<const Vec3> points(mesh_.points);
+  mesh_.gradients.reserve(points.size());
+  for (std::size_t first = 0; first < points.size(); first += kPiece)
+    for (const auto& at :
+         spline_.evaluate(points.subspan(first, std::min(kPiece, points.size() - first))))
+      // Rounded, a point of the border may be outside.
+      mesh_.gradients.push_back(std::isnan(at.value) ? Vec3{} : at.gradient);
   return std::move(mesh_);
 }
 
@@ -215,6 +218,10 @@ void Mesher::march() {
     mesh_.bisected.push_back(static_cast<std::uint32_t>(tree.root));
     write_tree(tree.node);
   }
+  // About as many, without the copies of growing; what is not used costs nothing.
+  mesh_.triangles.reserve(2 * met_);
+  mesh_.points.reserve(met_);
+  mesh_.brackets.reserve(met_);
   // Of cubes that are not active all leaves are empty.
   for (int z = 0; z < spline_.cubes()[2]; ++z)
     for_each_active(z, [&](const Cube& cube, const CubeCoefficients<double>& a,
