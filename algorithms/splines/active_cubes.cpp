@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -63,10 +64,16 @@ CREST_WIDE_CLONES void hull(const Rows& f, std::size_t count, float* lows, float
   std::copy_n(high_of.begin(), count, highs);
 }
 
+/// What floats hold of samples.
+struct Shown {
+  double level, scale;
+  float operator()(double x) const { return static_cast<float>((x - level) * scale); }
+};
+
 /// One sample row, at indices that may lie one beyond the volume.
 template <class Native>
-void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples, double c, int from,
-              std::size_t count, int y, int z, float* row) {
+void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples, const Shown& shown,
+              int from, std::size_t count, int y, int z, float* row) {
   const auto& size = spline.grid().size;
   const auto weight_of = [](int v, std::size_t n, int k) {
     const bool beyond = v < 0 || v >= static_cast<int>(n);
@@ -87,7 +94,7 @@ void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples,
                                                size[0] * (place_of(y, size[1], k >> 1 & 1) +
                                                           size[1] * place_of(z, size[2], k >> 2))]);
     }
-    return static_cast<float>(sum - c);
+    return shown(sum);
   };
   const auto inside = [](int v, std::size_t n) { return v >= 0 && v < static_cast<int>(n); };
   if (!inside(y, size[1]) || !inside(z, size[2])) {
@@ -103,12 +110,18 @@ void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples,
     row[end] = sample(from + static_cast<int>(end));
   }
   for (std::size_t i = begin; i < end; ++i)
-    row[i] = static_cast<float>(static_cast<double>(p[from + static_cast<int>(i)]) - c);
+    row[i] = shown(static_cast<double>(p[from + static_cast<int>(i)]));
 }
 
 }  // namespace
 
-void for_each_row_hull(const QuadraticSpline& spline, double c, const RowWork& work) {
+double scale_to_one(double largest) {
+  if (!(largest > 0 && largest < HUGE_VAL)) return 1;
+  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+}
+
+void for_each_row_hull(const QuadraticSpline& spline, double c, double scale, const RowWork& work) {
+  const Shown shown{c, scale};
   const Cube n = spline.cubes();
   const int from = spline.frame().first() - 1;
   const auto size = static_cast<std::size_t>(n[0]);
@@ -132,7 +145,7 @@ void for_each_row_hull(const QuadraticSpline& spline, double c, const RowWork& w
           if (y > first && k % 3 < 2) continue;
           std::visit(
               [&](const auto& samples) {
-                load_row(spline, samples, c, from, size + 2, y + from + k % 3, z + from + k / 3,
+                load_row(spline, samples, shown, from, size + 2, y + from + k % 3, z + from + k / 3,
                          row.data());
               },
               spline.grid().samples);
@@ -158,13 +171,15 @@ ActiveCubes::ActiveCubes(const QuadraticSpline& spline, double c) {
   // A bound of |coefficient - c|: no more than 9/8 of the largest sample.
   largest_ = 1.25 * spline.largest_sample() + std::fabs(c);
   margin_ = 0x1p-18 * largest_;
-  const auto margin = static_cast<float>(margin_ * (1 + 0x1p-20));
+  // Floats have no digits to spare below 2^-126, and end at 2^128.
+  const double scale = scale_to_one(largest_);
+  const auto margin = static_cast<float>(margin_ * scale * (1 + 0x1p-20));
   cubes.words.assign(words(cubes.size), 0);
   std::atomic<std::size_t> count{0};
   tbb::enumerable_thread_specific<std::array<float, 2>> extremes(
       std::array<float, 2>{HUGE_VALF, -HUGE_VALF});
   for_each_row_hull(
-      spline, c, [&](int y, int z, std::span<const float> low, std::span<const float> high) {
+      spline, c, scale, [&](int y, int z, std::span<const float> low, std::span<const float> high) {
         auto& extreme = extremes.local();
         std::uint64_t* row =
             cubes.words.data() + static_cast<std::size_t>(cubes.size[0]) *
@@ -191,7 +206,7 @@ ActiveCubes::ActiveCubes(const QuadraticSpline& spline, double c) {
     lowest = std::fmin(lowest, e[0]);
     highest = std::fmax(highest, e[1]);
   }
-  range_ = static_cast<double>(highest) - static_cast<double>(lowest) + margin_;
+  range_ = (static_cast<double>(highest) - static_cast<double>(lowest)) / scale + margin_;
   levels_.push_back(std::move(cubes));
   while (levels_.back().words.size() > 1) {
     const Level& low = levels_.back();

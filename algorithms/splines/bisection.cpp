@@ -2,6 +2,7 @@
 #include "algorithms/splines/bisection.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -45,16 +46,36 @@ bool has(const std::array<T, 4>& corners, const T& p) {
   return std::find(corners.begin(), corners.end(), p) != corners.end();
 }
 
-/// Calls visit(t) for the closed tetrahedra of a cube that hold a point, given from its centre.
-template <class Visit>
-void for_each_tetrahedron_at(const FinePoint& p, const Visit& visit) {
-  const auto reach = [&](std::size_t k) { return std::abs(p[k]); };
+/// Tetrahedra of a cube, a bit each.
+using Bits = std::uint32_t;
+/// Those that hold no point p with |p_a| < |p_b|, and those that hold none with p_a < 0 (0) or
+/// p_a > 0 (1).
+struct Excluded {
+  std::array<std::array<Bits, 3>, 3> by_order{};
+  std::array<std::array<Bits, 2>, 3> by_sign{};
+};
+constexpr Excluded kExcluded = [] {
+  Excluded excluded;
   for (std::size_t t = 0; t < kTetrahedra; ++t) {
     const Tetrahedron& s = kTetrahedron[t];
-    if (reach(s.face_axis) >= reach(s.edge_axis) && reach(s.edge_axis) >= reach(s.free_axis) &&
-        s.face_sign * p[s.face_axis] >= 0 && s.edge_sign * p[s.edge_axis] >= 0)
-      visit(t);
+    const Bits bit = Bits{1} << t;
+    excluded.by_order[s.face_axis][s.edge_axis] |= bit;
+    excluded.by_order[s.edge_axis][s.free_axis] |= bit;
+    excluded.by_sign[s.face_axis][s.face_sign < 0 ? 1 : 0] |= bit;
+    excluded.by_sign[s.edge_axis][s.edge_sign < 0 ? 1 : 0] |= bit;
   }
+  return excluded;
+}();
+
+/// The closed tetrahedra of a cube that hold a point, given from its centre.
+Bits tetrahedra_at(const FinePoint& p) {
+  Bits left = (Bits{1} << kTetrahedra) - 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (p[a] != 0) left &= ~kExcluded.by_sign[a][p[a] < 0 ? 0 : 1];
+    for (std::size_t b = 0; b < 3; ++b)
+      if (std::abs(p[a]) < std::abs(p[b])) left &= ~kExcluded.by_order[a][b];
+  }
+  return left;
 }
 
 }  // namespace
@@ -71,13 +92,12 @@ Cube Forest::cube_of(Root root) const {
           static_cast<int>(cube / cubes_[0] / cubes_[1])};
 }
 
-FineCorners Forest::corners_of(Root root) const {
-  const Cube cube = cube_of(root);
+FineCorners Forest::corners_of(const Cube& cube, std::size_t tetrahedron) {
   FineCorners fine;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       fine[i][k] =
-          std::int64_t{2 * cube[k] + 1 + kTetrahedron[root % kTetrahedra].corners[i][k]} * kUnit;
+          (std::int64_t{2} * cube[k] + 1 + kTetrahedron[tetrahedron].corners[i][k]) * kUnit;
   return fine;
 }
 
@@ -87,32 +107,31 @@ FineCorners Forest::corners_of(const Node& node) const {
   return fine;
 }
 
-const Forest::Planted* Forest::planted(const Cube& cube) const {
-  const auto found = planted_.find(root_of(cube, 0));
-  return found == planted_.end() ? nullptr : &found->second;
-}
-
 Index Forest::number_of(const FinePoint& lattice_point) {
-  std::uint64_t key = 0;  // below 27 times the number of cubes
-  for (std::size_t k = 3; k-- > 0;)
-    key = key * (2 * static_cast<std::uint64_t>(cubes_[k]) + 1) +
-          static_cast<std::uint64_t>(lattice_point[k] >> kFineBits);
-  const auto [at, fresh] = lattice_points_.try_emplace(key, static_cast<Index>(points_.size()));
-  if (fresh) points_.push_back(lattice_point);
-  return at->second;
+  Index& number = lattice_points_[{static_cast<int>(lattice_point[0] >> kFineBits),
+                                   static_cast<int>(lattice_point[1] >> kFineBits),
+                                   static_cast<int>(lattice_point[2] >> kFineBits)}];
+  if (number == kNone) {
+    number = static_cast<Index>(points_.size());
+    points_.push_back(lattice_point);
+  }
+  return number;
 }
 
-void Forest::plant(Root root) {
-  Planted none;
-  none.fill(kNone);
-  const std::size_t t = root % kTetrahedra;
-  planted_.try_emplace(root - t, none).first->second[t] = static_cast<Index>(trees_.size());
-  queue_.push_back({static_cast<Index>(trees_.size()), static_cast<Index>(nodes_.size())});
-  trees_.push_back({root, static_cast<Index>(nodes_.size())});
-  Node node;
-  const FineCorners corners = corners_of(root);
-  for (std::size_t i = 0; i < 4; ++i) node.corners[i] = number_of(corners[i]);
-  nodes_.push_back(node);
+void Forest::plant(const Cube& cube, std::size_t tetrahedron) {
+  const auto tree = static_cast<Index>(trees_.size()), node = static_cast<Index>(nodes_.size());
+  Index& number = planted_[cube];
+  if (number == kNone) {
+    number = static_cast<Index>(cubes_with_trees_.size());
+    cubes_with_trees_.emplace_back().fill(kNone);
+  }
+  cubes_with_trees_[number][tetrahedron] = tree;
+  queue_.push_back({tree, node});
+  trees_.push_back({root_of(cube, tetrahedron), node});
+  Node root;
+  const FineCorners corners = corners_of(cube, tetrahedron);
+  for (std::size_t i = 0; i < 4; ++i) root.corners[i] = number_of(corners[i]);
+  nodes_.push_back(root);
 }
 
 bool Forest::must_follow(const Node& leaf) const {
@@ -123,14 +142,10 @@ bool Forest::must_follow(const Node& leaf) const {
 }
 
 void Forest::follow(Index tree, Index a, Index b, const std::array<double, 4>& middle) {
-  struct Step {
-    Index node;
-    std::array<double, 4> l;  ///< the edge's middle, barycentric; no step rounds it
-  };
-  std::vector<Step> left = {{trees_[tree].node, middle}};
-  while (!left.empty()) {
-    const Step step = left.back();
-    left.pop_back();
+  steps_.assign(1, {trees_[tree].node, middle});
+  while (!steps_.empty()) {
+    const Step step = steps_.back();
+    steps_.pop_back();
     const Node& node = nodes_[step.node];
     if (node.first_child == kNone) {
       if (has(node.corners, a) && has(node.corners, b)) queue_.push_back({tree, step.node});
@@ -141,8 +156,8 @@ void Forest::follow(Index tree, Index a, Index b, const std::array<double, 4>& m
     std::array<double, 4> l = step.l;
     l[i] = at_i - at_k;
     l[k] = at_k - at_i;
-    if (at_k >= at_i) left.push_back({node.first_child + 1, second_part(node.tag, l, 2 * at_i)});
-    if (at_i >= at_k) left.push_back({node.first_child, first_part(node.tag, l, 2 * at_k)});
+    if (at_k >= at_i) steps_.push_back({node.first_child + 1, second_part(node.tag, l, 2 * at_i)});
+    if (at_i >= at_k) steps_.push_back({node.first_child, first_part(node.tag, l, 2 * at_k)});
   }
 }
 
@@ -151,18 +166,20 @@ void Forest::follow(const Cube& cube, Index a, Index b, const FinePoint& middle)
   FinePoint from_centre;
   std::array<double, 3> p;
   for (std::size_t k = 0; k < 3; ++k) {
-    from_centre[k] = middle[k] - (2 * cube[k] + 1) * kUnit;
+    from_centre[k] = middle[k] - (std::int64_t{2} * cube[k] + 1) * kUnit;
     p[k] = static_cast<double>(from_centre[k]) / static_cast<double>(kUnit);
   }
-  for_each_tetrahedron_at(from_centre, [&](std::size_t t) {
-    if (trees != nullptr && (*trees)[t] != kNone)
-      return follow((*trees)[t], a, b, barycentric(t, p));
-    const Root root = root_of(cube, t);
-    const FineCorners corners = corners_of(root);
-    if (!has(corners, points_[a]) || !has(corners, points_[b])) return;
-    plant(root);
+  for (Bits left = tetrahedra_at(from_centre); left != 0; left &= left - 1) {
+    const auto t = static_cast<std::size_t>(std::countr_zero(left));
+    if (trees != nullptr && (*trees)[t] != kNone) {
+      follow((*trees)[t], a, b, barycentric(t, p));
+      continue;
+    }
+    const FineCorners corners = corners_of(cube, t);
+    if (!has(corners, points_[a]) || !has(corners, points_[b])) continue;
+    plant(cube, t);
     trees = planted(cube);
-  });
+  }
 }
 
 void Forest::follow(Index a, Index b, Index at) {
@@ -207,17 +224,19 @@ void Forest::split(const Place& place) {
   if (fresh) follow(a, b, middle);
 }
 
-void Forest::bisect(const std::vector<Root>& roots, const Refine& refine) {
-  for (const Root root : roots) plant(root);
+void Forest::bisect(const std::vector<Root>& roots, const Judge& judge) {
+  for (const Root root : roots) plant(cube_of(root), root % kTetrahedra);
   while (!queue_.empty()) {
     const Place place = queue_.front();
     queue_.pop_front();
     if (nodes_[place.node].first_child != kNone) continue;
     split(place);
     const Index child = nodes_[place.node].first_child;
-    for (const Index c : {child, child + 1})
-      if (must_follow(nodes_[c]) || refine(place.tree, nodes_[c]))
-        queue_.push_back({place.tree, c});
+    for (const Index c : {child, child + 1}) {
+      Node& leaf = nodes_[c];
+      if (!must_follow(leaf)) leaf.fate = judge(place.tree, leaf);
+      if (leaf.fate == Fate::bisect) queue_.push_back({place.tree, c});
+    }
   }
 }
 

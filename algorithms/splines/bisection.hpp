@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <unordered_map>
 #include <vector>
 
 #include "algorithms/splines/edge_numbers.hpp"
+#include "algorithms/splines/index_blocks.hpp"
 #include "algorithms/splines/partition.hpp"
 #include "algorithms/splines/quadratic.hpp"
 
@@ -30,6 +30,9 @@ constexpr bool precedes(const FinePoint& a, const FinePoint& b) {
 /// Tetrahedron `number` of a cube, as 24 cube + number.
 using Root = std::uint64_t;
 
+/// What becomes of a leaf: it is bisected, or stays and is known to be one of the others.
+enum class Fate : std::uint8_t { bisect, empty, settled, undecided };
+
 class Forest {
  public:
   static constexpr int kDeepest = 60;
@@ -39,20 +42,24 @@ class Forest {
     kernel::Index first_child = kernel::kNone;  ///< the second follows it
     std::uint8_t tag = 0;                       ///< 0: the root's own rule
     std::uint8_t depth = 0;
+    Fate fate = Fate::bisect;  ///< of a leaf: what was said of it
   };
   struct Tree {
     Root root;
     kernel::Index node;  ///< the root's
   };
-  /// Whether to bisect a leaf of a tree, by the tree's number.
-  using Refine = std::function<bool(kernel::Index tree, const Node& leaf)>;
+  /// What is to become of a leaf of a tree, by the tree's number.
+  using Judge = std::function<Fate(kernel::Index tree, const Node& leaf)>;
 
-  explicit Forest(const Cube& cubes) : cubes_(cubes) {}
+  explicit Forest(const Cube& cubes)
+      : cubes_(cubes),
+        planted_(cubes),
+        lattice_points_({2 * cubes[0] + 1, 2 * cubes[1] + 1, 2 * cubes[2] + 1}) {}
 
-  /// Bisects the leaves that `refine` asks to, and those that must follow for the leaves to be
-  /// conforming, until none is left. `refine` is asked once a new leaf, of children and of roots
-  /// that have to follow. Order, and so all numbers, depend on nothing but the roots' order.
-  void bisect(const std::vector<Root>& roots, const Refine& refine);
+  /// Bisects the roots, the leaves that `judge` says, and those that must follow for the leaves to
+  /// be conforming, until none is left. `judge` is asked once a new leaf that need not follow.
+  /// Order, and so all numbers, depend on nothing but the roots' order.
+  void bisect(const std::vector<Root>& roots, const Judge& judge);
 
   /// In the order in which they were first bisected.
   const std::vector<Tree>& trees() const { return trees_; }
@@ -62,10 +69,14 @@ class Forest {
   /// For the 24 tetrahedra of a cube the numbers of their trees, kNone where there is none; or null
   /// if the cube has no tree.
   using Planted = std::array<kernel::Index, kTetrahedra>;
-  const Planted* planted(const Cube& cube) const;
+  const Planted* planted(const Cube& cube) const {
+    const kernel::Index number = planted_.find(cube);
+    return number == kernel::kNone ? nullptr : &cubes_with_trees_[number];
+  }
   int depth() const { return depth_; }
 
-  FineCorners corners_of(Root root) const;
+  static FineCorners corners_of(const Cube& cube, std::size_t tetrahedron);
+  FineCorners corners_of(Root root) const { return corners_of(cube_of(root), root % kTetrahedra); }
   Cube cube_of(Root root) const;
   Root root_of(const Cube& cube, std::size_t tetrahedron) const;
 
@@ -74,7 +85,7 @@ class Forest {
     kernel::Index tree, node;
   };
   kernel::Index number_of(const FinePoint& lattice_point);
-  void plant(Root root);
+  void plant(const Cube& cube, std::size_t tetrahedron);
   bool must_follow(const Node& leaf) const;
   void split(const Place& place);
   /// Queues the leaves that have the edge a b.
@@ -87,10 +98,16 @@ class Forest {
   std::vector<FinePoint> points_;
   std::vector<Node> nodes_;
   std::vector<Tree> trees_;
-  std::unordered_map<Root, Planted> planted_;                        ///< by the cube's first root
-  std::unordered_map<std::uint64_t, kernel::Index> lattice_points_;  ///< corners of roots
-  EdgeNumbers middles_;  ///< of edges that are bisected: their middles
+  IndexBlocks planted_;  ///< of cubes: which of these is its
+  std::vector<Planted> cubes_with_trees_;
+  IndexBlocks lattice_points_;  ///< corners of roots
+  EdgeNumbers middles_;         ///< of edges that are bisected: their middles
   std::deque<Place> queue_;
+  struct Step {
+    kernel::Index node;
+    std::array<double, 4> l;  ///< an edge's middle, barycentric; no step rounds it
+  };
+  std::vector<Step> steps_;  ///< of the walk through a tree, kept for the next one
   int depth_ = 0;
 };
 

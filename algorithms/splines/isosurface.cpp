@@ -129,11 +129,14 @@ Isosurface Mesher::run(int max_depth) {
   march();
   describe(mesh_, border_);
   mesh_.exact_corners = exact_.size();
-  const auto values = spline_.evaluate(mesh_.points);
-  mesh_.gradients.resize(mesh_.points.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-    // Rounded, a point of the border may be outside.
-    mesh_.gradients[v] = std::isnan(values[v].value) ? Vec3{} : values[v].gradient;
+  constexpr std::size_t kPiece = 1 << 16;  // of values, which are not kept
+  const std::span<const Vec3> points(mesh_.points);
+  mesh_.gradients.reserve(points.size());
+  for (std::size_t first = 0; first < points.size(); first += kPiece)
+    for (const auto& at :
+         spline_.evaluate(points.subspan(first, std::min(kPiece, points.size() - first))))
+      // Rounded, a point of the border may be outside.
+      mesh_.gradients.push_back(std::isnan(at.value) ? Vec3{} : at.gradient);
   return std::move(mesh_);
 }
 
@@ -186,19 +189,23 @@ void Mesher::bisect(int max_depth) {
   }
   std::vector<std::size_t> leaves;  // of each tree
   std::size_t all = 0;
+  Cube known = {-1, -1, -1};
+  CubeCoefficients<double> a;  // of the known cube: leaves in a row are often in one
   forest_.bisect(roots, [&](Index tree, const Forest::Node& node) {
     if (tree >= leaves.size()) leaves.resize(std::max(tree + std::size_t{1}, 2 * leaves.size()));
-    if (node.depth >= max_depth || leaves[tree] >= kMostLeaves || all >= most_leaves(met_))
-      return false;
     const Root root = forest_.trees()[tree].root;
     const Cube cube = forest_.cube_of(root);
     const std::size_t t = root % kTetrahedra;
     const FineCorners corners = forest_.corners_of(node);
-    const LeafNet net = test_.net(test_.coefficients(cube), cube, t, &corners);
-    if (test_.settled(net, cube, t, &corners)) return false;
+    if (cube != known) a = test_.coefficients(known = cube);
+    const LeafNet net = test_.net(a, cube, t, &corners);
+    if (test_.empty(net)) return Fate::empty;
+    if (test_.settled(net, cube, t, &corners)) return Fate::settled;
+    if (node.depth >= max_depth || leaves[tree] >= kMostLeaves || all >= most_leaves(met_))
+      return Fate::undecided;
     ++leaves[tree];
     ++all;
-    return true;
+    return Fate::bisect;
   });
   mesh_.depth = forest_.depth();
 }
@@ -211,6 +218,10 @@ void Mesher::march() {
     mesh_.bisected.push_back(static_cast<std::uint32_t>(tree.root));
     write_tree(tree.node);
   }
+  // About as many, without the copies of growing; what is not used costs nothing.
+  mesh_.triangles.reserve(2 * met_);
+  mesh_.points.reserve(met_);
+  mesh_.brackets.reserve(met_);
   // Of cubes that are not active all leaves are empty.
   for (int z = 0; z < spline_.cubes()[2]; ++z)
     for_each_active(z, [&](const Cube& cube, const CubeCoefficients<double>& a,
@@ -246,7 +257,7 @@ void Mesher::march_cube(const Cube& cube, const CubeCoefficients<double>& a,
                 t,
                 {0, 1, 2, 3},
                 {},
-                forest_.corners_of(forest_.root_of(cube, t)),
+                Forest::corners_of(cube, t),
                 kMirrored[t],
                 test_.net(a, cube, t, nullptr)});
   }
@@ -259,13 +270,13 @@ void Mesher::march_tree(const Forest::Tree& tree, Index at, const CubeCoefficien
     march_tree(tree, node.first_child + 1, a);
     return;
   }
+  if (node.fate == Fate::empty) return;
   Leaf leaf;
   leaf.cube = forest_.cube_of(tree.root);
   leaf.tetrahedron = tree.root % kTetrahedra;
   leaf.corners = forest_.corners_of(node);
   leaf.net = test_.net(a, leaf.cube, leaf.tetrahedron, &leaf.corners);
-  if (test_.empty(leaf.net)) return;
-  if (!test_.settled(leaf.net, leaf.cube, leaf.tetrahedron, &leaf.corners)) list(leaf.corners);
+  if (node.fate == Fate::undecided) list(leaf.corners);
   leaf.numbers = node.corners;
   const auto& letters = forest_.node(tree.node).corners;
   for (std::size_t i = 0; i < 4; ++i)

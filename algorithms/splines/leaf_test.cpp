@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "algorithms/splines/active_cubes.hpp"
 #include "kernel/arithmetic/approximate.hpp"
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/arithmetic/sign.hpp"
@@ -204,7 +205,18 @@ Edges<Rational> exact_edges(const FineCorners* corners) {
 }  // namespace
 
 LeafTest::LeafTest(const QuadraticSpline& spline, double c)
-    : spline_(spline), level_(c), error_(spline.exact() ? 0 : 0x1p-40 * spline.largest_sample()) {
+    : spline_(spline),
+      level_(c),
+      scaled_level_(c),
+      error_(spline.exact() ? 0 : 0x1p-40 * spline.largest_sample()) {
+  const double largest = std::max(spline.largest_sample(), std::fabs(c));
+  if (largest != 0 && !(largest > 0x1p-400 && largest < 0x1p400)) {
+    // What vanishes is below the error, too.
+    scale_ = scale_to_one(largest);
+    scaled_level_ *= scale_;
+    error_ = 0x1p-40 * (scale_ * largest);
+    return;
+  }
   const double steps = c / spline.step();
   if (spline.exact() && std::fabs(steps) < 0x1p50 && std::floor(steps) == steps)
     bits_ = 1 + std::max(spline.bits(), steps == 0 ? 0 : std::ilogb(steps) + 1);
@@ -216,7 +228,7 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
   LeafNet leaf;
   leaf.largest = 0;
   for (double& x : root.c) {
-    x -= level_;
+    x -= scaled_level_;
     leaf.largest = std::max(leaf.largest, std::fabs(x));
   }
   leaf.error = error_;
@@ -249,7 +261,7 @@ CubeSigns LeafTest::signs(const CubeCoefficients<double>& a) const {
   for (std::size_t k = 0; k < 2; ++k)
     for (std::uint64_t left = kUsed[k]; left != 0; left &= left - 1) {
       const auto bit = static_cast<unsigned>(std::countr_zero(left));
-      const double x = a[64 * k + bit] - level_;
+      const double x = a[64 * k + bit] - scaled_level_;
       signs.below[k] |= std::uint64_t{x < -error_} << bit;
       // A difference of doubles has its exact sign.
       signs.other[k] |= std::uint64_t{error_ == 0 ? x >= 0 : x > error_} << bit;

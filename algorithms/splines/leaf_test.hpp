@@ -42,9 +42,13 @@ class LeafTest {
  public:
   LeafTest(const QuadraticSpline& spline, double c);
 
-  /// Of a cube that holds leaves: its coefficients, not less c.
+  /// Of a cube that holds leaves: its coefficients, not less c; of samples at the ends of doubles
+  /// times a power of two, as are nets: products neither overflow nor vanish.
   CubeCoefficients<double> coefficients(const Cube& cube) const {
-    return cube_coefficients(spline_.stencil<double>(cube));
+    Stencil<double> f = spline_.stencil<double>(cube);
+    if (scale_ != 1)
+      for (double& x : f) x *= scale_;
+    return cube_coefficients(f);
   }
   /// `corners`: of the leaf; null here and below: it is the tetrahedron.
   LeafNet net(const CubeCoefficients<double>& a, const Cube& cube, std::size_t tetrahedron,
@@ -73,6 +77,7 @@ class LeafTest {
  private:
   const QuadraticSpline& spline_;
   double level_;
+  double scale_ = 1, scaled_level_;
   double error_;  ///< of a cube's coefficients
   int bits_ = 0;  ///< of coefficients less c, all multiples of one step; 0: not known
 };

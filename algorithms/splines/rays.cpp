@@ -147,10 +147,12 @@ struct RayCaster::Walk {
     const ActiveCubes& active = caster.active_;
     delta = 64 * active.range() * eta + 64 * u * active.largest();
     if (!caster.spline_.exact()) delta += 0x1p-40 * caster.spline_.largest_sample();
-    // Where the ray misses the wider box nothing needs a bound.
+    // Where the ray misses the wider box nothing needs a bound; beyond these products of two
+    // coefficients overflow or lose digits.
     const bool misses = to < from && !exactly && std::isfinite(line.slope);
     if (!misses)
-      exactly |= !(to < HUGE_VAL && eta <= wider && delta > 0 && delta <= active.margin());
+      exactly |= !(to < HUGE_VAL && eta <= wider && delta > 0 && delta <= active.margin() &&
+                   active.largest() > 0x1p-400 && active.largest() < 0x1p400);
   }
 
   /// Rationals decide [a, b].

@@ -33,7 +33,7 @@ std::uint64_t steps(double low, double high) {
   return std::bit_cast<std::uint64_t>(high) - std::bit_cast<std::uint64_t>(low);
 }
 
-/// Cost: linear; some 20 microseconds a ray.
+/// Cost: linear; some 10 microseconds a ray.
 void verify_spline_rays(std::span<const std::uint8_t> data, std::span<const std::uint8_t> claims,
                         const VerifyOptions& options, Verdict& verdict) {
   const SplineRaysCertificate c = decode_spline_rays(data, claims);

@@ -23,6 +23,20 @@ LatticeFrame<Number> make_frame(const SplineVolume& volume) {
   return frame;
 }
 
+/// Where the line is at a parameter.
+template <class Number>
+Number value_on(const Line<Number>& line, const Parameter& a) {
+  if (a.form == kForms) return Number(a.number);
+  return (Number(static_cast<double>(a.plane)) - form(a.form, line.o)) / form(a.form, line.d);
+}
+template <class Number>
+std::array<Number, 3> point_on(const Line<Number>& line, const Parameter& a) {
+  const Number t = value_on(line, a);
+  std::array<Number, 3> x;
+  for (std::size_t d = 0; d < 3; ++d) x[d] = line.o[d] + line.d[d] * t;
+  return x;
+}
+
 }  // namespace
 
 LatticeFrame<Rational> exact_frame(const SplineVolume& volume) {
@@ -32,9 +46,19 @@ LatticeFrame<Interval> frame_enclosure(const SplineVolume& volume) {
   return make_frame<Interval>(volume);
 }
 
-LatticeRay::LatticeRay(const LatticeFrame<Interval>& near, const LatticeFrame<Rational>& exact,
-                       const std::array<double, 6>& ray)
-    : frame_(exact), ray_(ray), near_(lattice_line(near, ray)) {
+LatticeFrame<LongBall> fine_frame(const LatticeFrame<Rational>& exact) {
+  LatticeFrame<LongBall> frame;
+  for (std::size_t r = 0; r < 3; ++r) {
+    frame.origin[r] = LongBall(exact.origin[r]);
+    for (std::size_t k = 0; k < 3; ++k) frame.matrix[r][k] = LongBall(exact.matrix[r][k]);
+  }
+  frame.shift = exact.shift;
+  return frame;
+}
+
+LatticeRay::LatticeRay(const LatticeFrame<Interval>& near, const LatticeFrame<LongBall>& fine,
+                       const LatticeFrame<Rational>& exact, const std::array<double, 6>& ray)
+    : fine_frame_(fine), frame_(exact), ray_(ray), near_(lattice_line(near, ray)) {
   for (std::size_t i = 0; i < kForms; ++i) {
     const auto sign = certain_sign(form(i, near_.d));
     directions_[i] = sign ? *sign : kernel::sign_of(form(i, exact_line().d));
@@ -59,9 +83,7 @@ Sign LatticeRay::start(std::size_t number, std::int64_t plane) const {
 }
 
 Rational LatticeRay::exact_value(const Parameter& a) const {
-  if (a.form == kForms) return Rational(a.number);
-  return (Rational(static_cast<double>(a.plane)) - form(a.form, exact_line().o)) /
-         form(a.form, exact_line().d);
+  return value_on(exact_line(), a);
 }
 
 Sign LatticeRay::compare(const Parameter& a, const Parameter& b) const {
@@ -92,11 +114,13 @@ std::array<Interval, 3> LatticeRay::near(const Parameter& a) const {
   return x;
 }
 
+std::array<LongBall, 3> LatticeRay::fine(const Parameter& a) const {
+  if (!fine_) fine_ = lattice_line(fine_frame_, ray_);
+  return point_on(*fine_, a);
+}
+
 std::array<Rational, 3> LatticeRay::exact(const Parameter& a) const {
-  const Rational t = exact_value(a);
-  std::array<Rational, 3> x;
-  for (std::size_t d = 0; d < 3; ++d) x[d] = exact_line().o[d] + exact_line().d[d] * t;
-  return x;
+  return point_on(exact_line(), a);
 }
 
 }  // namespace crest::certify::spline_rays

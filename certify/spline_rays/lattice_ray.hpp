@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "certify/exact/quadratic_spline.hpp"
+#include "certify/spline_rays/long_ball.hpp"
 
 namespace crest::certify::spline_rays {
 
@@ -45,6 +46,8 @@ struct LatticeFrame {
 LatticeFrame<kernel::Rational> exact_frame(const SplineVolume& volume);
 /// The same, enclosed. Requires: rounding upward.
 LatticeFrame<kernel::Interval> frame_enclosure(const SplineVolume& volume);
+/// The same, in long doubles.
+LatticeFrame<LongBall> fine_frame(const LatticeFrame<kernel::Rational>& exact);
 
 template <class Number>
 struct Line {
@@ -76,7 +79,7 @@ struct Parameter {
 /// Requires: rounding upward as long as it lives.
 class LatticeRay {
  public:
-  LatticeRay(const LatticeFrame<kernel::Interval>& near,
+  LatticeRay(const LatticeFrame<kernel::Interval>& near, const LatticeFrame<LongBall>& fine,
              const LatticeFrame<kernel::Rational>& exact, const std::array<double, 6>& ray);
 
   Parameter at(double number) const { return {kForms, 0, number, kernel::Interval(number)}; }
@@ -97,15 +100,18 @@ class LatticeRay {
 
   /// The point at a parameter.
   std::array<kernel::Interval, 3> near(const Parameter& a) const;
+  std::array<LongBall, 3> fine(const Parameter& a) const;
   std::array<kernel::Rational, 3> exact(const Parameter& a) const;
 
  private:
   const Line<kernel::Rational>& exact_line() const;
   kernel::Rational exact_value(const Parameter& a) const;
 
+  const LatticeFrame<LongBall>& fine_frame_;
   const LatticeFrame<kernel::Rational>& frame_;
   const std::array<double, 6>& ray_;
   Line<kernel::Interval> near_;
+  mutable std::optional<Line<LongBall>> fine_;
   mutable std::optional<Line<kernel::Rational>> exact_;
   std::array<kernel::Sign, kForms> directions_;
 };

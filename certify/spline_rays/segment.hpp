@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether a quadratic has a zero on a segment (SPEC.md, lemma 21), over intervals or rationals.
+// Whether a quadratic has a zero on a segment (SPEC.md, lemma 21), over intervals, balls or
+// rationals.
 #include <optional>
 
 #include "certify/exact/quadratic_spline.hpp"
+#include "certify/spline_rays/long_ball.hpp"
 
 namespace crest::certify::spline_rays {
 
@@ -13,6 +15,9 @@ template <class Number>
 using Along = std::array<Number, 3>;
 
 inline kernel::MaybeSign sign_if_certain(const kernel::Interval& x) {
+  return certain_sign(x);
+}
+inline kernel::MaybeSign sign_if_certain(const LongBall& x) {
   return certain_sign(x);
 }
 inline kernel::MaybeSign sign_if_certain(const kernel::Rational& x) {

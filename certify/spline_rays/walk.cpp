@@ -36,7 +36,10 @@ class Cuts {
 class Walk {
  public:
   Walk(const Scene& scene, const std::array<double, 6>& ray, const SplineHit* hit)
-      : scene_(scene), ray_(scene.near, scene.exact, ray), zeros_(scene, ray_), hit_(hit) {}
+      : scene_(scene),
+        ray_(scene.near, scene.fine, scene.exact, ray),
+        zeros_(scene, ray_),
+        hit_(hit) {}
 
   const char* objection() {
     if (std::ranges::all_of(std::array{0, 1, 2}, [&](int d) {

@@ -8,7 +8,11 @@ using kernel::Rational;
 using kernel::Sign;
 
 Scene::Scene(const SplineVolume& v)
-    : volume(v), spline(v), one_sided(spline.one_sided()), exact(exact_frame(v)) {
+    : volume(v),
+      spline(v),
+      one_sided(spline.one_sided()),
+      exact(exact_frame(v)),
+      fine(fine_frame(exact)) {
   const kernel::RoundUpward guard;
   near = frame_enclosure(v);
   for (unsigned signs = 0; signs < 64; ++signs)
@@ -35,6 +39,7 @@ template <class Question>
 bool Zeros::ask(const Segment& segment, const Parameter& from, const Parameter& to,
                 const Question& question) {
   if (const auto answer = question(along(segment, ray_.near(from), ray_.near(to)))) return *answer;
+  if (const auto answer = question(along(segment, ray_.fine(from), ray_.fine(to)))) return *answer;
   return *question(along(segment, ray_.exact(from), ray_.exact(to)));
 }
 
@@ -54,21 +59,25 @@ Along<Number> Zeros::along(const Segment& segment, std::array<Number, 3> from,
     to[d] = to[d] - centre;
   }
   const Tetrahedron tet = tetrahedron(segment.tetrahedron);
-  const auto q = quadratic_on(segment.cube, tet, Number(0));
+  auto q = quadratic_on(segment.cube, tet, Number(0));
   const auto a = barycentrics(tet, from), b = barycentrics(tet, to);
+  // Before the blossom: errors of barycentrics count by the coefficients' size.
   const Number c(scene_.volume.level);
-  return {blossom(q, a, a) - c, blossom(q, a, b) - c, blossom(q, b, b) - c};
+  for (auto& row : q)
+    for (Number& x : row) x = x - c;
+  return {blossom(q, a, a), blossom(q, a, b), blossom(q, b, b)};
 }
 
-Quadratic<Rational> Zeros::quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
-                                        const Rational&) {
+template <class Number>
+Quadratic<Number> Zeros::quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
+                                      const Number&) {
   const auto near = quadratic_on(cube, tet, Interval(0));
-  Quadratic<Rational> exact;
+  Quadratic<Number> exact;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
       if (!is_defined(near[i][j]) || near[i][j].inf() != near[i][j].sup())
-        return quadratic(scene_.spline.neighbourhood<Rational>(cube), tet);
-      exact[i][j] = Rational(near[i][j].inf());
+        return quadratic(scene_.spline.neighbourhood<Number>(cube), tet);
+      exact[i][j] = Number(near[i][j].inf());
     }
   return exact;
 }

@@ -17,6 +17,7 @@ struct Scene {
   std::vector<std::uint8_t> one_sided;  ///< a cube: it holds no zero
   LatticeFrame<kernel::Interval> near;
   LatticeFrame<kernel::Rational> exact;
+  LatticeFrame<LongBall> fine;
   std::array<std::uint8_t, 64> tetrahedra;  ///< by signs
 };
 
@@ -45,11 +46,12 @@ class Zeros {
            const Question& question);
   template <class Number>
   Along<Number> along(const Segment& segment, std::array<Number, 3> from, std::array<Number, 3> to);
-  /// Of integer samples intervals of coefficients are points: then these are the exact ones.
-  Quadratic<kernel::Rational> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
-                                           const kernel::Rational&);
   Quadratic<kernel::Interval> quadratic_on(const CubePosition& cube, const Tetrahedron& tet,
                                            const kernel::Interval&);
+  /// LongBall, Rational. Of integer samples intervals of coefficients are points: then these are
+  /// the exact ones.
+  template <class Number>
+  Quadratic<Number> quadratic_on(const CubePosition& cube, const Tetrahedron& tet, const Number&);
 
   const Scene& scene_;
   const LatticeRay& ray_;

@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of section 8.7 on one thread: coefficients and hull a cube, microseconds a ray, the share
-// of cubes a level may meet and of rays that rationals decide; on Marschner and Lobb's function or,
-// as stand-ins for figures 8.10 to 8.13, on volumes from files.
+// Processor times of section 8.7 on one thread: coefficients and hull a cube, microseconds a ray,
+// the share of cubes a level may meet and of rays that rationals decide; on Marschner and Lobb's
+// function or, as stand-ins for figures 8.10 to 8.13, on volumes from files.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "algorithms/splines/isosurface.hpp"
 #include "algorithms/splines/pinhole.hpp"
 #include "experiments/001-splines/test_functions.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 #include "io/read/volume_reader.hpp"
 
 namespace crest::experiments {
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Median seconds.
+/// Median processor seconds.
 template <class Work>
 double timed(int repeat, const Work& work) {
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
-    const double start = now();
+    const double start = processor_seconds();
     work();
-    seconds.push_back(now() - start);
+    seconds.push_back(processor_seconds() - start);
   }
   std::sort(seconds.begin(), seconds.end());
   return seconds[seconds.size() / 2];
@@ -80,7 +76,7 @@ void measure(const Arguments& a) {
   if (!a.mesh) return;
   splines::Isosurface surface;
   const double meshed =
-      timed(1, [&] { surface = splines::extract_isosurface(spline, a.isovalue, 30); });
+      timed(a.repeat, [&] { surface = splines::extract_isosurface(spline, a.isovalue, 30); });
   fmt::print("{:.2f} us a triangle, {} triangles, {} tetrahedra bisected, {} undecided\n",
              1e6 * meshed / static_cast<double>(surface.triangles.size()), surface.triangles.size(),
              surface.bisected.size(), surface.undecided.size());

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 9.4 and 9.5: isosurfaces of cubic splines of f_test, without and with noise. A cubic
-// spline is drawn as the quadratic one of its values on a grid.
+// Figures 9.4 and 9.5: isosurfaces of cubic splines of f_test, without and with noise, coloured by
+// the spline's error at the points drawn. A cubic spline is drawn as the quadratic one of its
+// values on a grid.
 #include <fmt/format.h>
-
-#include <filesystem>
 
 #include "algorithms/splines/cubic_evaluate.hpp"
 #include "algorithms/splines/cubic_fit.hpp"
-#include "algorithms/splines/pinhole.hpp"
-#include "algorithms/splines/rays.hpp"
+#include "experiments/001-splines/panels.hpp"
 #include "experiments/001-splines/test_functions.hpp"
 #include "experiments/program.hpp"
-#include "io/splines/ray_picture.hpp"
 
 namespace crest::experiments {
 namespace {
@@ -41,14 +38,25 @@ splines::QuadraticSpline on_grid(const splines::CubicModel& model, std::size_t n
   return splines::QuadraticSpline(std::move(grid));
 }
 
-void draw(const splines::QuadraticSpline& spline, double isovalue, const std::string& name,
-          const Choice& choice) {
-  const splines::Pinhole camera = splines::automatic_view(spline, choice.width);
+/// Red is an error of `red`.
+void draw(Panels& panels, const splines::CubicModel& model, const splines::QuadraticSpline& spline,
+          double isovalue, double red, const Choice& choice) {
+  const Pinhole camera = splines::automatic_view(spline, choice.width);
   const auto rays = camera.rays();
-  std::vector<splines::Hit> hits(rays.size());
+  std::vector<Hit> hits(rays.size());
   const auto counts = splines::RayCaster(spline, isovalue).cast(rays, hits);
-  io::write_ray_picture(choice.folder / name, camera, hits);
-  fmt::print("| {} | {} | {} |\n", name, isovalue, counts.hits);
+  double sum = 0, largest = 0;
+  const auto tints = error_tints(hits, red, [&](const Hit& hit) {
+    const double s = splines::evaluate(model, hit.place).value;
+    // Rounded, a point of the border may be outside.
+    const double e = std::isnan(s) ? 0 : std::fabs(s - f_test(hit.place));
+    sum += e;
+    largest = std::max(largest, e);
+    return e;
+  });
+  panels.add(camera, hits, tints, fmt::format("{}", isovalue));
+  fmt::print("| {} | {} | {:.2e} | {:.2e} | {} |\n", isovalue, counts.hits,
+             sum / static_cast<double>(counts.hits), largest, red);
 }
 
 int work(const Choice& choice) {
@@ -57,19 +65,22 @@ int work(const Choice& choice) {
       splines::Smoothness::c1, {{29, 29, 29}}, {{Vec3{0, 0, 0}, Vec3{1, 1, 1}}}};
   fmt::print("{} samples, 29^3 cubes, exactly C1; drawn from {}^3 values\n\n", kSamples,
              choice.nodes);
-  fmt::print("| picture | isovalue | rays that hit |\n|---|---|---|\n");
-  const auto exact = on_grid(splines::fit_cubic(s.points, s.values, options).model, choice.nodes);
-  char letter = 'a';
+  fmt::print(
+      "| isovalue | rays that hit | mean error there | max | red |\n|---|---|---|---|---|\n");
+  const auto model = splines::fit_cubic(s.points, s.values, options).model;
+  const auto exact = on_grid(model, choice.nodes);
+  Panels plain(6, choice.width), noise(3, choice.width);
   for (const double isovalue : {-0.1, 0.0, 0.1, 0.3, 0.5, 0.8})
-    draw(exact, isovalue, fmt::format("figure-9.4-{}.png", letter++), choice);
-  letter = 'a';
+    draw(plain, model, exact, isovalue, 2e-5, choice);
+  plain.write(choice.folder / "figure-9.4.png");
   for (const double percent : {0.5, 1.0, 2.5}) {
     Uniform uniform(2);
     std::vector<double> noisy = s.values;
     for (double& x : noisy) x += (2 * uniform() - 1) * percent / 100 * 1.52;
-    draw(on_grid(splines::fit_cubic(s.points, noisy, options).model, choice.nodes), 0.3,
-         fmt::format("figure-9.5-{}.png", letter++), choice);
+    const auto rough = splines::fit_cubic(s.points, noisy, options).model;
+    draw(noise, rough, on_grid(rough, choice.nodes), 0.3, 0.02, choice);
   }
+  noise.write(choice.folder / "figure-9.5.png");
   return 0;
 }
 

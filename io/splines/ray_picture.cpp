@@ -4,13 +4,18 @@
 #include <cmath>
 
 #include "io/picture/picture_file.hpp"
-#include "io/picture/rasteriser.hpp"
 
 namespace crest::io {
+namespace {
 
-void write_ray_picture(const std::string& path, const splines::Pinhole& camera,
-                       std::span<const splines::Hit> hits) {
-  Canvas canvas(camera.width, camera.height);
+std::uint8_t tinted(std::uint8_t channel, double factor) {
+  return static_cast<std::uint8_t>(channel * factor + 0.5);
+}
+
+}  // namespace
+
+void draw_rays(Canvas& canvas, int left, int top, const splines::Pinhole& camera,
+               std::span<const splines::Hit> hits, std::span<const kernel::Vec3> tints) {
   const auto axes = camera.axes();
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!hits[i].hit) continue;
@@ -20,10 +25,20 @@ void write_ray_picture(const std::string& path, const splines::Pinhole& camera,
     kernel::Vec3 n = {0, 0, 1};
     if (length > 0)
       n = {dot(g, axes.right) / length, dot(g, axes.up) / length, -dot(g, axes.forward) / length};
-    const auto x = static_cast<double>(i % static_cast<std::size_t>(camera.width));
-    const auto y = static_cast<double>(i / static_cast<std::size_t>(camera.width));
-    canvas.fill_box(x, y, x + 1, y + 1, shaded(n));
+    const double x = left + static_cast<double>(i % static_cast<std::size_t>(camera.width));
+    const double y = top + static_cast<double>(i / static_cast<std::size_t>(camera.width));
+    Rgb colour = shaded(n);
+    if (!tints.empty())
+      colour = {tinted(colour.red, tints[i][0]), tinted(colour.green, tints[i][1]),
+                tinted(colour.blue, tints[i][2])};
+    canvas.fill_box(x, y, x + 1, y + 1, colour);
   }
+}
+
+void write_ray_picture(const std::string& path, const splines::Pinhole& camera,
+                       std::span<const splines::Hit> hits) {
+  Canvas canvas(camera.width, camera.height);
+  draw_rays(canvas, 0, 0, camera, hits);
   write_canvas(path, canvas, camera.width, camera.height);
 }
 

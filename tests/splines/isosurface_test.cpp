@@ -251,6 +251,25 @@ TEST_CASE("random data: whatever the topology, the certificate is accepted") {
   }
 }
 
+TEST_CASE("samples times a power of two, up to the ends of doubles, have the same mesh") {
+  const auto scaled = [](double scale) {
+    auto grid = random_volume<double>({6, 5, 7}, 9, kSeed + 7);
+    for (double& x : std::get<std::vector<double>>(grid.samples)) x *= scale;
+    return grid;
+  };
+  const Isosurface one = certified(QuadraticSpline(scaled(1)), 0.3125);
+  CHECK(one.bisected.size() > 20);
+  for (const int power : {-1067, -1060, -1020, -900, -530, -140, -110, 120, 500, 1000, 1017}) {
+    INFO(power);
+    const double scale = std::ldexp(1.0, power);
+    const Isosurface other = certified(QuadraticSpline(scaled(scale)), 0.3125 * scale);
+    CHECK(other.bisected == one.bisected);
+    CHECK(other.trees == one.trees);
+    CHECK(other.triangles == one.triangles);
+    CHECK(other.points == one.points);
+  }
+}
+
 TEST_CASE("a long volume: pieces 2^20 cubes apart are two pieces") {
   const auto noise = random_volume<std::uint8_t>({4, 4, 6}, 255, kSeed + 30);
   const auto& layers = std::get<std::vector<std::uint8_t>>(noise.samples);

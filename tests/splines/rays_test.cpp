@@ -261,6 +261,32 @@ TEST_CASE("data and rays at the ends of the range of doubles") {
   certified(QuadraticSpline(grid), 0, rays);
 }
 
+TEST_CASE("samples times a power of two, up to the ends of doubles, have the same hits") {
+  const auto scaled = [](double scale) {
+    auto grid = random_volume<double>({8, 8, 8}, 9, kSeed + 8);
+    for (double& x : std::get<std::vector<double>>(grid.samples)) x *= scale;
+    return QuadraticSpline(grid);
+  };
+  std::vector<Ray> rays;
+  for (int i = 0; i < 49; ++i)
+    rays.push_back({{0.5 + i % 7, 0.75 + i / 7, -2}, {0.0625 * (i % 5), 0.125, 1}});
+  const auto one = certified(scaled(1), 0.3125, rays);
+  for (const int power : {-1067, -1020, -530, -140, -110, 120, 500, 1000}) {
+    INFO(power);
+    const double scale = std::ldexp(1.0, power);
+    const auto other = certified(scaled(scale), 0.3125 * scale, rays);
+    int hits = 0, different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits += one[i].hit;
+      different += other[i].hit != one[i].hit || other[i].cube != one[i].cube ||
+                   other[i].tetrahedron != one[i].tetrahedron || other[i].t_lo > one[i].t_hi ||
+                   other[i].t_hi < one[i].t_lo;
+    }
+    CHECK(hits > 20);
+    CHECK(different == 0);
+  }
+}
+
 TEST_CASE("a camera's rays: the same for any number of threads") {
   const QuadraticSpline spline(volume_of<float>(
       20, [](double x, double y, double z) { return x * x + std::sin(3 * y) + z * z * z; }));
