@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/certificate.hpp"
 
-#include <tbb/parallel_invoke.h>
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -83,12 +83,12 @@ CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
                                   const GraphOptions& options, PredicateReport* report) {
   CertifiedRidges result;
   certify::EncodedData data;
-  tbb::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
-                       [&] {
-                         data =
-                             certify::encode_data(mesh.faces(), mesh.points(),
-                                                  [&](std::size_t v) { return row_of(forms[v]); });
-                       });
+  kernel::parallel_invoke([&] { result.graph = extract_ridge_graph(mesh, forms, options, report); },
+                          [&] {
+                            data = certify::encode_data(
+                                mesh.faces(), mesh.points(),
+                                [&](std::size_t v) { return row_of(forms[v]); });
+                          });
   result.data_digest = data.digest;
   result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));
   return result;

@@ -7,6 +7,7 @@
 #include "algorithms/ridges/ridge_types.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/umbilics.hpp"
+#include "kernel/geometry/stop.hpp"
 #include "kernel/predicates/against_faces.hpp"
 #include "kernel/predicates/collinear.hpp"
 
@@ -91,8 +92,10 @@ RidgeGraph extract_ridge_graph(const kernel::TriangleMesh& mesh,
   }
   TypeCounts counts;
   const std::vector<PatchJoins> joins = all_joins(mesh, forms, states, patches);
-  for (const Chain& chain : chain_crossings(mesh, states, patches.owner))
+  for (const Chain& chain : chain_crossings(mesh, states, patches.owner)) {
+    kernel::stop_point();
     graph.ridges.push_back(realise(chain, mesh, forms, states, joins, graph.model_size, counts));
+  }
   graph.umbilics = std::move(patches.umbilics);
   if (report)
     *report = {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "algorithms/ridges/smoothing.hpp"
 #include "algorithms/ridges/standard_errors.hpp"
 #include "kernel/geometry/coordinate_range.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -148,14 +148,14 @@ FitResult fit_monge_forms(const kernel::TriangleMesh& mesh, const FitOptions& op
   tbb::enumerable_thread_specific<Workspace> workspaces(
       [&] { return Workspace(mesh, result.creases); });
   // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
-                    [&](const tbb::blocked_range<Index>& range) {
-                      Workspace& work = workspaces.local();
-                      for (Index v = range.begin(); v < range.end(); v += kLanes) {
-                        const std::size_t count = std::min<std::size_t>(kLanes, range.end() - v);
-                        fit_vertices(mesh, normals, v, count, options, work, rows);
-                      }
-                    });
+  kernel::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), 1024),
+                       [&](const tbb::blocked_range<Index>& range) {
+                         Workspace& work = workspaces.local();
+                         for (Index v = range.begin(); v < range.end(); v += kLanes) {
+                           const std::size_t count = std::min<std::size_t>(kLanes, range.end() - v);
+                           fit_vertices(mesh, normals, v, count, options, work, rows);
+                         }
+                       });
   if (options.errors) scale_errors(mesh, residuals, result.quality, result.errors);
   smooth_extremalities(mesh, result.forms, options.smooth);
   return result;
