@@ -178,7 +178,7 @@ def test_cmake_install(tmp_path):
 def test_wheel(tmp_path):
     """By pip, without a network."""
     pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
-    options = ["--no-deps", "--no-index"]
+    options = ["--no-index"]
     subprocess.run([*pip, "wheel", ROOT, *options, "-w", tmp_path], check=True, capture_output=True)
     (wheel,) = tmp_path.glob("crest-*.whl")
     subprocess.run([*pip, "install", wheel, *options, "--target", tmp_path / "site"], check=True,
