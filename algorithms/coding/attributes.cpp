@@ -12,6 +12,7 @@
 #include "algorithms/coding/real_form.hpp"
 #include "algorithms/coding/triple_model.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::coding {
 namespace {
@@ -174,6 +175,7 @@ class GroupRoutine {
       model.code_hints();
       std::vector<bool> known(items_.count(), false);
       for (const Index item : items_.sequence()) {
+        kernel::stop_point();
         model.code(item, items_.around(item, known));
         known[item] = true;
       }

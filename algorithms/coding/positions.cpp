@@ -10,6 +10,7 @@
 #include "algorithms/coding/triple_model.hpp"
 #include "algorithms/coding/visit_order.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::coding {
 namespace {
@@ -23,6 +24,7 @@ void code_vertices(const Surface& surface, Model& model) {
   model.code_hints();
   VisitOrder order(surface);
   for (Index v = order.take(); v != kNone; v = order.take()) {
+    kernel::stop_point();
     model.code(
         v, surroundings(
                surface, [&](auto&& each) { surface.around(v, each); },

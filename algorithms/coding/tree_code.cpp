@@ -8,6 +8,7 @@
 #include "algorithms/coding/numbers.hpp"
 #include "algorithms/coding/reverse_mesh.hpp"
 #include "algorithms/coding/stream_error.hpp"
+#include "kernel/geometry/stop.hpp"
 #include "kernel/geometry/strip_tree.hpp"
 
 namespace crest::coding {
@@ -108,6 +109,7 @@ class TreeRoutine {
     if (splits < 0) throw StreamError("has more open components than boundary loops");
     splits_left_ = splits;
     for (std::int64_t i = 0; i < nodes; ++i) {
+      kernel::stop_point();
       original_.next_node();
       code_.node(
           original_, [&](NodeType type) { add(type); },

@@ -6,6 +6,7 @@
 
 #include "algorithms/coding/stream_error.hpp"
 #include "algorithms/coding/valence_model.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::coding {
 namespace {
@@ -128,7 +129,10 @@ class ValenceRoutine {
   void run() {
     for (Index c = 0; c < counts_.components; ++c) {
       start();
-      for (Index f = loops_.take(); f != kNone; f = loops_.take()) step(f);
+      for (Index f = loops_.take(); f != kNone; f = loops_.take()) {
+        kernel::stop_point();
+        step(f);
+      }
     }
     if (vertices_ != counts_.vertices || loops_left_ > 0)
       throw StreamError("has fewer vertices or boundary loops than the header says");

@@ -3,11 +3,11 @@
 
 // The methods behind estimate(): each fills one entry a vertex. Requires checked input.
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <vector>
 
 #include "algorithms/curvature/curvature.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::curvature {
 
@@ -38,7 +38,7 @@ void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::si
 /// body(i) for i in [0, n) in parallel; each i writes only what is its own.
 template <class Body>
 void for_each_index(Index n, Body&& body) {
-  tbb::parallel_for(tbb::blocked_range<Index>(0, n, 512), [&](const auto& range) {
+  kernel::parallel_for(tbb::blocked_range<Index>(0, n, 512), [&](const auto& range) {
     for (Index i = range.begin(); i != range.end(); ++i) body(i);
   });
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/cells.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "algorithms/extremal/cell_nets.hpp"
 #include "algorithms/extremal/cell_proofs.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -27,7 +26,7 @@ Cells::Cells(const Fields& fields, const Nodes& nodes) : fields_(fields) {
   const int layers = std::max(1, g.size[2] - 1);
   std::vector<std::vector<CellProof>> slices(static_cast<std::size_t>(layers));
   const auto corners = corner_offsets(g);
-  tbb::parallel_for(0, layers, [&](int k) {
+  kernel::parallel_for(0, layers, [&](int k) {
     auto& proofs = slices[static_cast<std::size_t>(k)];
     CellNets nets;
     for (int j = 0; j + 1 < g.size[1]; ++j) {

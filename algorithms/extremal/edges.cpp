@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/edges.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -92,7 +92,7 @@ Edges::Edges(const Fields& fields, const Nodes& nodes, const Cells& cells,
   const Grid& g = fields.grid();
   states_.assign(3 * g.nodes(), EdgeState::untested);
   std::vector<Slice> slices(static_cast<std::size_t>(g.size[2]));
-  tbb::parallel_for(0, g.size[2], [&](int k) {
+  kernel::parallel_for(0, g.size[2], [&](int k) {
     for (int j = 0; j < g.size[1]; ++j)
       for (int i = 0; i < g.size[0]; ++i) {
         const Node v = {i, j, k};

@@ -2,12 +2,12 @@
 #include "algorithms/extremal/extraction.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/extremal/assembly.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -59,18 +59,19 @@ std::vector<AtPlace> values_at(const Fields& fields, const kernel::GridPiece& pi
                                std::span<const Vec3> places) {
   std::vector<AtPlace> r(places.size());
   const bool plane = fields.grid().dimension() == 2;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Node cell = owner_of(piece.size, places[i]);
-      Node here;
-      Vec3 t;
-      for (std::size_t k = 0; k < 3; ++k) {
-        here[k] = cell[k] - static_cast<int>(piece.all.low[k]);
-        t[k] = places[i][k] - cell[k];
-      }
-      r[i] = at_place(fields.at(here, t), plane);
-    }
-  });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256),
+                       [&](const auto& range) {
+                         for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                           const Node cell = owner_of(piece.size, places[i]);
+                           Node here;
+                           Vec3 t;
+                           for (std::size_t k = 0; k < 3; ++k) {
+                             here[k] = cell[k] - static_cast<int>(piece.all.low[k]);
+                             t[k] = places[i][k] - cell[k];
+                           }
+                           r[i] = at_place(fields.at(here, t), plane);
+                         }
+                       });
   return r;
 }
 

@@ -2,13 +2,13 @@
 #include "algorithms/extremal/fields.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -138,7 +138,7 @@ std::vector<float> halved(const std::vector<float>& c, const Grid& coarse, const
   std::vector<float> r(fine.nodes());
   const auto nx = static_cast<std::size_t>(coarse.size[0]);
   const auto ny = static_cast<std::size_t>(coarse.size[1]);
-  tbb::parallel_for(0, fine.size[2], [&](int k) {
+  kernel::parallel_for(0, fine.size[2], [&](int k) {
     std::vector<double> slice(nx * ny), line(nx);
     halve(
         k, coarse.size[2], nx * ny,
@@ -278,7 +278,7 @@ void Fields::smooth(const std::function<void(int, double*)>& slice, const Weight
   result.resize(grid_.nodes());
   // Parts are long beside the radius: what two of them make twice is little.
   const int part = std::max(16, 4 * radius);
-  tbb::parallel_for(0, (nz + part - 1) / part, [&](int p) {
+  kernel::parallel_for(0, (nz + part - 1) / part, [&](int p) {
     std::vector<double> room, out(area);
     std::vector<std::vector<double>> ring(static_cast<std::size_t>(2 * radius) + 1);
     std::vector<int> held(ring.size(), -1);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/extremal/nodes.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/direction_sign.hpp"
 
 namespace crest::extremal {
@@ -46,7 +45,7 @@ void Nodes::scan_cells(const std::optional<double>& min_value) {
   const Grid& g = fields_.grid();
   cells_.assign(g.nodes(), 0);
   const int layers = std::max(1, g.size[2] - 1), part = 16;
-  tbb::parallel_for(0, (layers + part - 1) / part, [&](int p) {
+  kernel::parallel_for(0, (layers + part - 1) / part, [&](int p) {
     std::array<Window, 4> ring;
     std::array<int, 4> held = {-1, -1, -1, -1};
     Window room;
@@ -132,7 +131,7 @@ Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value,
   std::vector<Slice> slices(static_cast<std::size_t>(g.size[2]));
   const auto low = [&](std::size_t k) { return static_cast<int>(asked.low[k]); };
   const auto high = [&](std::size_t k) { return static_cast<int>(asked.high[k]); };
-  tbb::parallel_for(low(2), high(2), [&](int k) {
+  kernel::parallel_for(low(2), high(2), [&](int k) {
     Slice& slice = slices[static_cast<std::size_t>(k)];
     for (int j = low(1); j < high(1); ++j)
       for (int i = low(0); i < high(0); ++i) {

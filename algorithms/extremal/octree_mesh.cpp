@@ -2,12 +2,12 @@
 #include "algorithms/extremal/octree_mesh.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 
 #include "kernel/geometry/disjoint_sets.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -215,7 +215,7 @@ void place_vertices(const PointTree& tree, SheetMesh& mesh) {
       ++count[p.corners[i]];
     }
   const double unit = tree.grid().spacing[0];
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count.size(), 64), [&](const auto& r) {
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, count.size(), 64), [&](const auto& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       SheetVertex& v = mesh.vertices[i];
       const OctreeLeaf& leaf = tree.tree().leaves()[v.cell];

@@ -2,7 +2,6 @@
 
 // From the decisions on a piece, in its own numbers, to its records.
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "algorithms/extremal/dual.hpp"
 #include "algorithms/extremal/extraction.hpp"
 #include "algorithms/extremal/placing.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -146,7 +146,7 @@ class Recorder : OnPiece {
       std::vector<Index> own;
       for (const CriticalEdge& c : e_.edges().critical_edges())
         if (owned_edge(c.edge)) own.push_back(c.edge);
-      tbb::parallel_for(std::size_t{0}, own.size(), [&](std::size_t i) {
+      kernel::parallel_for(std::size_t{0}, own.size(), [&](std::size_t i) {
         Vec3 t{};
         t[own[i] % 3] = r_.critical[i].place / kPlaces;
         r_.critical[i].level = level_at(e_.fields(), levels, grid_.node(own[i] / 3), t);
@@ -221,7 +221,7 @@ class SheetRecorder : OnPiece {
     std::vector<SheetRecord> r;
     for (const Node& c : cells) add_sheets(c, critical, r);
     const Levels levels{e_.options().min_value, e_.options().min_strength};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 256), [&](const auto& range) {
+    kernel::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 256), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) place(r[i], levels);
     });
     return r;

@@ -2,12 +2,13 @@
 #include "algorithms/extremal/point_nodes.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -58,7 +59,7 @@ PointTree::PointTree(const PointField& field, int depth)
   boxes_.resize(leaves.size());
   const auto before = [](const AskedLeaf& a, const AskedLeaf& b) { return a.low < b.low; };
   tbb::parallel_sort(asked_.begin(), asked_.end(), before);
-  tbb::parallel_for(Range(0, leaves.size(), 64), [&](const Range& r) {
+  kernel::parallel_for(Range(0, leaves.size(), 64), [&](const Range& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       boxes_[i].nonzero = leaves[i].content == Content::empty;
       if (leaves[i].content != Content::open) continue;
@@ -71,7 +72,7 @@ PointTree::PointTree(const PointField& field, int depth)
   asked_ = {};
   decide_nodes();
   collect_edges();
-  tbb::parallel_for(Range(0, edges_.size(), 64), [&](const Range& r) {
+  kernel::parallel_for(Range(0, edges_.size(), 64), [&](const Range& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) decide_edge(edges_[i]);
   });
 }
@@ -95,7 +96,7 @@ std::vector<Content> PointTree::find(const std::vector<OctreeLeaf>& boxes) {
   std::vector<Content> found(boxes.size());
   std::vector<PointField::Box> proven(boxes.size());
   const std::size_t family = std::min<std::size_t>(8, boxes.size());
-  tbb::parallel_for(Range(0, boxes.size() / family, 4), [&](const Range& r) {
+  kernel::parallel_for(Range(0, boxes.size() / family, 4), [&](const Range& r) {
     for (std::size_t f = family * r.begin(); f < family * r.end(); f += family) {
       OctreeLeaf parent = boxes[f];
       if (family == 8) parent.size *= 2;
@@ -176,7 +177,7 @@ void PointTree::decide_nodes() {
     }
   }
   nodes_.resize(places_.size());
-  tbb::parallel_for(Range(0, places_.size(), 64), [&](const Range& r) {
+  kernel::parallel_for(Range(0, places_.size(), 64), [&](const Range& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       if (wanted[i] == 0) continue;
       const PointField::Sums s = sums(as_vector(unpacked(places_[i])));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "algorithms/extremal/components.hpp"
 #include "algorithms/extremal/octree_mesh.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -43,7 +43,7 @@ double default_radius(const std::vector<Vec3>& points) {
   const std::size_t step = std::max<std::size_t>(1, points.size() / 1000);
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < points.size(); i += step) chosen.push_back(i);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chosen.size()), [&](const auto& r) {
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, chosen.size()), [&](const auto& r) {
     std::vector<double> d(points.size());
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
       for (std::size_t k = 0; k < d.size(); ++k)
@@ -69,11 +69,11 @@ LevelValues rim_values(const PointField& field, const PointTree& tree, const She
   r.corners.resize(mesh.vertices.size());
   r.centres.resize(mesh.polygons.size());
   using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, r.corners.size(), 64), [&](const Range& range) {
+  kernel::parallel_for(Range(0, r.corners.size(), 64), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       r.corners[i] = value(mesh.vertices[i].at);
   });
-  tbb::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
+  kernel::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       // Between its corners' values: beside a larger leaf the zero may be outside of its polygon,
       // and no rim runs round it alone.
@@ -139,7 +139,7 @@ Result extract(const OrientedPoints& given, const PointOptions& options,
       tree.grid(), mesh,
       [&](std::span<const Vec3> places) {
         std::vector<AtPlace> values(places.size());
-        tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+        kernel::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
           values[i] = at_place(tree.sums(places[i]).local, false);
         });
         return values;

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "kernel/geometry/stop.hpp"
+
 namespace crest::feature_lines {
 namespace {
 
@@ -120,6 +122,7 @@ class Marcher {
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (marks[v]) relax(v, 0);
     while (!queue_.empty()) {
+      kernel::stop_point();
       const auto [d, v] = queue_.top();
       queue_.pop();
       if (d > limit) break;

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "kernel/geometry/stop.hpp"
+
 namespace crest::feature_lines {
 namespace {
 
@@ -99,6 +101,7 @@ void Thinner::skeletonize() {
     // before it first, and all is as if the whole front were sorted.
     for (const Index seed : front) {
       if (waiting[seed] != pass_) continue;
+      kernel::stop_point();
       stack.assign(1, seed);
       while (!stack.empty()) {
         const Index v = stack.back();
@@ -127,6 +130,7 @@ void Thinner::pre_prune() {
     if (marks_[v] && degree(v) >= 2) queue.push(v, degree(v));
   Index v = 0, pushed = 0;
   while (queue.pop(v, pushed)) {
+    kernel::stop_point();
     const Index now = marks_[v] ? degree(v) : 0;
     if (now < 2) continue;
     if (now != pushed) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/line_art/buffers.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -220,7 +220,7 @@ Buffers fill_buffers(const Model& model, const View& view, const Barriers& barri
   const CornerNormals normals(model.mesh, crease);
   // Pixels of a strip are one thread's: faces meet them in their own order.
   const auto strips = by_strip(model.mesh, view, b);
-  tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
+  kernel::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
     const int first = static_cast<int>(k) * kRows;
     Painter painter(model, view, light, first, std::min(b.height, first + kRows), b);
     for (const Index f : strips[k]) painter.paint(f, normals.of(f));

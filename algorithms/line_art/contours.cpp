@@ -3,11 +3,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <numbers>
 
 #include "algorithms/line_art/contour_scan.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -22,7 +22,7 @@ FaceSides face_sides(const Scene& scene, const kernel::Sight& sight, kernel::Sig
   const auto faces = static_cast<Index>(scene.faces.size());
   FaceSides sides{std::vector<std::int8_t>(faces), std::vector<std::uint8_t>(faces)};
   tbb::enumerable_thread_specific<kernel::SightCounts> parts;
-  tbb::parallel_for(Range(0, faces, 2048), [&](const Range& range) {
+  kernel::parallel_for(Range(0, faces, 2048), [&](const Range& range) {
     kernel::SightCounts& part = parts.local();
     for (Index f = range.begin(); f != range.end(); ++f) {
       const auto [p, q, r] = scene.faces[f];
@@ -136,13 +136,13 @@ Contours find_contours(const Scene& scene, const View& view, const ContourOption
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::vector<Index> far(scene.points.size(), 0), at_a(edges), at_b(edges);
   tbb::enumerable_thread_specific<EdgeScan> scans([&] { return EdgeScan(shared); });
-  tbb::parallel_for(Range(0, static_cast<Index>(ends.size()), kPart), [&](const Range& range) {
+  kernel::parallel_for(Range(0, static_cast<Index>(ends.size()), kPart), [&](const Range& range) {
     EdgeScan& scan = scans.local();
     for (Index i = range.begin(); i != range.end(); ++i) far[ends[i]] = scan.faces_before(ends[i]);
   });
 
   std::vector<Part> parts((edges + kPart - 1) / kPart);
-  tbb::parallel_for(Range(0, static_cast<Index>(parts.size())), [&](const Range& range) {
+  kernel::parallel_for(Range(0, static_cast<Index>(parts.size())), [&](const Range& range) {
     EdgeScan& scan = scans.local();
     for (Index p = range.begin(); p != range.end(); ++p)
       for (Index i = p * kPart; i < std::min(edges, (p + 1) * kPart); ++i) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/line_art/coverage.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -216,7 +216,7 @@ std::vector<float> coverage(const Buffers& b, const std::vector<Hatch>& hatches)
   std::vector<float> covered(b.size(), 0);
   const auto strips = by_strip(b, hatches);
   // Pixels of a strip are one thread's: strokes meet them in their own order.
-  tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
+  kernel::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
     const int first = static_cast<int>(k) * kRows;
     Strip strip(b, first, std::min(b.height, first + kRows));
     for (const Index h : strips[k]) {

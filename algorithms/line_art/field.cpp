@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "kernel/geometry/stop.hpp"
 #include "kernel/predicates/rotation.hpp"
 
 namespace crest::line_art {
@@ -44,7 +45,11 @@ class Smoother {
     add_smoothness();
     Eigen::SparseMatrix<Complex> matrix(vertices, vertices);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>> solver(matrix);
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>> solver;
+    solver.analyzePattern(matrix);
+    kernel::stop_point();
+    solver.factorize(matrix);
+    kernel::stop_point();
     if (solver.info() != Eigen::Success) throw std::runtime_error("direction field: not definite");
     const Eigen::VectorXcd u = solver.solve(right_);
     std::vector<Vec3> directions;

@@ -8,6 +8,7 @@
 
 #include "algorithms/line_art/free_room.hpp"
 #include "algorithms/line_art/tone.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -190,6 +191,7 @@ class Boner {
     for (const Segment& segment : given) add_ribs(segment.backbone, segment.key_ribs);
     if (!given.empty()) return std::move(result_);
     while (const auto seed = room_.farthest(0.6 * s_)) {
+      kernel::stop_point();
       add_segment(*seed);
       room_.take(*seed, 0.6 * s_);
     }

@@ -2,10 +2,11 @@
 #include "algorithms/line_art/sheets.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::line_art {
 namespace {
@@ -211,7 +212,7 @@ std::optional<std::pair<Index, Index>> meeting_faces(const Scene& scene) {
   const auto faces = static_cast<Index>(scene.faces.size());
   constexpr Index kPart = 1024;
   std::vector<std::optional<std::pair<Index, Index>>> parts((faces + kPart - 1) / kPart);
-  tbb::parallel_for(Index{0}, static_cast<Index>(parts.size()), [&](Index part) {
+  kernel::parallel_for(Index{0}, static_cast<Index>(parts.size()), [&](Index part) {
     std::vector<Index> found;
     for (Index f = part * kPart; f < std::min(faces, (part + 1) * kPart) && !parts[part]; ++f) {
       if (meeting.flat(f)) {

@@ -6,6 +6,8 @@
 #include <deque>
 #include <numbers>
 
+#include "kernel/geometry/stop.hpp"
+
 namespace crest::line_art {
 namespace {
 
@@ -41,8 +43,10 @@ class EvenLines {
 
   void run() {
     for (const std::size_t k : by_curvature()) {
+      kernel::stop_point();
       try_seed(tracer_.buffers().centre(k));
       while (!seeds_.empty()) {
+        kernel::stop_point();
         const Vec2 seed = seeds_.front();
         seeds_.pop_front();
         try_seed(seed);

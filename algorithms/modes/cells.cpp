@@ -2,12 +2,12 @@
 #include "algorithms/modes/cells.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "algorithms/modes/test_all.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -157,11 +157,11 @@ void Cells::settle_all(std::vector<Index>& next) {
     for (const Index f : cells_[graphs_[i]].faces) faces_.is_closed(f);
   // Where loops tell, which is nearly everywhere, the trees are only read.
   std::vector<char> simple(graphs_.size() - settled_);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(settled_, graphs_.size(), 256),
-                    [&](const auto& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        simple[i - settled_] = settle(cells_[graphs_[i]], true) ? 1 : 0;
-                    });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(settled_, graphs_.size(), 256),
+                       [&](const auto& range) {
+                         for (std::size_t i = range.begin(); i < range.end(); ++i)
+                           simple[i - settled_] = settle(cells_[graphs_[i]], true) ? 1 : 0;
+                       });
   for (std::size_t i = settled_; i < graphs_.size(); ++i)
     if (simple[i - settled_] == 0 && !settle(cells_[graphs_[i]], false)) refine(graphs_[i], next);
   settled_ = graphs_.size();

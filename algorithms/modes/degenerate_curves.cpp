@@ -2,7 +2,6 @@
 #include "algorithms/modes/degenerate_curves.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_exact.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 
@@ -23,7 +23,7 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 template <class F>
 void in_parallel(std::size_t n, const F& f) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
   });
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/extraction.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/modes/surface_counts.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -270,8 +269,8 @@ ModeResult Extraction::result() {
   std::vector<std::size_t> rims;  // before: a root may be isolated for them
   for (const Side side : sides) rims.push_back(cone_rims(side));
   r.surfaces.resize(sides.size());
-  tbb::parallel_for(std::size_t{0}, sides.size(),
-                    [&](std::size_t i) { r.surfaces[i] = surface(sides[i], rims[i]); });
+  kernel::parallel_for(std::size_t{0}, sides.size(),
+                       [&](std::size_t i) { r.surfaces[i] = surface(sides[i], rims[i]); });
   for (std::size_t i = 0; i < sides.size(); ++i) r.surfaces[i].perturbed = perturbed(sides[i]);
   r.counts = counts_;
   r.undecided = open_;

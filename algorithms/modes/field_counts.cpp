@@ -2,7 +2,6 @@
 #include "algorithms/modes/field_counts.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +9,7 @@
 
 #include "algorithms/modes/tensors.hpp"
 #include "kernel/arithmetic/rational.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -68,20 +68,20 @@ FieldCounts count_field(const ModeField& field) {
   counts.zero_vertices = static_cast<std::size_t>(
       std::count_if(field.tensors.begin(), field.tensors.end(), is_isotropic));
   std::atomic<std::size_t> constant = 0, dependent = 0;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, field.mesh.tets().size(), 2048),
-                    [&](const auto& range) {
-                      std::size_t equal = 0, singular = 0;
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        const auto& v = field.mesh.tets()[i];
-                        const Four t = {field.tensors[v[0]], field.tensors[v[1]],
-                                        field.tensors[v[2]], field.tensors[v[3]]};
-                        const bool same = t[0] == t[1] && t[0] == t[2] && t[0] == t[3];
-                        equal += same ? 1 : 0;
-                        singular += same || (!surely_independent(t) && are_dependent(t)) ? 1 : 0;
-                      }
-                      constant += equal;
-                      dependent += singular;
-                    });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, field.mesh.tets().size(), 2048),
+                       [&](const auto& range) {
+                         std::size_t equal = 0, singular = 0;
+                         for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                           const auto& v = field.mesh.tets()[i];
+                           const Four t = {field.tensors[v[0]], field.tensors[v[1]],
+                                           field.tensors[v[2]], field.tensors[v[3]]};
+                           const bool same = t[0] == t[1] && t[0] == t[2] && t[0] == t[3];
+                           equal += same ? 1 : 0;
+                           singular += same || (!surely_independent(t) && are_dependent(t)) ? 1 : 0;
+                         }
+                         constant += equal;
+                         dependent += singular;
+                       });
   counts.constant_tets = constant;
   counts.rank_deficient_tets = dependent;
   return counts;

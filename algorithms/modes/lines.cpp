@@ -2,13 +2,13 @@
 #include "algorithms/modes/lines.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/modes/forms.hpp"
 #include "algorithms/modes/mode_function.hpp"
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/polynomial/descartes.hpp"
 #include "kernel/polynomial/real_roots.hpp"
 
@@ -112,9 +112,11 @@ void Lines::isolate(std::span<const Index> lines) {
   if (lines.size() == 1)
     found[0] = isolated(lines[0]);
   else
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 64), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) found[i] = isolated(lines[i]);
-    });
+    kernel::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 64),
+                         [&](const auto& range) {
+                           for (std::size_t i = range.begin(); i < range.end(); ++i)
+                             found[i] = isolated(lines[i]);
+                         });
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Line& line = lines_[lines[i]];
     line.known = true;

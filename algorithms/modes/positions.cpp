@@ -2,7 +2,6 @@
 #include "algorithms/modes/positions.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +10,7 @@
 #include <optional>
 
 #include "kernel/geometry/disjoint_sets.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -344,7 +344,7 @@ void count_placed(Extraction& extraction, const RecordedPositions& positions,
   std::atomic<std::uint32_t> placed{0}, not_placed{0};
   const auto run = [&](std::size_t size, const auto& sum_of) {
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, size, 256), [&](const Range& range) {
+    kernel::parallel_for(Range(0, size, 256), [&](const Range& range) {
       Counter counter(extraction, positions, record);
       for (std::size_t i = range.begin(); i < range.end(); ++i)
         for (const Side side : sides) {

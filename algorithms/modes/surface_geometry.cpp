@@ -2,11 +2,11 @@
 #include "algorithms/modes/surface_geometry.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 
 #include "algorithms/modes/mode_geometry.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -45,12 +45,12 @@ void add_geometry(const ModeField& field, ModeSurface& surface) {
     for (const kernel::Index v : surface.triangles[t])
       if (tet[v] == none) tet[v] = surface.tets[t];
   surface.geometry.resize(surface.points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.points.size(), 512),
-                    [&](const auto& range) {
-                      for (std::size_t v = range.begin(); v < range.end(); ++v)
-                        if (tet[v] != none)
-                          surface.geometry[v] = geometry_at(field, tet[v], surface.points[v]);
-                    });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, surface.points.size(), 512),
+                       [&](const auto& range) {
+                         for (std::size_t v = range.begin(); v < range.end(); ++v)
+                           if (tet[v] != none)
+                             surface.geometry[v] = geometry_at(field, tet[v], surface.points[v]);
+                       });
 }
 
 }  // namespace crest::modes

@@ -3,12 +3,12 @@
 
 // Tests of many simplices of the trees, by all threads.
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <vector>
 
 #include "algorithms/modes/cell_test.hpp"
 #include "algorithms/modes/vertices.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 
@@ -27,7 +27,7 @@ void for_all_groups(Vertices& vertices, std::span<const std::array<Index, D + 1>
     test(first, std::span<const Corners<D>>(cells.data(), count),
          [&](std::size_t i) { return vertices.exact(corners[first + i]); });
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups, 4), [&](const auto& range) {
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, groups, 4), [&](const auto& range) {
     for (std::size_t g = range.begin(); g < range.end(); ++g) one(g);
   });
 }

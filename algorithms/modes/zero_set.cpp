@@ -2,7 +2,6 @@
 #include "algorithms/modes/zero_set.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "algorithms/modes/tensors.hpp"
 #include "kernel/arithmetic/rational.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -92,11 +92,11 @@ class Inserter {
   /// Tetrahedra that may hold a zero.
   void find_suspects() {
     std::vector<char> suspect(tets_.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets_.size(), 4096),
-                      [&](const auto& range) {
-                        for (std::size_t t = range.begin(); t < range.end(); ++t)
-                          suspect[t] = in_half_space(tets_[t]) ? 0 : 1;
-                      });
+    kernel::parallel_for(tbb::blocked_range<std::size_t>(0, tets_.size(), 4096),
+                         [&](const auto& range) {
+                           for (std::size_t t = range.begin(); t < range.end(); ++t)
+                             suspect[t] = in_half_space(tets_[t]) ? 0 : 1;
+                         });
     suspects_.clear();
     for (std::size_t t = 0; t < tets_.size(); ++t)
       if (suspect[t] != 0) suspects_.push_back(t);

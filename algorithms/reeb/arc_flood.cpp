@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/geometry/stop.hpp"
+
 namespace crest::reeb {
 
 ArcFlood::ArcFlood(const OrderedComplex& complex, VertexStars& stars, const SweptGraph& swept)
@@ -50,6 +52,7 @@ void ArcFlood::start_at_nodes() {
   const StrandLists& strands = swept_.strands;
   Link link;
   for (Index stop = 0; stop + 1 < strands.stops.size(); ++stop) {
+    kernel::stop_point();
     const Index v = strands.stops[stop].vertex;
     stars_.link(v, link);
     rotate_to_lower_run(link, complex_.rank, v);
@@ -67,6 +70,7 @@ void ArcFlood::start_at_nodes() {
 
 void ArcFlood::flood() {
   while (!queue_.empty()) {
+    kernel::stop_point();
     const Index v = queue_.back(), arc = arc_of_[v];
     const auto [low, high] = span_[arc];
     queue_.pop_back();

@@ -7,6 +7,7 @@
 #include "algorithms/reeb/contour_sweep.hpp"
 #include "algorithms/reeb/swept_graph.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::reeb {
 namespace {
@@ -70,6 +71,7 @@ SweptGraph sweep(const OrderedComplex& complex, VertexStars& stars,
   ReebGraph& graph = out.graph;
   const std::vector<Index> stops = stops_in_order(complex, out.strands);
   for (std::size_t i = 0; i < stops.size(); ++i) {
+    kernel::stop_point();
     contours.announce(stops, i);
     const Stop& s = out.strands.stops[stops[i]];
     if (s.critical) {

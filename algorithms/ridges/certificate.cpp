@@ -2,9 +2,9 @@
 #include "algorithms/ridges/certificate.hpp"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_invoke.h>
 
 #include "algorithms/ridges/pieces.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -96,7 +96,7 @@ CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
   };
   // One thread gains nothing from both at a time, and what they need is then not needed at once.
   if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1) {
-    tbb::parallel_invoke(extract, encode);
+    kernel::parallel_invoke(extract, encode);
   } else {
     extract();
     encode();

@@ -3,8 +3,8 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/acute_rule.hpp"
 #include "kernel/predicates/extremality_sign.hpp"
 
@@ -47,22 +47,23 @@ EdgeStates edge_states(const kernel::MeshPiece& piece, const std::vector<MongeFo
   s.acute.resize(mesh.edge_count());
   s.crossed.resize(mesh.edge_count());
   tbb::enumerable_thread_specific<StageCounts> counts;
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), 8192), [&](const auto& range) {
-    StageCounts local;
-    for (Index e = range.begin(); e != range.end(); ++e) {
-      const Index p = mesh.edges()[e].v0, q = mesh.edges()[e].v1;
-      if (!piece.is_inner(p) || !piece.is_inner(q)) continue;
-      const kernel::Decision d = guarded ? kernel::acute_rule(forms[p].d1, forms[q].d1)
-                                         : plain_acute_rule(forms[p].d1, forms[q].d1);
-      if (piece.owns(p)) local.add(d.stage);
-      s.acute[e] = as_int(d.sign);
-      unsigned bits = 0;
-      for (unsigned c = 0; c < 2; ++c)
-        if (s.acute[e] * s.extremality[c][p] * s.extremality[c][q] < 0) bits |= 1u << c;
-      s.crossed[e] = static_cast<std::uint8_t>(bits);
-    }
-    counts.local() += local;
-  });
+  kernel::parallel_for(
+      tbb::blocked_range<Index>(0, mesh.edge_count(), 8192), [&](const auto& range) {
+        StageCounts local;
+        for (Index e = range.begin(); e != range.end(); ++e) {
+          const Index p = mesh.edges()[e].v0, q = mesh.edges()[e].v1;
+          if (!piece.is_inner(p) || !piece.is_inner(q)) continue;
+          const kernel::Decision d = guarded ? kernel::acute_rule(forms[p].d1, forms[q].d1)
+                                             : plain_acute_rule(forms[p].d1, forms[q].d1);
+          if (piece.owns(p)) local.add(d.stage);
+          s.acute[e] = as_int(d.sign);
+          unsigned bits = 0;
+          for (unsigned c = 0; c < 2; ++c)
+            if (s.acute[e] * s.extremality[c][p] * s.extremality[c][q] < 0) bits |= 1u << c;
+          s.crossed[e] = static_cast<std::uint8_t>(bits);
+        }
+        counts.local() += local;
+      });
   for (const StageCounts& c : counts) s.acute_counts += c;
   s.ambiguous_edges = static_cast<Index>(s.acute_counts.symbolic);
   return s;

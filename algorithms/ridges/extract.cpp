@@ -8,6 +8,7 @@
 #include "algorithms/ridges/ridge_types.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/umbilics.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -74,8 +75,10 @@ RidgeGraph graph_of(const kernel::TriangleMesh& mesh, const std::vector<MongeFor
   }
   TypeCounts counts;
   const std::vector<PatchJoins> joins = all_joins(mesh, forms, states, patches);
-  for (const Chain& chain : chain_crossings(mesh, states, patches.owner))
+  for (const Chain& chain : chain_crossings(mesh, states, patches.owner)) {
+    kernel::stop_point();
     graph.ridges.push_back(realise(chain, mesh, forms, states, joins, graph.model_size, counts));
+  }
   graph.umbilics = std::move(patches.umbilics);
   if (report)
     *report = {

@@ -3,12 +3,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/rotation.hpp"
 
 namespace crest::ridges {
@@ -62,24 +62,25 @@ Angles all_angles(const kernel::MeshPiece& piece, const std::vector<MongeForm>& 
   angles.at.resize(mesh.edge_count());
   angles.corner.resize(mesh.face_count());
   tbb::enumerable_thread_specific<StageCounts> counts;
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.vertex_count(), kGrain), [&](const auto& r) {
-    std::vector<Vec3> ring;
-    std::vector<double> position, corner;
-    StageCounts local;
-    for (Index v = r.begin(); v != r.end(); ++v) {
-      if (!piece.is_inner(v)) continue;
-      ring_points(mesh, v, ring);
-      position.resize(ring.size());
-      corner.resize(ring.size());
-      const kernel::StarAngles s =
-          kernel::star_angles(star_of(mesh, forms[v], v, ring), position, corner);
-      if (piece.owns(v)) local.add(s.stage);
-      angles.phi[v] = s.phi;
-      angles.error[v] = s.error;
-      scatter(mesh, v, position, corner, angles);
-    }
-    counts.local() += local;
-  });
+  kernel::parallel_for(
+      tbb::blocked_range<Index>(0, mesh.vertex_count(), kGrain), [&](const auto& r) {
+        std::vector<Vec3> ring;
+        std::vector<double> position, corner;
+        StageCounts local;
+        for (Index v = r.begin(); v != r.end(); ++v) {
+          if (!piece.is_inner(v)) continue;
+          ring_points(mesh, v, ring);
+          position.resize(ring.size());
+          corner.resize(ring.size());
+          const kernel::StarAngles s =
+              kernel::star_angles(star_of(mesh, forms[v], v, ring), position, corner);
+          if (piece.owns(v)) local.add(s.stage);
+          angles.phi[v] = s.phi;
+          angles.error[v] = s.error;
+          scatter(mesh, v, position, corner, angles);
+        }
+        counts.local() += local;
+      });
   for (const StageCounts& c : counts) total += c;
   return angles;
 }
@@ -115,7 +116,7 @@ FaceIndices face_indices(const kernel::MeshPiece& piece, const std::vector<Monge
   const Angles angles = all_angles(piece, forms, result.star_counts);
   std::vector<double> omega(mesh.edge_count());
   tbb::enumerable_thread_specific<StageCounts> counts;
-  tbb::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), kGrain), [&](const auto& r) {
+  kernel::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), kGrain), [&](const auto& r) {
     StageCounts local;
     for (Index e = r.begin(); e != r.end(); ++e) {
       if (states.acute[e] == 0) continue;

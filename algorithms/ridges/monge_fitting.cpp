@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "algorithms/ridges/smoothing.hpp"
 #include "algorithms/ridges/standard_errors.hpp"
 #include "kernel/geometry/coordinate_range.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -146,11 +146,13 @@ FitRecords fit_records(const kernel::MeshPiece& piece, const std::vector<std::ui
                   r.residuals.data(), left.data()};
   tbb::enumerable_thread_specific<Workspace> workspaces([&] { return Workspace(piece, creases); });
   // Each vertex depends on nothing but the mesh: any thread count gives the same bytes.
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, owned.size(), 1024), [&](const auto& range) {
-    Workspace& work = workspaces.local();
-    for (std::size_t i = range.begin(); i < range.end(); i += kLanes)
-      fit_vertices(mesh, normals, owned, i, std::min(kLanes, range.end() - i), options, work, rows);
-  });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, owned.size(), 1024),
+                       [&](const auto& range) {
+                         Workspace& work = workspaces.local();
+                         for (std::size_t i = range.begin(); i < range.end(); i += kLanes)
+                           fit_vertices(mesh, normals, owned, i, std::min(kLanes, range.end() - i),
+                                        options, work, rows);
+                       });
   for (Index i = 0; i < owned.size(); ++i)
     if (left[i] != 0) r.left.push_back(i);
   if (r.left.empty()) return r;

@@ -3,11 +3,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -205,17 +206,18 @@ std::vector<std::vector<double>> mark_prominence(const kernel::TriangleMesh& mes
     begin.push_back(begin.back() + drops[r].size());
   }
   tbb::enumerable_thread_specific<std::array<Buffers, 2>> buffers;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
-    std::array<Buffers, 2>& own = buffers.local();
-    auto r = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), range.begin()) -
-                                      begin.begin() - 1);
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      while (i >= begin[r + 1]) ++r;
-      Ridge& ridge = graph.ridges[r];
-      drops[r][i - begin[r]] =
-          mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], own);
-    }
-  });
+  kernel::parallel_for(
+      tbb::blocked_range<std::size_t>(0, begin.back(), 256), [&](const auto& range) {
+        std::array<Buffers, 2>& own = buffers.local();
+        auto r = static_cast<std::size_t>(
+            std::upper_bound(begin.begin(), begin.end(), range.begin()) - begin.begin() - 1);
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          while (i >= begin[r + 1]) ++r;
+          Ridge& ridge = graph.ridges[r];
+          drops[r][i - begin[r]] =
+              mark(lines, fit, edge, ridge.colour, ridge.crossings[i - begin[r]], own);
+        }
+      });
   return drops;
 }
 

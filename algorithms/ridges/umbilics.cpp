@@ -3,11 +3,11 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <span>
 
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/umbilic_kind.hpp"
 
 namespace crest::ridges {
@@ -77,8 +77,10 @@ class Finder {
     const bool alone =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
     if (order.size() < few || alone) {
-      for (Index seed : order)
+      for (Index seed : order) {
+        kernel::stop_point();
         if (result_.owner[seed] == kernel::kNone) add(attempt(seed, own_));
+      }
     } else {
       for (std::size_t i = 0; i < order.size(); i += batch)
         add_batch(std::span(order).subspan(i, std::min(batch, order.size() - i)));
@@ -128,7 +130,7 @@ class Finder {
 
   void add_batch(std::span<const Index> seeds) {
     std::vector<Attempt> attempts(seeds.size());
-    tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
+    kernel::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
       if (!owned(seeds[i])) attempts[i] = attempt(seeds[i], of_threads_.local());
     });
     for (std::size_t i = 0; i < seeds.size(); ++i) {

@@ -2,7 +2,6 @@
 #include "algorithms/sampling/mesh_surface.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <map>
@@ -10,6 +9,7 @@
 
 #include "algorithms/sampling/handles.hpp"
 #include "algorithms/sampling/uniform.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::sampling {
 namespace {
@@ -29,7 +29,7 @@ struct Grid {
 /// Calls f(i) for each index; every call writes its own result, so threads do not matter.
 template <class F>
 void for_each_index(std::size_t n, const F& f) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
   });
 }

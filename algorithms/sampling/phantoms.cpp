@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/sampling/phantoms.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "algorithms/sampling/mesh_surface.hpp"
 #include "algorithms/sampling/uniform.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::sampling {
 namespace {
@@ -128,7 +127,7 @@ kernel::SampledGrid volume_phantom(const std::string& name, std::size_t nodes) {
     return -1 + 2 * static_cast<double>(i) / static_cast<double>(nodes - 1);
   };
   std::vector<float> samples(grid.count());
-  tbb::parallel_for(std::size_t{0}, nodes, [&](std::size_t z) {
+  kernel::parallel_for(std::size_t{0}, nodes, [&](std::size_t z) {
     for (std::size_t y = 0; y < nodes; ++y)
       for (std::size_t x = 0; x < nodes; ++x)
         samples[(z * nodes + y) * nodes + x] =

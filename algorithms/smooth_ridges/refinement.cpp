@@ -2,7 +2,6 @@
 #include "algorithms/smooth_ridges/refinement.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "algorithms/smooth_ridges/patches.hpp"
 #include "algorithms/smooth_ridges/timed.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::smooth_ridges {
 namespace {
@@ -127,7 +127,7 @@ class Refinement {
       if (known_[f] != out_.mesh.ids()[f]) fresh.push_back(f);
     constexpr std::size_t kTogether = 64;
     const std::size_t groups = (fresh.size() + kTogether - 1) / kTogether;
-    tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
+    kernel::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
       const std::size_t begin = g * kTogether, count = std::min(kTogether, fresh.size() - begin);
       const auto group = std::span(fresh).subspan(begin, count);
       test_group(out_.mesh, group, is_over(stop_) ? nullptr : &tests_.local(), out_.faces);

@@ -3,7 +3,6 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +10,7 @@
 #include <cmath>
 
 #include "kernel/arithmetic/wide_clones.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 namespace {
@@ -130,7 +130,7 @@ void for_each_row_hull(const QuadraticSpline& spline, double c, double scale, co
     std::vector<float> low, high;
   };
   tbb::enumerable_thread_specific<Buffer> buffers;
-  tbb::parallel_for(tbb::blocked_range2d<int>(0, n[2], 4, 0, n[1], 64), [&](const auto& range) {
+  kernel::parallel_for(tbb::blocked_range2d<int>(0, n[2], 4, 0, n[1], 64), [&](const auto& range) {
     Buffer& buffer = buffers.local();
     for (auto& row : buffer.samples) row.resize(size + 2);
     buffer.low.resize(size);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::splines {
 
@@ -227,6 +228,7 @@ void Forest::split(const Place& place) {
 void Forest::bisect(const std::vector<Root>& roots, const Judge& judge) {
   for (const Root root : roots) plant(cube_of(root), root % kTetrahedra);
   while (!queue_.empty()) {
+    kernel::stop_point();
     const Place place = queue_.front();
     queue_.pop_front();
     if (nodes_[place.node].first_child != kNone) continue;

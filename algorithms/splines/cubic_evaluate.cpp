@@ -2,14 +2,13 @@
 #include "algorithms/splines/cubic_evaluate.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "algorithms/splines/cubic_net.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 namespace {
@@ -49,11 +48,11 @@ ValueAndGradient evaluate(const CubicModel& model, const Vec3& point) {
 
 std::vector<ValueAndGradient> evaluate(const CubicModel& model, std::span<const Vec3> points) {
   std::vector<ValueAndGradient> all(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
-                    [&](const auto& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        all[i] = evaluate(model, points[i]);
-                    });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
+                       [&](const auto& range) {
+                         for (std::size_t i = range.begin(); i != range.end(); ++i)
+                           all[i] = evaluate(model, points[i]);
+                       });
   return all;
 }
 
@@ -63,7 +62,7 @@ std::pair<double, double> coefficient_range(const CubicModel& model) {
     return Range{std::min(a.first, b.first), std::max(a.second, b.second)};
   };
   const auto [nx, ny, nz] = model.domain.cubes;
-  return tbb::parallel_reduce(
+  return kernel::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, nz), Range{HUGE_VAL, -HUGE_VAL},
       [&, nx = nx, ny = ny](const auto& slabs, Range range) {
         for (std::size_t k = slabs.begin(); k != slabs.end(); ++k)

@@ -3,10 +3,10 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "algorithms/splines/local_fit.hpp"
 #include "algorithms/splines/normal_form.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 
@@ -24,10 +24,12 @@ std::vector<LocalCubic> fit_at(const std::vector<Vec3>& places, const Scattered&
   std::vector<LocalCubic> fits(places.size());
   tbb::enumerable_thread_specific<LocalFit> workers(
       [&] { return LocalFit(samples, request, flat); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 16), [&](const auto& range) {
-    LocalFit& fit = workers.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) fits[i] = fit(places[i]);
-  });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 16),
+                       [&](const auto& range) {
+                         LocalFit& fit = workers.local();
+                         for (std::size_t i = range.begin(); i != range.end(); ++i)
+                           fits[i] = fit(places[i]);
+                       });
   return fits;
 }
 

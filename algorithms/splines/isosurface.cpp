@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/splines/isosurface.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "algorithms/splines/leaf_test.hpp"
 #include "algorithms/splines/marching_cases.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 
@@ -162,7 +161,7 @@ void Mesher::for_each_active(int z, const Visit& visit) const {
 std::vector<Root> Mesher::unsettled_roots() {
   std::vector<std::vector<Root>> layers(static_cast<std::size_t>(spline_.cubes()[2]));
   std::atomic<std::size_t> met{0};
-  tbb::parallel_for(0, spline_.cubes()[2], [&](int z) {
+  kernel::parallel_for(0, spline_.cubes()[2], [&](int z) {
     std::size_t here = 0;
     for_each_active(
         z, [&](const Cube& cube, const CubeCoefficients<double>& a, const CubeSigns& signs) {
@@ -224,8 +223,11 @@ void Mesher::march() {
   mesh_.brackets.reserve(met_);
   // Of cubes that are not active all leaves are empty.
   for (int z = 0; z < spline_.cubes()[2]; ++z)
-    for_each_active(z, [&](const Cube& cube, const CubeCoefficients<double>& a,
-                           const CubeSigns& signs) { march_cube(cube, a, signs); });
+    for_each_active(
+        z, [&](const Cube& cube, const CubeCoefficients<double>& a, const CubeSigns& signs) {
+          kernel::stop_point();
+          march_cube(cube, a, signs);
+        });
 }
 
 void Mesher::write_tree(Index node) {

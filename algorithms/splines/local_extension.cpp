@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <tbb/parallel_for.h>
 
 #include "algorithms/splines/cubic_extension.hpp"
 #include "algorithms/splines/normal_form.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 namespace {
@@ -40,7 +40,7 @@ class LocalExtension {
 
   Extension run() {
     const auto [nx, ny, nz] = domain_.cubes;
-    tbb::parallel_for(0, static_cast<int>(nz) + 1, [&, nx = nx, ny = ny](int k) {
+    kernel::parallel_for(0, static_cast<int>(nz) + 1, [&, nx = nx, ny = ny](int k) {
       for (int j = 0; j <= static_cast<int>(ny); ++j)
         for (int i = 0; i <= static_cast<int>(nx); ++i) {
           vertex({i, j, k});

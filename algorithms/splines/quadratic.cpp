@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <bit>
 #include <cmath>
@@ -12,6 +10,7 @@
 
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 
@@ -28,7 +27,7 @@ struct Magnitudes {
 
 template <class Native>
 Magnitudes magnitudes_of(const std::vector<Native>& samples) {
-  return tbb::parallel_reduce(
+  return kernel::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, samples.size(), 1 << 16), Magnitudes{},
       [&](const auto& range, Magnitudes m) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -174,11 +173,11 @@ void QuadraticSpline::evaluate(std::span<const Vec3> points,
 
 std::vector<ValueAndGradient> QuadraticSpline::evaluate(std::span<const Vec3> points) const {
   std::vector<ValueAndGradient> values(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
-                    [&](const auto& range) {
-                      evaluate(points.subspan(range.begin(), range.size()),
-                               std::span(values).subspan(range.begin(), range.size()));
-                    });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
+                       [&](const auto& range) {
+                         evaluate(points.subspan(range.begin(), range.size()),
+                                  std::span(values).subspan(range.begin(), range.size()));
+                       });
   return values;
 }
 
@@ -266,7 +265,7 @@ SplineSummary summarise(const QuadraticSpline& spline) {
       }
     }
   };
-  const Part all = tbb::parallel_reduce(
+  const Part all = kernel::parallel_reduce(
       tbb::blocked_range<int>(0, n[2]), Part{},
       [&](const auto& range, Part part) {
         for (int z = range.begin(); z < range.end(); ++z)

@@ -2,7 +2,6 @@
 #include "algorithms/splines/rays.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "algorithms/splines/exact_rays.hpp"
 #include "kernel/arithmetic/approximate.hpp"
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/segment_zero.hpp"
 
 namespace crest::splines {
@@ -410,7 +410,7 @@ Hit RayCaster::cast(const Ray& ray, RayCounts& counts) const {
 }
 
 RayCounts RayCaster::cast(std::span<const Ray> rays, std::span<Hit> hits) const {
-  return tbb::parallel_reduce(
+  return kernel::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, rays.size(), 256), RayCounts{},
       [&](const auto& range, RayCounts counts) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) hits[i] = cast(rays[i], counts);

@@ -2,10 +2,11 @@
 #include "algorithms/splines/scattered.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 
@@ -32,11 +33,11 @@ Scattered::Scattered(const Domain& domain, std::span<const Vec3> points,
   for (std::size_t p = 0; p < points.size(); ++p)
     if (cube_of[p] != nowhere)
       samples_[next[cube_of[p]]++] = {domain.cube_coordinates(points[p]), values[p]};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, domain.cube_count(), 64),
-                    [&](const auto& range) {
-                      for (std::size_t c = range.begin(); c != range.end(); ++c)
-                        std::sort(samples_.begin() + first_[c], samples_.begin() + first_[c + 1]);
-                    });
+  kernel::parallel_for(
+      tbb::blocked_range<std::size_t>(0, domain.cube_count(), 64), [&](const auto& range) {
+        for (std::size_t c = range.begin(); c != range.end(); ++c)
+          std::sort(samples_.begin() + first_[c], samples_.begin() + first_[c + 1]);
+      });
   const auto [nx, ny, nz] = domain.cubes;
   for (std::size_t k = 0; k < nz; ++k)
     for (std::size_t j = 0; j < ny; ++j) {

@@ -2,13 +2,13 @@
 #include "algorithms/splines/sine_projection.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 
 #include "algorithms/splines/grid_sums.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::splines {
 namespace {
@@ -46,7 +46,7 @@ void transform(GridArray& a, std::size_t axis) {
   const MatrixXd s = sines(a.size[axis]);
   if (axis == 0) {
     const std::size_t columns = a.size[1] * a.size[2];
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, columns, 64), [&](const auto& range) {
+    kernel::parallel_for(tbb::blocked_range<std::size_t>(0, columns, 64), [&](const auto& range) {
       Eigen::Map<MatrixXd> part(&a.x[range.begin() * a.size[0]], n,
                                 static_cast<Eigen::Index>(range.size()));
       part = (s * part).eval();
@@ -58,7 +58,7 @@ void transform(GridArray& a, std::size_t axis) {
   const auto rows = static_cast<Eigen::Index>(a.size[0]);
   const std::size_t start = axis == 1 ? a.size[0] * a.size[1] : a.size[0];
   const std::size_t stride = axis == 1 ? a.size[0] : a.size[0] * a.size[1];
-  tbb::parallel_for(std::size_t{0}, slabs, [&](std::size_t slab) {
+  kernel::parallel_for(std::size_t{0}, slabs, [&](std::size_t slab) {
     Eigen::Map<MatrixXd, 0, Eigen::OuterStride<>> part(
         &a.x[slab * start], rows, n, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
     part = (part * s).eval();

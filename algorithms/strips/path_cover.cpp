@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "kernel/geometry/stop.hpp"
+
 namespace crest::strips {
 namespace {
 
@@ -197,6 +199,7 @@ void anneal(const CornerTable& mesh, Links& links, int sweeps, int swap_cost) {
   // exp(-1/T) falls linearly from 1/8 to 0: the start's strips are good already.
   Annealer annealer(mesh, links, swap_cost);
   for (int i = 1; i <= sweeps; ++i) {
+    kernel::stop_point();
     const auto left = static_cast<std::uint64_t>(sweeps - i);
     annealer.sweep(
         Temperature(static_cast<std::uint32_t>((left << 29) / static_cast<std::uint64_t>(sweeps))));

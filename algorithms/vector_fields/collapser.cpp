@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "algorithms/vector_fields/thesis_test.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::vector_fields {
 
@@ -388,6 +389,7 @@ bool Collapser::pass(CompressionCounts& counts) {
   bool any = false;
   std::vector<HalfEdge> fan;
   while (!queue.empty()) {
+    kernel::stop_point();
     const auto [later, cost, from, to] = queue.top();
     queue.pop();
     if (!mesh.adjacent(from, to)) continue;

@@ -2,6 +2,7 @@
 #include "algorithms/vector_fields/sectors.hpp"
 
 #include "algorithms/vector_fields/exact.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::vector_fields {
 
@@ -264,6 +265,7 @@ void classify_fans(const Domain& domain, std::vector<ZeroComponent>& zeros,
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     CriticalPoint& item = zeros[i].item;
     if (item.where != ZeroPlace::vertex && item.where != ZeroPlace::edge) continue;
+    kernel::stop_point();
     portraits[i] = examine_fan(domain, zeros[i]);
     item.kind = kind_of(portraits[i]);
     item.focus =

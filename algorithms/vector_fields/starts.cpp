@@ -3,6 +3,7 @@
 
 #include "algorithms/vector_fields/exact.hpp"
 #include "algorithms/vector_fields/reals.hpp"
+#include "kernel/geometry/stop.hpp"
 #include "kernel/predicates/planar_field.hpp"
 
 namespace crest::vector_fields {
@@ -314,9 +315,11 @@ std::vector<Start> find_starts(const Domain& domain, const std::vector<ZeroCompo
     for (const Ray& ray : portraits[i].rays)
       if (ray.separatrix) starts.push_back(fan_start(ray, i, zeros[i]));
   }
-  for (Index i = 0; i < boundary.switch_points.size(); ++i)
+  for (Index i = 0; i < boundary.switch_points.size(); ++i) {
+    kernel::stop_point();
     if (boundary.switch_points[i].inside)
       add_switch_starts(domain, boundary.switch_points[i], i, starts);
+  }
   return starts;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
 #include "algorithms/vector_fields/annulus.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::vector_fields {
 
@@ -72,8 +72,8 @@ std::vector<Trace> trace_all(const Surroundings& around, const std::vector<Start
                              std::vector<Annulus>& annuli) {
   const std::size_t first = annuli.size();
   std::vector<Followed> lines(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(),
-                    [&](std::size_t i) { lines[i] = follow(around, starts[i], annuli); });
+  kernel::parallel_for(std::size_t{0}, starts.size(),
+                       [&](std::size_t i) { lines[i] = follow(around, starts[i], annuli); });
   // As if they had been followed one after the other.
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Followed& f = lines[i];

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algorithms/vector_fields/trace.hpp"
+#include "kernel/geometry/stop.hpp"
 #include "kernel/predicates/planar_field.hpp"
 
 namespace crest::vector_fields {
@@ -231,6 +232,7 @@ std::unordered_map<Index, Trap> make_traps(const Domain& domain,
                                            const std::vector<ZeroComponent>& zeros) {
   std::unordered_map<Index, Trap> traps;
   for (Index i = 0; i < zeros.size(); ++i) {
+    kernel::stop_point();
     const CriticalPoint& item = zeros[i].item;
     if (item.where == ZeroPlace::edge) add_ellipse_at_edge(domain, zeros[i], i, traps);
     if (item.where == ZeroPlace::vertex)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/vector_fields/starts.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::vector_fields {
 
@@ -144,7 +145,10 @@ std::vector<Witness> find_witnesses(const Surroundings& around, std::vector<Trac
 void follow_witnesses(const Surroundings& around, const std::vector<Witness>& witnesses,
                       std::vector<Trace>& traces, std::vector<Annulus>& annuli) {
   WitnessFinder finder(around, traces, annuli);
-  for (const Witness& w : witnesses) traces.push_back(finder.follow(w));
+  for (const Witness& w : witnesses) {
+    kernel::stop_point();
+    traces.push_back(finder.follow(w));
+  }
 }
 
 }  // namespace crest::vector_fields

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the wheel (PEP 517): CMake builds and installs, this packs. Nothing is downloaded.
 
-    pip wheel . --no-deps --no-index
+    pip wheel . --no-index
 
 CREST_BUILD names a build folder to use, configured for the interpreter that runs this; else there
 is one for a while.
@@ -66,7 +66,8 @@ def _pack(package, target):
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: crest\nVersion: {version}\n"
         "Summary: Certified extraction of surface topology\nLicense: GPL-3.0-or-later\n"
-        "Requires-Python: >=3.11\nRequires-Dist: numpy>=1.24\n").encode()
+        # NumPy is the machine's, as VTK is: named here, pip would ask an index for it.
+        "Requires-Python: >=3.11\n").encode()
     files[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: crest\nRoot-Is-Purelib: false\nTag: {tag}\n").encode()
     record = "".join(f"{name},sha256={_digest(data)},{len(data)}\n"

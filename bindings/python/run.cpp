@@ -3,7 +3,6 @@
 
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <cfenv>
 #include <chrono>
 #include <condition_variable>
@@ -11,6 +10,7 @@
 #include <thread>
 
 #include "kernel/arithmetic/self_test.hpp"
+#include "kernel/geometry/stop.hpp"
 
 namespace crest::python {
 
@@ -19,7 +19,7 @@ struct Job {
   std::condition_variable changed;
   std::vector<std::string> shown;
   bool done = false;
-  std::atomic<bool> stop = false;
+  kernel::StopFlag stop = false;
   Output output;
   std::exception_ptr error;
 };
@@ -48,13 +48,16 @@ Output work(System system, const Arguments& arguments, int threads, Job& job) {
   std::fesetenv(FE_DFL_ENV);
   kernel::require_sound_floating_point();
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return system(arguments, Progress(job)); });
+  return arena.execute([&] {
+    const kernel::Stoppable stoppable(&job.stop);
+    return system(arguments, Progress(job));
+  });
 }
 
 }  // namespace
 
 void Progress::show(const std::string& what) const {
-  if (stopped()) throw Stopped();
+  if (stopped()) throw kernel::Stopped();
   const std::lock_guard lock(job_.mutex);
   job_.shown.push_back(what);
   job_.changed.notify_all();
@@ -102,10 +105,10 @@ Output run(System system, Arguments arguments, int threads, const Listener& list
   return std::move(job->output);
 }
 
-void wait_for_stopped(double seconds) {
+bool wait_for_stopped(double seconds) {
   std::unique_lock lock(workers().mutex);
-  workers().fewer.wait_for(lock, std::chrono::duration<double>(seconds),
-                           [] { return workers().count == 0; });
+  return workers().fewer.wait_for(lock, std::chrono::duration<double>(seconds),
+                                  [] { return workers().count == 0; });
 }
 
 }  // namespace crest::python

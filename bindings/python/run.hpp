@@ -10,19 +10,13 @@
 
 namespace crest::python {
 
-/// The caller wants no more of it.
-class Stopped : public std::exception {
- public:
-  const char* what() const noexcept override { return "stopped"; }
-};
-
 struct Job;
 
 /// What a system's work tells and asks. Any thread may.
 class Progress {
  public:
   explicit Progress(Job& job) : job_(job) {}
-  /// What is done now, in words. Throws: Stopped.
+  /// What is done now, in words. Throws: kernel::Stopped.
   void show(const std::string& what) const;
   bool stopped() const;
   /// Shows `what` and returns the work's result.
@@ -39,7 +33,7 @@ class Progress {
 using System = Output (*)(const Arguments&, const Progress&);
 
 /// Called by the thread that called run(), a dozen times a second or more often, with what was
-/// shown since. What it throws stops the work: at its next step, or sooner where the system asks;
+/// shown since. What it throws stops the work at its next stop point (kernel/geometry/stop.hpp);
 /// run() does not wait for that.
 using Listener = std::function<void(const std::vector<std::string>& shown)>;
 
@@ -48,8 +42,8 @@ using Listener = std::function<void(const std::vector<std::string>& shown)>;
 /// point is not sound.
 Output run(System system, Arguments arguments, int threads, const Listener& listen);
 
-/// Until no work that was stopped goes on, but no longer than so: as little as can be should run
-/// while the process takes down its libraries.
-void wait_for_stopped(double seconds);
+/// Until no work that was stopped goes on, but no longer than so; whether none does. As little as
+/// can be should run while the process takes down its libraries.
+bool wait_for_stopped(double seconds);
 
 }  // namespace crest::python

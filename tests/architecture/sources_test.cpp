@@ -48,6 +48,21 @@ TEST_CASE("names of source files are snake_case") {
   }
 }
 
+TEST_CASE("loops of systems on all cores have stop points") {
+  std::size_t loops = 0;
+  for (const std::string& path : project_files()) {
+    if (!is_cpp(path) || !has_prefix(path, "algorithms/")) continue;
+    for (const std::string& line : lines_of(path)) {
+      INFO(path << ": " << line);
+      for (const char* loop : {"parallel_for(", "parallel_reduce(", "parallel_invoke("}) {
+        CHECK(line.find("tbb::" + std::string(loop)) == std::string::npos);
+        loops += line.find("kernel::" + std::string(loop)) != std::string::npos ? 1 : 0;
+      }
+    }
+  }
+  CHECK(loops > 40);
+}
+
 TEST_CASE("no class is defined in two headers") {
   // A program that includes both has undefined behaviour, and no tool of the build says so.
   const std::regex opens("^namespace ([\\w:]+) \\{"), closes("^\\}  // namespace"),

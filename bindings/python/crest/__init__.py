@@ -14,7 +14,7 @@ from ._fields import (CompressedField, CubicSpline, ExtremalSurface, Field, Isos
                       skeleton, spline_isosurface, spline_rays, spline_samples, spline_values,
                       verify)
 from ._results import Cells, Geometry, Result
-from ._surfaces import (Curvature, Drawing, FeatureGraph, ReebGraph, RidgeGraph, SmoothRidgeGraph,
+from ._surfaces import (Curvature, DecodedMesh, Drawing, FeatureGraph, ReebGraph, RidgeGraph, SmoothRidgeGraph,
                         Stream, Strips, Umbilics, curvature, decode, encode, feature_lines, lineart,
                         reeb_graph, ridges, smooth_ridges, strips)
 from ._version import __version__

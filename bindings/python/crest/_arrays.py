@@ -141,3 +141,24 @@ def numbers(x: Any, name: str, count: int) -> list[float]:
     if len(given) != count:
         raise InputError(f"{name}: has {len(given)} numbers; give {count}")
     return [number(y, name) for y in given]
+
+
+def attribute(x: Any, name: str, places: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray | None]:
+    """Numbers in their own type, (all places, k), and 1 at the places that have none, if any."""
+    masked = np.ma.isMaskedArray(x) and bool(np.ma.getmaskarray(x).any())
+    array = _numbers(np.ma.getdata(x) if np.ma.isMaskedArray(x) else x, name)
+    extra = array.ndim - len(places)
+    if array.shape[:len(places)] != places or extra not in (0, 1) or array.size == 0:
+        wanted = ", ".join(map(str, places))
+        raise InputError(f"{name}: has the shape {array.shape}; give ({wanted},) or ({wanted}, k)")
+    count = math.prod(places)
+    if array.dtype == np.float16:
+        array = array.astype(np.float32)
+    array = np.array(array, dtype=array.dtype.newbyteorder("="), order="C").reshape(count, -1)
+    if not masked:
+        return array, None
+    mask = np.ma.getmaskarray(x).reshape(count, -1)
+    if (mask.any(axis=1) != mask.all(axis=1)).any():
+        raise InputError(f"{name}: masks some numbers of a place and not all; mask all of them")
+    array[mask] = 0
+    return array, mask.any(axis=1).astype(np.uint8)

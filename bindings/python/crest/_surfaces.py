@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterator, Sequence
+from typing import Any, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays as check
 from ._crest import InputError
+from ._fields import Mesh
 from ._results import Geometry, Result
 from ._run import Progress, run
 
@@ -618,7 +619,7 @@ class Stream(Result):
 
     stream: bytes, as .cmc files have them. vertex_order: (n,) int64: vertex i of the decoded mesh is
     vertex_order[i] of the input. method: str. largest_error: float, how far a vertex has moved.
-    connectivity_bytes, geometry_bytes: int. components, handles, boundary_loops: int.
+    connectivity_bytes, geometry_bytes, attribute_bytes: int. components, handles, boundary_loops: int.
     """
 
     def __init__(self, raw: dict[str, Any]):
@@ -627,8 +628,8 @@ class Stream(Result):
         self.vertex_order: np.ndarray = raw["vertex_order"]
         self.method: str = raw["method"]
         self.largest_error: float = raw["largest_error"]
-        for name in ("connectivity_bytes", "geometry_bytes", "components", "handles",
-                     "boundary_loops"):
+        for name in ("connectivity_bytes", "geometry_bytes", "attribute_bytes", "components",
+                     "handles", "boundary_loops"):
             setattr(self, name, raw[name])
 
     def save(self, path: Any) -> None:
@@ -643,14 +644,54 @@ class Stream(Result):
             raise ValueError(f"{path}: has an unknown extension; write .cmc or .crest")
 
 
+class DecodedMesh(Mesh):
+    """V, F as of every Mesh, with the numbers that the stream has at them.
+
+    point_data, cell_data, corner_data: arrays by name, of the types that were encoded: (n,), (m,) and
+    (m, 3), or with one axis more where a place has several numbers. Places without numbers are
+    masked (numpy.ma).
+    """
+
+    point_data: dict[str, np.ndarray]
+    cell_data: dict[str, np.ndarray]
+    corner_data: dict[str, np.ndarray]
+
+
+_SITES = {"point_data": "vertices", "cell_data": "faces", "corner_data": "corners"}
+
+
+def _attributes(given: dict[str, Mapping[str, ArrayLike] | None],
+                places: dict[str, tuple[int, ...]]) -> dict[str, Any]:
+    """As coding.cpp takes them."""
+    arguments: dict[str, Any] = {}
+    names: list[str] = []
+    sites: list[str] = []
+    for data, arrays in given.items():
+        for name, array in (arrays or {}).items():
+            if not isinstance(name, str):
+                raise TypeError(f"{data}: names are str, not {name!r}")
+            numbers, gaps = check.attribute(array, f"{data}[{name!r}]", places[data])
+            arguments |= {f"attribute{len(names)}": numbers, f"gaps{len(names)}": gaps}
+            names.append(name)
+            sites.append(_SITES[data])
+    return arguments | ({"attribute_names": names, "attribute_sites": sites} if names else {})
+
+
 def encode(V: ArrayLike, F: ArrayLike, *, tolerance: float | None = None,
            connectivity_only: bool = False, method: str = "auto", keep_order: bool = False,
+           point_data: Mapping[str, ArrayLike] | None = None,
+           cell_data: Mapping[str, ArrayLike] | None = None,
+           corner_data: Mapping[str, ArrayLike] | None = None,
            certificate: bool = True, threads: int = 0, progress: Progress = None) -> Stream:
     """A triangle mesh as a small stream, decoded again before it is returned (`crest encode`).
 
     tolerance: places within this distance, units of the input; else bit for bit. connectivity_only:
     no places. method: "auto", "valence", "fan", "zigzag", "static". keep_order: code the order of
-    vertices and faces, too. V, F, threads, progress, errors: as for ridges().
+    vertices and faces, too.
+    point_data, cell_data, corner_data: numbers at vertices, (n,) or (n, k), at faces, (m,) or (m, k),
+    and at the corners of faces, (m, 3) or (m, 3, k), arrays by name; kept bit for bit in their
+    types. Places masked in a numpy.ma array, with all their k numbers, have none.
+    V, F, threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("ellipsoid.off")
@@ -658,6 +699,9 @@ def encode(V: ArrayLike, F: ArrayLike, *, tolerance: float | None = None,
     >>> W, G = crest.decode(coded.stream)
     >>> bool((W == V[coded.vertex_order]).all()), len(G) == len(F)
     (True, True)
+    >>> coloured = crest.encode(V, F, point_data={"height": V[:, 2].astype("f4")})
+    >>> crest.decode(coloured.stream).point_data["height"].dtype
+    dtype('float32')
     """
     if tolerance is not None and connectivity_only:
         raise InputError("tolerance: give it or connectivity_only, not both")
@@ -668,16 +712,21 @@ def encode(V: ArrayLike, F: ArrayLike, *, tolerance: float | None = None,
         "connectivity_only": bool(connectivity_only),
         "method": check.word(method, "method", ("auto", "valence", "fan", "zigzag", "static")),
         "keep_order": bool(keep_order), "certificate": bool(certificate)}
+    data = {"point_data": point_data, "cell_data": cell_data, "corner_data": corner_data}
+    if connectivity_only and any(data.values()):
+        raise InputError("connectivity_only: leaves no place for point_data, cell_data, corner_data")
+    n, m = len(arguments["V"]), len(arguments["F"])
+    arguments |= _attributes(data, {"point_data": (n,), "cell_data": (m,), "corner_data": (m, 3)})
     return Stream(run("encode", arguments, threads, progress))
 
 
 def decode(stream: Any, *, max_faces: int = 2**28, max_numbers: int = 2**27, threads: int = 0,
-           progress: Progress = None) -> tuple[np.ndarray, np.ndarray]:
-    """The mesh of a stream, V (n, 3) float64 and F (m, 3) int64 (`crest decode`).
+           progress: Progress = None) -> DecodedMesh:
+    """The mesh of a stream: V (n, 3) float64, F (m, 3) int64, and attributes (`crest decode`).
 
-    stream: bytes. max_faces: refuse larger ones. Attributes are checked, but not given: `crest
-    decode` writes them. max_numbers: refuse streams with more numbers in their attributes. Where
-    the stream has no places V is all zero. Faces may start with another corner. threads, progress, errors: as for ridges().
+    stream: bytes. max_faces: refuse larger ones. max_numbers: refuse streams with more numbers in
+    their attributes. Where the stream has no places V is all zero. Faces may start with another
+    corner. threads, progress, errors: as for ridges().
 
     >>> import crest
     >>> V, F = crest.read_mesh("ellipsoid.off")
@@ -690,4 +739,13 @@ def decode(stream: Any, *, max_faces: int = 2**28, max_numbers: int = 2**27, thr
                          "max_numbers": check.whole(max_numbers, "max_numbers", 0, 2**63 - 1)},
               threads, progress)
     V = raw.get("V")
-    return np.zeros((raw["vertices"], 3)) if V is None else V, raw["F"]
+    mesh = DecodedMesh(np.zeros((raw["vertices"], 3)) if V is None else V, raw["F"])
+    mesh.point_data, mesh.cell_data, mesh.corner_data = {}, {}, {}
+    of = {site: getattr(mesh, data) for data, site in _SITES.items()}
+    for i, (name, site) in enumerate(zip(raw["attribute_names"], raw["attribute_sites"])):
+        array, gaps = raw[f"attribute{i}"], raw.get(f"gaps{i}")
+        if gaps is not None:
+            array = np.ma.array(array, mask=np.repeat(gaps[:, None] == 1, array.shape[1], axis=1))
+        shape = (len(mesh.F), 3) if site == "corners" else (len(array),)
+        of[site][name] = array.reshape(shape + (array.shape[1:] if array.shape[1] > 1 else ()))
+    return mesh

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Docstrings, options, other packages, installing."""
 
+import ast
 import doctest
 import inspect
 import os
@@ -14,6 +15,7 @@ import pytest
 
 import crest
 from conftest import program
+from crest import _crest
 
 ROOT = Path(__file__).resolve().parents[3]
 FUNCTIONS = [name for name in crest.__all__ if inspect.isfunction(getattr(crest, name))]
@@ -44,6 +46,22 @@ def test_everything_is_documented():
         assert inspect.getdoc(getattr(crest, name)), name
 
 
+def test_stub_is_the_modules():
+    """_crest.pyi names what the module has, with its parameters, and everything has type hints."""
+    stub = ast.parse((Path(crest.__file__).parent / "_crest.pyi").read_text())
+    stated = {node.name: node for node in stub.body if hasattr(node, "name")}
+    assert set(stated) == {name for name in vars(_crest) if not name.startswith("__")}
+    for name, node in stated.items():
+        if isinstance(node, ast.FunctionDef):
+            said = re.match(r"\w+\((.*)\) ->", getattr(_crest, name).__doc__)[1]
+            assert [a.arg for a in node.args.args] == re.findall(r"(\w+): ", said), name
+    for name in FUNCTIONS:
+        signature = inspect.signature(getattr(crest, name))
+        assert signature.return_annotation is not inspect.Signature.empty, name
+        for parameter in signature.parameters.values():
+            assert parameter.annotation is not inspect.Parameter.empty, f"{name}: {parameter}"
+
+
 # The command of each function, with what only files and pictures need, and what arrays are instead.
 COMMANDS = {
     "ridges": ("ridges", set()), "smooth_ridges": ("ridges", set()),
@@ -54,7 +72,7 @@ COMMANDS = {
     "compress": ("compress", {"vectors"}), "lineart": ("lineart", {"title"}),
     "spline_isosurface": ("spline", {"volume", "spacing", "origin", "directions"}),
     "spline_samples": ("spline", {"points", "values"}), "strips": ("strips", set()),
-    "encode": ("encode", set()), "decode": ("decode", {"stream"}),
+    "encode": ("encode", {"point_data", "cell_data", "corner_data"}), "decode": ("decode", {"stream"}),
 }
 ALWAYS = {"V", "F", "T", "threads", "progress", "certificate"}
 
@@ -160,7 +178,7 @@ def test_cmake_install(tmp_path):
 def test_wheel(tmp_path):
     """By pip, without a network."""
     pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
-    options = ["--no-deps", "--no-index"]
+    options = ["--no-index"]
     subprocess.run([*pip, "wheel", ROOT, *options, "-w", tmp_path], check=True, capture_output=True)
     (wheel,) = tmp_path.glob("crest-*.whl")
     subprocess.run([*pip, "install", wheel, *options, "--target", tmp_path / "site"], check=True,
