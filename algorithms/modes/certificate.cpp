@@ -17,8 +17,8 @@ namespace code = certify::modes_code;
 class EdgeRecorder {
  public:
   /// Edges of rejected faces have no roots.
-  EdgeRecorder(Faces& faces, certify::ModeLevel& to, RecordedPositions& positions)
-      : faces_(faces), to_(to), positions_(positions) {
+  EdgeRecorder(Faces& faces, double mode, certify::ModeLevel& to, RecordedPositions& positions)
+      : faces_(faces), mode_(mode), to_(to), positions_(positions) {
     for (Index f = 0; f < faces_.face_count(); ++f)
       if (faces_.face(f).state == State::rejected)
         for (const Index e : faces_.face(f).edges) {
@@ -47,6 +47,12 @@ class EdgeRecorder {
     roots(e);
   }
 
+  /// Counts the vertex if its mode is near the level.
+  template <std::size_t n>
+  void count_near(const std::array<Index, n>& corners, const std::array<double, n>& weights,
+                  int level) {
+    if (is_near<n>(faces_.vertices(), corners, weights, level * mode_)) ++to_.near;
+  }
   /// Whether every root has found its place.
   bool placed() const { return placed_; }
 
@@ -75,10 +81,13 @@ class EdgeRecorder {
       }
       const double t = (faces_.lines().root(list[i]).t - edge.from) / (edge.to - edge.from);
       double x = std::clamp(t, low, high);
-      if (x <= last) x = last + (high - last) / 2;
-      if (x >= 1) x = last + (1 - last) / 2;
+      // An infinitesimal off its neighbour: as little as in the output.
+      constexpr double room = 1e-13;
+      if (x <= last) x = last + std::fmin(room, (high - last) / 2);
+      if (x >= 1) x = std::fmax(1 - room, last + (1 - last) / 2);
       placed_ = placed_ && last < x && x < 1 && x <= high;
       to_.root_places.push_back(x);
+      count_near<2>({edge.second, edge.first}, {x, 1 - x}, records[i].level);
       last = x;
     }
   }
@@ -130,6 +139,7 @@ class EdgeRecorder {
   }
 
   Faces& faces_;
+  double mode_;
   certify::ModeLevel& to_;
   RecordedPositions& positions_;
   std::vector<char> clear_;
@@ -143,7 +153,7 @@ class Recorder {
       : extraction_(extraction),
         faces_(extraction.faces()),
         to_(to),
-        edges_(faces_, to, positions_) {
+        edges_(faces_, extraction.level().value(), to, positions_) {
     positions_.points.resize(faces_.arcs().size());
     // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
     // 2^scale.
@@ -183,6 +193,8 @@ class Recorder {
     to_.root_places.clear();
     to_.arc_points.clear();
     to_.points.clear();
+    to_.inner.clear();
+    to_.near = 0;
   }
 
  private:
@@ -191,9 +203,29 @@ class Recorder {
     auto& points = positions_.points[a];
     points.first = to_.points.size();
     for (const auto& p : extraction_.polyline(a))
-      if (p[0] > 0 && p[1] > 0 && p[0] + p[1] < 1) to_.points.push_back({p[0], p[1]});
+      if (p[0] > 0 && p[1] > 0 && p[0] + p[1] < 1) {
+        to_.points.push_back({p[0], p[1]});
+        const Arc& arc = faces_.arcs()[a];
+        edges_.count_near<3>(faces_.face(arc.face).corners, {p[0], p[1], 1 - p[0] - p[1]},
+                             arc.side == Side::minus ? -1 : 1);
+      }
     points.count = to_.points.size() - points.first;
     to_.arc_points.push_back(static_cast<std::uint16_t>(points.count));
+  }
+
+  /// The vertices of one side inside a cell that is recorded last.
+  void inner(Index c, Side side) {
+    const int level = side == Side::minus ? -1 : 1;
+    for (auto b : extraction_.inner(c, side)) {
+      // Rounding may have put it just outside.
+      while (b[0] + b[1] + b[2] >= 1)
+        for (double& x : b) x *= 1 - 0x1p-52;
+      to_.inner.push_back({static_cast<std::uint32_t>(to_.tet_witnesses.size() - 1),
+                           static_cast<std::int8_t>(level),
+                           {b[0], b[1], b[2]}});
+      edges_.count_near<4>(extraction_.cells().cell(c).corners,
+                           {b[0], b[1], b[2], 1 - b[0] - b[1] - b[2]}, level);
+    }
   }
 
   /// Exact: it is a multiple of 3.
@@ -240,6 +272,8 @@ class Recorder {
       to_.tet_witnesses.push_back({{cell.witness.w[0], cell.witness.w[1], cell.witness.w[2]},
                                    lambda(cell.witness.lambda),
                                    {plus, p[0]}});
+      inner(c, neutral_ ? Side::neutral : Side::plus);
+      if (!neutral_) inner(c, Side::minus);
     } else {
       to_.codes.push_back(code::kOpenTet);
       ++to_.open_tets;

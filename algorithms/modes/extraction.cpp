@@ -140,7 +140,7 @@ void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int ori
   if (cell.state != State::graph) return;
   const std::size_t count = cell.pieces[static_cast<std::size_t>(static_cast<int>(side) + 1)];
   if (count == 0) return;
-  builder.add_cell(cell, orientation,
+  builder.add_cell(c, cell, orientation,
                    CellTopology(faces_, cell.faces, cell.witness.w).pieces(side, count));
 }
 
@@ -163,12 +163,20 @@ std::span<const std::array<double, 3>> Extraction::polyline(Index arc) const {
   return found->second;
 }
 
-/// Only reads the trees, and keeps its polylines.
+std::span<const std::array<double, 4>> Extraction::inner(Index cell, Side side) const {
+  const auto& of_side = inner_[static_cast<std::size_t>(static_cast<int>(side) + 1)];
+  const auto found = of_side.find(cell);
+  if (found == of_side.end()) return {};
+  return found->second;
+}
+
+/// Only reads the trees, and keeps its polylines and vertices inside cells.
 ModeSurface Extraction::surface(Side side, std::size_t cone_rims) {
   SurfaceBuilder builder(faces_, level_, side, field_.mesh.points(), open_faces_);
   add_pieces(builder, side);
   ModeSurface s = builder.build(deviation_);
   polylines_[static_cast<std::size_t>(static_cast<int>(side) + 1)] = builder.polylines();
+  inner_[static_cast<std::size_t>(static_cast<int>(side) + 1)] = builder.inner();
   const auto boundary = count(s);
   for (const auto& [a, b] : boundary)
     if (s.tensors[a] == Symmetric{} && s.tensors[b] == Symmetric{}) ++s.zero_rims;

@@ -39,6 +39,8 @@ class Extraction {
   Index face_of(const Cone& cone) const { return mesh_faces_[opposite_face(cone)]; }
   /// The inner points of an arc's polyline, after result().
   std::span<const std::array<double, 3>> polyline(Index arc) const;
+  /// The vertices of a side inside a cell, as weights of its corners, after result().
+  std::span<const std::array<double, 4>> inner(Index cell, Side side) const;
   int scale() const { return scale_; }
   const Level& level() const { return level_; }
   const ModeField& field() const { return field_; }
@@ -76,6 +78,8 @@ class Extraction {
   std::unordered_set<Index> open_faces_;  ///< leaves at open cells
   std::array<std::unordered_map<Index, std::vector<std::array<double, 3>>>, 3>
       polylines_;  ///< of the minus, the neutral, the plus side, by arc
+  std::array<std::unordered_map<Index, std::vector<std::array<double, 4>>>, 3>
+      inner_;  ///< the same, by cell
 };
 
 }  // namespace crest::modes

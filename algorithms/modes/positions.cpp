@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "algorithms/modes/mode_function.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
 #include "kernel/geometry/parallel.hpp"
 
@@ -363,6 +364,32 @@ void count_placed(Extraction& extraction, const RecordedPositions& positions,
   record.placed = placed;
   record.not_placed = not_placed;
 }
+
+/// The mode's gradient on the unit sphere is at most 3, so that an error of the tensor counts 3
+/// times relative to its size, and a little more in second order; 64 roundings are more than there
+/// are of numbers below 8.
+template <std::size_t n>
+bool is_near(const Vertices& vertices, const std::array<Index, n>& corners,
+             const std::array<double, n>& weights, double level) {
+  constexpr double kNear = 0x1p-40, kUnit = 0x1p-53;
+  Symmetric t{};
+  double error = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Tensor& corner = vertices.tensor(corners[i]);
+    for (std::size_t k = 0; k < 6; ++k) t[k] += weights[i] * corner.t[k];
+    error = std::fmax(error, corner.error + 24 * kUnit * corner.largest());
+  }
+  const double relative = 3 * error / std::sqrt(product(t, t));  // nine entries
+  return relative < 1e-6 &&
+         std::fabs(ModeFunction::mode(t) - level) + 3.01 * relative + 512 * kUnit < kNear;
+}
+
+template bool is_near<2>(const Vertices&, const std::array<Index, 2>&, const std::array<double, 2>&,
+                         double);
+template bool is_near<3>(const Vertices&, const std::array<Index, 3>&, const std::array<double, 3>&,
+                         double);
+template bool is_near<4>(const Vertices&, const std::array<Index, 4>&, const std::array<double, 4>&,
+                         double);
 
 bool is_embedded(const kernel::TetMesh& mesh) {
   std::vector<int> signs;  // of the corners in ascending order

@@ -25,6 +25,12 @@ struct RecordedPositions {
 void count_placed(Extraction& extraction, const RecordedPositions& positions,
                   certify::ModeLevel& record);
 
+/// Whether doubles show the mode at a point of a simplex, given by its corners' weights, to be near
+/// the signed level (theorem 16 (ii)).
+template <std::size_t n>
+bool is_near(const Vertices& vertices, const std::array<Index, n>& corners,
+             const std::array<double, n>& weights, double level);
+
 /// Whether no tetrahedron is flat and two with a common face are on its two sides.
 bool is_embedded(const kernel::TetMesh& mesh);
 

@@ -137,11 +137,12 @@ void SurfaceBuilder::bend(Index arc) {
   if (lines.root(from).line == lines.root(to).line && inside_of_[arc] == kNone) refine(arc, {0});
 }
 
-void SurfaceBuilder::add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces) {
+void SurfaceBuilder::add_cell(Index number, const Cell& cell, int orientation,
+                              std::vector<Piece> pieces) {
   for (Piece& piece : pieces) {
     for (const Loop& loop : piece)
       for (const LoopArc& a : loop) bend(a.arc);
-    jobs_.push_back({cell, orientation, std::move(piece), 0, false, {}, {}});
+    jobs_.push_back({number, cell, orientation, std::move(piece), 0, false, {}, {}});
   }
 }
 
@@ -279,6 +280,7 @@ void SurfaceBuilder::emit(const Job& job, Layout& layout, const PlanarPiece& pla
         for (std::size_t k = 0; k < 4; ++k) b[k] += a[k] / static_cast<double>(layout.at.size());
     }
     if (!crosses) b = pulled(job, layout, b);
+    inner_[job.number].push_back(b);
     Vec3 p{};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t c = 0; c < 3; ++c) p[c] += b[k] * place(job.cell.corners[k])[c];

@@ -23,7 +23,7 @@ class SurfaceBuilder {
 
   /// Prepares the pieces of a leaf cell with closed facets. `orientation`: of the cell, corners in
   /// their order.
-  void add_cell(const Cell& cell, int orientation, std::vector<Piece> pieces);
+  void add_cell(Index number, const Cell& cell, int orientation, std::vector<Piece> pieces);
   /// The cone from a zero corner (or the fan from two) over the curve on the opposite face (the
   /// roots of the opposite edge): triangles with one or two mesh vertices.
   void add_cone(Index tet, Index apex, Index face);
@@ -35,6 +35,10 @@ class SurfaceBuilder {
   std::size_t boundary_segments() const { return boundary_segments_; }
   /// The inner points of the arcs' polylines, in the arcs' leaf faces, after build().
   std::unordered_map<Index, std::vector<std::array<double, 3>>> polylines() const;
+  /// The vertices inside cells, by a cell's number: weights of its corners, after build().
+  const std::unordered_map<Index, std::vector<std::array<double, 4>>>& inner() const {
+    return inner_;
+  }
   /// Whether the triangle's piece ends at an open cell, after build().
   bool touches_open(std::size_t triangle) const { return touches_[triangle] != 0; }
 
@@ -49,6 +53,7 @@ class SurfaceBuilder {
     Index tet, apex, arc;
   };
   struct Job {
+    Index number;
     Cell cell;
     int orientation;
     Piece piece;
@@ -119,6 +124,7 @@ class SurfaceBuilder {
   std::size_t boundary_segments_ = 0;
   std::vector<Index> inside_of_;  ///< by arc: where its points are; kNone: it is a segment
   std::vector<std::vector<ArcPoint>> inside_;
+  std::unordered_map<Index, std::vector<Barycentric>> inner_;
   std::vector<Index> root_points_;  ///< by root
   std::unordered_map<Index, Index> zero_points_;
   Layout layout_;  ///< of the job at hand

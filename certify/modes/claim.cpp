@@ -12,7 +12,7 @@
 #include "certify/container/prove.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/modes/decode.hpp"
-#include "certify/modes/positions.hpp"
+#include "certify/modes/near_vertices.hpp"
 #include "certify/modes/surface.hpp"
 
 namespace crest::certify {
@@ -115,11 +115,34 @@ void require_counts(const SurfaceCounts& stated, const SurfaceCounts& found, con
           "level {}: {} stated, {} found", level, in_words(stated), in_words(found));
 }
 
-/// Theorem 16: what is stated of positions.
+/// Theorem 16 (ii): what is stated of the mode at vertices.
+void check_vertices(const LevelContext& context, const Positions& positions, Verdict& verdict) {
+  const NearVertices vertices(context, positions);
+  const ModeLevel& stated = context.stated;
+  std::atomic<u32> near{0};
+  check_all(context.trees.edges.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
+    if (const u32 found = vertices.on_edge(context.trees.edges[i], worker)) near += found;
+  });
+  check_all(context.trees.faces.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
+    if (const u32 found = vertices.on_face(static_cast<u32>(i), worker)) near += found;
+  });
+  check_all(stated.inner.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
+    if (vertices.inside(stated.inner[i], worker)) ++near;
+  });
+  require(stated.near <= near, "vertices near the level: {} stated, {} found", stated.near,
+          near.load());
+  prove(verdict,
+        "positions: at {} of {} vertices, {} of them inside cells, the mode is off by at "
+        "most 2^-40",
+        near.load(), vertices.all(), stated.inner.size());
+}
+
+/// Theorem 16 (i): what is stated of positions.
 void check_positions(const LevelContext& context, const Domain& domain,
                      const std::vector<CellPieces>& pieces, bool embedded, Verdict& verdict) {
   const Positions positions(context);
   if (!positions.stated()) return;
+  check_vertices(context, positions, verdict);
   const Trees& trees = context.trees;
   std::atomic<u32> placed{0}, all{0};
   const auto count = [&](const PlacedPieces& found) {

@@ -46,6 +46,12 @@ void read(ByteReader& reader, std::array<double, 2>& weights) {
   for (double& w : weights) w = read_number(reader);
 }
 
+void read(ByteReader& reader, InnerVertex& vertex) {
+  vertex.witness = reader.integer<std::uint32_t>();
+  vertex.level = reader.integer<std::int8_t>();
+  for (double& w : vertex.weights) w = read_number(reader);
+}
+
 /// A record takes at least `size` bytes: no length is believed before it is compared.
 template <class Record>
 void read_list(ByteReader& reader, std::vector<Record>& list, std::size_t size) {
@@ -86,12 +92,14 @@ void read_level(ByteReader& reader, ModeLevel& level) {
   read_list(reader, level.root_places, 8);
   read_list(reader, level.arc_points, 2);
   read_list(reader, level.points, 16);
+  read_list(reader, level.inner, 29);
   level.placed = reader.integer<std::uint32_t>();
   level.not_placed = reader.integer<std::uint32_t>();
+  level.near = reader.integer<std::uint32_t>();
 }
 
 /// Bytes of a level whose lists are empty.
-constexpr std::size_t kEmptyLevel = 16 + 8 * 4 + 8 + 4 + 3 * 4 + 8;
+constexpr std::size_t kEmptyLevel = 16 + 8 * 4 + 8 + 4 + 4 * 4 + 12;
 
 }  // namespace
 

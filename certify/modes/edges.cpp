@@ -6,6 +6,7 @@
 
 #include "certify/container/reject.hpp"
 #include "certify/exact/sturm.hpp"
+#include "certify/modes/invariants.hpp"
 
 namespace crest::certify::modes {
 namespace {
@@ -96,32 +97,12 @@ int count_roots(const Line& line) {
 
 /// The sign of f from the tensor at a place, wrong by much less than the line's coefficients; 0
 /// if it is not certain.
-///
-/// Scaled so that the ends' entries are at most 1; e bounds the entries' errors (of an average:
-/// those of the ends, and 3 u), m their sizes. det has six products of three entries, each wrong
-/// by 3 m^2 e, and at most five roundings; |D|^2 nine of two, 2 m e and eight.
 int sign_there(const LevelContext& context, const EdgeNode& edge, double t) {
-  const auto &a = context.field.approximate(edge.first),
-             &b = context.field.approximate(edge.second);
-  const double size = std::max(a.largest, b.largest), s = 1 - t;
-  if (!(size > 0x1p-900 && size < 0x1p900)) return 0;
-  const int shift = -std::ilogb(size) - 1;
-  Tensor<double> d;
-  double m = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    d[k] = s * std::ldexp(a.entries[k], shift) + t * std::ldexp(b.entries[k], shift);
-    m = std::max(m, std::fabs(d[k]));
-  }
-  const double e = widened(std::ldexp(std::max(a.error, b.error), shift) + 4 * kUnit);
-  m = widened(m + e);
-  const double det = d[0] * (d[1] * d[2] - d[4] * d[4]) - d[3] * (d[3] * d[2] - d[4] * d[5]) +
-                     d[5] * (d[3] * d[4] - d[1] * d[5]);
-  const double det_error = widened(18 * m * m * e + 32 * kUnit * m * m * m);
+  const auto there = invariants<2>(context.field, {edge.first, edge.second}, std::array{1 - t, t});
+  if (!there) return 0;
+  const auto [det, det_error, norm, norm_error] = *there;
   if (context.level.neutral)
     return certainly_above(det, det_error) ? 1 : certainly_below(det, det_error) ? -1 : 0;
-  const double norm =
-      d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 2 * (d[3] * d[3] + d[4] * d[4] + d[5] * d[5]);
-  const double norm_error = widened(18 * m * e + 80 * kUnit * m * m);
   const double square = context.level.square, most = widened(norm + norm_error);
   const double first = 54 * det * det, second = square * norm * norm * norm;
   const double bound = widened(54 * (2 * std::fabs(det) + det_error) * det_error +

@@ -38,6 +38,11 @@ void write(ByteWriter& out, std::uint16_t count) {
 void write(ByteWriter& out, const std::array<double, 2>& weights) {
   out.numbers(std::span<const double>(weights));
 }
+void write(ByteWriter& out, const InnerVertex& vertex) {
+  out.integer(vertex.witness);
+  out.integer(vertex.level);
+  out.numbers(std::span<const double>(vertex.weights));
+}
 template <std::size_t n>
 void write(ByteWriter& out, const std::array<std::uint32_t, n>& corners) {
   out.numbers(std::span<const std::uint32_t>(corners));
@@ -73,8 +78,10 @@ void write_level(ByteWriter& out, const ModeLevel& level) {
   write_list(out, level.root_places);
   write_list(out, level.arc_points);
   write_list(out, level.points);
+  write_list(out, level.inner);
   out.integer(level.placed);
   out.integer(level.not_placed);
+  out.integer(level.near);
 }
 
 }  // namespace

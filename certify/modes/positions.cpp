@@ -58,6 +58,7 @@ Positions::Positions(const LevelContext& context) : context_(context) {
   const ModeLevel& level = context.stated;
   if (level.root_places.empty() && level.arc_points.empty() && level.points.empty()) {
     require(level.placed == 0 && level.not_placed == 0, "positions: pieces without any");
+    require(level.inner.empty() && level.near == 0, "positions: vertices without any");
     return;
   }
   first_point_.push_back(0);

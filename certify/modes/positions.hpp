@@ -21,6 +21,11 @@ class Positions {
 
   /// Whether there are any.
   bool stated() const { return !first_point_.empty(); }
+  /// Of an arc, from its first root on. Requires: there are positions.
+  std::span<const std::array<double, 2>> points_of(u32 arc) const {
+    return std::span(context_.stated.points)
+        .subspan(first_point_[arc], first_point_[arc + 1] - first_point_[arc]);
+  }
   /// The pieces of a cell with a witness. Requires: its arcs are proven.
   PlacedPieces place_cell(const Cell& cell, const CellPieces& pieces) const;
   /// The cones over a face of the complex.

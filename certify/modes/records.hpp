@@ -8,7 +8,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kModes = 6, kModesVersion = 2;
+inline constexpr std::uint32_t kModes = 6, kModesVersion = 3;
 
 /// Codes of the nodes of trees, which are written in preorder (SPEC.md, "Trees").
 namespace modes_code {
@@ -54,6 +54,13 @@ struct TetWitness {
   std::array<std::uint8_t, 2> pieces;  ///< components in the cell: of the + level, of the - level
 };
 
+/// A vertex inside a cell.
+struct InnerVertex {
+  std::uint32_t witness;          ///< of its cell, in the list of those of tetrahedra
+  std::int8_t level;              ///< +1, -1, as a root's
+  std::array<double, 3> weights;  ///< of the cell's corners 0, 1, 2
+};
+
 /// A component of a level that touches no open tetrahedron.
 struct SurfaceComponent {
   std::int32_t euler_characteristic;
@@ -85,7 +92,9 @@ struct ModeLevel {
   std::vector<std::uint16_t> arc_points{};  ///< inner points of each arc's polyline
   std::vector<std::array<double, 2>>
       points{};  ///< these, from an arc's first root on: weights of its face's corners 0 and 1
+  std::vector<InnerVertex> inner{};          ///< by witness, of one cell those of the + level first
   std::uint32_t placed = 0, not_placed = 0;  ///< pieces of cells and cones: at least, the others
+  std::uint32_t near = 0;  ///< roots, points and inner vertices whose mode is near: at least
 };
 
 /// Claim modes: level sets of the mode of a piecewise linear tensor field.

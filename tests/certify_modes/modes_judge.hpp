@@ -19,7 +19,7 @@ using namespace certify;
 inline auto statement(const ModeLevel& level) {
   return std::tuple(level.numerator, level.denominator, level.positive.components,
                     level.positive.touched, level.negative.components, level.negative.touched,
-                    level.placed, level.not_placed);
+                    level.placed, level.not_placed, level.near);
 }
 
 inline bool same_field(const ModesCertificate& a, const ModesCertificate& b) {

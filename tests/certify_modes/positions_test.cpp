@@ -70,6 +70,28 @@ class WholeCell {
     if (found[0] + found[1] == 0) return std::nullopt;
     return found;
   }
+  /// Vertices whose mode is within 2^-40 of the level, by the definition. After count(), where that
+  /// is something.
+  std::uint32_t near(const ModesInput& input) const {
+    std::uint32_t count = 0;
+    for (const Line& line : lines_)
+      for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
+        count += is_near(input, line.points[i], level_.roots[line.first].level);
+    for (const auto& [ends, roots] : on_edge_)
+      for (const auto r : roots) {
+        Weights w{};
+        w[ends[1]] = Rational(level_.root_places[r]);
+        w[ends[0]] = 1 - w[ends[1]];
+        count += is_near(input, w, level_.roots[r].level);
+      }
+    for (const InnerVertex& vertex : level_.inner) {
+      Weights w{};
+      for (unsigned k = 0; k < 3; ++k) w[k] = Rational(vertex.weights[k]);
+      w[3] = 1 - w[0] - w[1] - w[2];
+      count += is_near(input, w, vertex.level);
+    }
+    return count;
+  }
 
  private:
   struct Line {
@@ -118,6 +140,23 @@ class WholeCell {
     return p;
   }
 
+  /// mode |mode| is monotonic in the mode, and rational.
+  bool is_near(const ModesInput& input, const Weights& b, int of) const {
+    std::array<Rational, 6> t;
+    for (unsigned i = 0; i < 4; ++i)
+      for (unsigned k = 0; k < 6; ++k) t[k] += b[i] * Rational(input.tensors[i][k]);
+    const Rational mean = (t[0] + t[1] + t[2]) / 3;
+    for (unsigned k = 0; k < 3; ++k) t[k] -= mean;
+    const Rational det = t[0] * t[1] * t[2] + 2 * t[3] * t[4] * t[5] - t[0] * t[4] * t[4] -
+                         t[1] * t[5] * t[5] - t[2] * t[3] * t[3];
+    Rational norm = 0;
+    for (unsigned k = 0; k < 6; ++k) norm += (k < 3 ? 1 : 2) * t[k] * t[k];
+    const auto signed_square = [](const Rational& x) { return x < 0 ? -x * x : x * x; };
+    const Rational mode = 54 * signed_square(det) / (norm * norm * norm),
+                   level = of * Rational(level_.numerator) / Rational(level_.denominator),
+                   room = Rational(0x1p-40);
+    return mode >= signed_square(level - room) && mode <= signed_square(level + room);
+  }
   static bool is_along_a_side(const Line& line) {
     int corners = 0;
     for (unsigned k = 0; k < 4; ++k)
@@ -213,24 +252,30 @@ ModesInput random_tet(Random& random) {
 
 TEST_CASE("modes: placed pieces are those of the definition, in rationals") {
   Random random(kSeed);
-  std::array<std::uint64_t, 2> seen{};
+  std::array<std::uint64_t, 2> seen{}, near{};
   for (std::uint64_t i = 0; i < scaled(150); ++i) {
-    auto c = reference_modes(random_tet(random), {{0, 1}, {1, 2}}, 0);
+    const ModesInput input = random_tet(random);
+    auto c = reference_modes(input, {{0, 1}, {1, 2}}, 0);
     for (const unsigned points : {0U, 1U, 3U}) {
       add_positions(c, points, random());
       const Verdict verdict = verify(encode(c));
       INFO(verdict.reason);
       REQUIRE(verdict.accepted);
       for (const auto& level : c.levels) {
-        const auto expected = WholeCell(level).count();
+        WholeCell cell(level);
+        const auto expected = cell.count();
         if (!expected) continue;
+        CHECK(level.near == cell.near(input));
+        near[0] += level.near, near[1] += level.inner.size();
         CHECK(level.placed == (*expected)[0]);
         CHECK(level.not_placed == (*expected)[1]);
         seen[0] += level.placed, seen[1] += level.not_placed;
       }
     }
   }
-  std::cout << seen[0] << " pieces placed, " << seen[1] << " not\n";
+  std::cout << seen[0] << " pieces placed, " << seen[1] << " not; " << near[0] << " vertices near, "
+            << near[1] << " inside\n";
+  CHECK(near[0] > 40);
   CHECK(seen[0] > 20);
   CHECK(seen[1] > 20);
 }
@@ -344,6 +389,42 @@ const std::vector<std::pair<std::string, Edit>> kEdits = {
        l.root_places.clear(), l.arc_points.clear(), l.points.clear();
        return true;
      }},
+    {"lists dropped but inner vertices",
+     [](ModeLevel& l, Random&) {
+       l.root_places.clear(), l.arc_points.clear(), l.points.clear();
+       l.placed = l.not_placed = l.near = 0;
+       return true;
+     }},
+    {"a vertex more near", [](ModeLevel& l, Random&) { return ++l.near, true; }},
+    {"all vertices near",
+     [](ModeLevel& l, Random&) {
+       l.near = static_cast<std::uint32_t>(l.roots.size() + l.points.size() + l.inner.size());
+       return true;
+     }},
+    {"inner vertex of no witness",
+     [](ModeLevel& l, Random&) {
+       l.inner.back().witness = static_cast<std::uint32_t>(l.tet_witnesses.size());
+       return true;
+     }},
+    {"inner vertex of no level",
+     [](ModeLevel& l, Random& r) {
+       l.inner[r() % l.inner.size()].level = std::array{std::int8_t{0}, std::int8_t{3}}[r() % 2];
+       return true;
+     }},
+    {"inner vertex of a level that is not there",
+     [](ModeLevel& l, Random& r) { return l.inner[r() % l.inner.size()].level = -1, true; }},
+    {"inner vertices not in order",
+     [](ModeLevel& l, Random&) {
+       return std::swap(l.inner.front(), l.inner.back()),
+              l.inner.front().witness != l.inner.back().witness;
+     }},
+    {"inner vertex outside",
+     [](ModeLevel& l, Random& r) {
+       auto& w = l.inner[r() % l.inner.size()].weights;
+       w[r() % 3] = std::array{-0.25, 1.0, std::nan("")}[r() % 3];
+       return true;
+     }},
+    {"inner vertices dropped", [](ModeLevel& l, Random&) { return l.inner.clear(), true; }},
 };
 
 }  // namespace
@@ -363,12 +444,13 @@ TEST_CASE("modes: edited positions are rejected") {
     }
   // Fewer may be stated.
   auto modest = c;
-  --modest.levels[0].placed, ++modest.levels[0].not_placed;
+  --modest.levels[0].placed, ++modest.levels[0].not_placed, --modest.levels[0].near;
   require_accepted(modest);
   // Nothing stated is no claim.
   auto silent = c;
   auto& level = silent.levels[0];
   level.root_places.clear(), level.arc_points.clear(), level.points.clear();
-  level.placed = level.not_placed = 0;
+  level.inner.clear();
+  level.placed = level.not_placed = level.near = 0;
   require_accepted(silent);
 }

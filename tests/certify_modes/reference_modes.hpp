@@ -25,9 +25,10 @@ certify::ModesCertificate reference_modes(const ModesInput& input,
                                           std::vector<certify::ZeroRecord> zeros = {});
 
 /// Each root in the middle of its enclosure, or of what is free where it has none; arcs without
-/// points, or `points` of them each, at random in their faces, in the order of a line.
+/// points, or `points` of them each, at random in their faces; in each cell a vertex of each level
+/// that has pieces there, on the level as doubles tell, 1e-12 off, or anywhere.
 void add_positions(certify::ModesCertificate& c, unsigned points = 0, std::uint64_t seed = 1);
-/// The pieces placed and not, as the checker counts them.
+/// The pieces placed and not and the vertices near the level, as the checker counts them.
 void count_positions(certify::ModesCertificate& c);
 
 }  // namespace crest::tests

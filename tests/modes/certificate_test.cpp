@@ -69,6 +69,38 @@ TEST_CASE("certificates place the pieces of the reference fields") {
   CHECK(100 * sum[0] >= 99 * sum[1]);
 }
 
+TEST_CASE("certificates have all vertices near the level, and none that is not") {
+  modes::ModeOptions fine;
+  fine.deviation = 0.05;
+  std::size_t inner = 0;
+  for (const Row& row : small_boxes()) {
+    const auto c = certified(box(row.rows, 2, 3, Cut::mirrored), {{0, 1}, {9, 10}}, fine);
+    for (std::size_t i = 0; i < c.levels.size(); ++i) {
+      const auto& level = c.levels[i];
+      CHECK(level.near == level.roots.size() + level.points.size() + level.inner.size());
+      inner += level.inner.size();
+      // Off by 1e-9 of a weight, it is not near: gradients of the mode are of size 1.
+      const auto moved = [&](const auto& change) {
+        auto mutant = c;
+        change(mutant.levels[i]);
+        return certify::verify(certify::encode(mutant)).accepted;
+      };
+      REQUIRE((!level.inner.empty() && !level.points.empty()));
+      CHECK_FALSE(moved([](certify::ModeLevel& l) {
+        auto& w = l.inner[l.inner.size() / 2].weights;
+        w[0] > w[1] ? w[0] -= 1e-9 : w[1] -= 1e-9;
+      }));
+      CHECK_FALSE(moved([](certify::ModeLevel& l) {
+        auto& w = l.points[l.points.size() / 2];
+        w[0] > w[1] ? w[0] -= 1e-9 : w[1] -= 1e-9;
+      }));
+      CHECK_FALSE(moved([](certify::ModeLevel& l) { l.inner.pop_back(); }));
+    }
+  }
+  INFO(inner);
+  CHECK(inner > 1000);
+}
+
 TEST_CASE("nothing is placed where a tetrahedron is flat") {
   auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   auto points = field.mesh.points();
