@@ -113,6 +113,11 @@ void load_row(const QuadraticSpline& spline, const std::vector<Native>& samples,
     row[i] = shown(static_cast<double>(p[from + static_cast<int>(i)]));
 }
 
+std::size_t word_count(const std::array<int, 3>& size) {
+  return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+         static_cast<std::size_t>(size[2]);
+}
+
 }  // namespace
 
 double scale_to_one(double largest) {
@@ -164,17 +169,13 @@ ActiveCubes::ActiveCubes(const QuadraticSpline& spline, double c) {
   const Cube n = spline.cubes();
   Level cubes{};
   for (std::size_t k = 0; k < 3; ++k) cubes.size[k] = (n[k] + 3) / 4;
-  const auto words = [](const std::array<int, 3>& size) {
-    return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
-           static_cast<std::size_t>(size[2]);
-  };
   // A bound of |coefficient - c|: no more than 9/8 of the largest sample.
   largest_ = 1.25 * spline.largest_sample() + std::fabs(c);
   margin_ = 0x1p-18 * largest_;
   // Floats have no digits to spare below 2^-126, and end at 2^128.
   const double scale = scale_to_one(largest_);
   const auto margin = static_cast<float>(margin_ * scale * (1 + 0x1p-20));
-  cubes.words.assign(words(cubes.size), 0);
+  cubes.words.assign(word_count(cubes.size), 0);
   std::atomic<std::size_t> count{0};
   tbb::enumerable_thread_specific<std::array<float, 2>> extremes(
       std::array<float, 2>{HUGE_VALF, -HUGE_VALF});
@@ -212,7 +213,7 @@ ActiveCubes::ActiveCubes(const QuadraticSpline& spline, double c) {
     const Level& low = levels_.back();
     Level high{};
     for (std::size_t k = 0; k < 3; ++k) high.size[k] = (low.size[k] + 3) / 4;
-    high.words.assign(words(high.size), 0);
+    high.words.assign(word_count(high.size), 0);
     std::size_t i = 0;
     for (int z = 0; z < low.size[2]; ++z)
       for (int y = 0; y < low.size[1]; ++y)

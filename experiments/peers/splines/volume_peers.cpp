@@ -50,6 +50,9 @@ struct Row {
   double items = 0, hits = 0;
 };
 
+/// Triangles, quadrangles, cubes or rays, and hits if any.
+using Made = std::pair<std::size_t, std::size_t>;
+
 class Comparison {
  public:
   Comparison(int nodes, int size) : nodes_(nodes), samples_(lobb_samples(nodes)) {
@@ -87,7 +90,6 @@ class Comparison {
   }
 
  private:
-  /// `work` returns the number of triangles, quadrangles, cubes or rays, and of hits if any.
   template <class Work>
   void measure(const std::string& name, const Work& work) {
     const double start = processor_seconds();
@@ -97,8 +99,6 @@ class Comparison {
     row.items = static_cast<double>(items);
     row.hits = static_cast<double>(hits);
   }
-  using Made = std::pair<std::size_t, std::size_t>;
-
   void crest() {
     std::optional<splines::RayCaster> caster;
     measure("1 Crest, hull of every cube", [&] {
