@@ -73,11 +73,12 @@ class View {
   /** While something moves: coarser triangles where frames take too long. */
   pace(now) {
     this.frames.push(now);
-    if (this.frames.length < 4) return;
-    const each = (now - this.frames[0]) / (this.frames.length - 1);
+    const count = this.frames.length - 1, each = (now - this.frames[0]) / count;
+    // One frame that takes very long is enough to know.
+    if (count < 1 || (count < 3 && each < 200)) return;
     this.frames = [now];
     const most = this.surfaces.reduce((sum, s) => sum + s.levels[0].count / 3, 0);
-    if (each > 33 && this.level < 3 && most > 12000) ++this.level;
+    if (each > 33 && most > 12000) this.level = Math.min(this.level + (each > 200 ? 2 : 1), 3);
     for (const surface of this.surfaces) surface.prepare(this.level);
   }
 

@@ -44,11 +44,13 @@ function vertexNormals(points, faces) {
 
 /** The faces left when the vertices in each cell of a grid become one: at most about `most`. */
 function coarsened(points, faces, most) {
-  const vertices = points.length / 3, stand = new Uint32Array(vertices);
-  for (let cells = Math.ceil(Math.sqrt(most)); ; cells = Math.floor(0.75 * cells)) {
+  const none = 0xffffffff, stand = new Uint32Array(points.length / 3);
+  for (let cells = Math.ceil(Math.sqrt(0.3 * most)); ;) {
     const first = new Map();
     const cell = (x) => Math.floor(0.5 * (x + 1) * cells);
-    for (let v = 0; v < vertices; ++v) {
+    stand.fill(none);
+    for (const v of faces) {
+      if (stand[v] !== none) continue;
       const key = (cell(points[3 * v]) * 4096 + cell(points[3 * v + 1])) * 4096 + cell(points[3 * v + 2]);
       if (!first.has(key)) first.set(key, v);
       stand[v] = first.get(key);
@@ -59,6 +61,7 @@ function coarsened(points, faces, most) {
       if (a !== b && b !== c && c !== a) left.push(a, b, c);
     }
     if (left.length <= 3 * most || cells < 8) return new Uint32Array(left);
+    cells = Math.floor(0.95 * cells * Math.sqrt(3 * most / left.length));  // their number is as cells^2
   }
 }
 
@@ -90,7 +93,7 @@ class Surface {
     this.attribute(0, this.places, 3, gl.FLOAT, false);
     this.attribute(1, this.split ? onOneSide(spread(normals)) : normals, 3, gl.FLOAT, false);
     this.colours = this.attribute(2, new Uint8Array(4 * this.places.length / 3), 4, gl.UNSIGNED_BYTE, true);
-    this.levels = [{count: this.indices.length, elements: this.elements(this.indices)}];
+    this.levels = [{count: this.indices.length, indices: this.indices, elements: this.elements(this.indices)}];
     gl.bindVertexArray(null);
     this.level = 0;
     this.paint(data.coloured ? data.fields[0] : undefined);
@@ -146,9 +149,9 @@ class Surface {
         this.levels.push(last);
         continue;
       }
-      const indices = coarsened(this.places, this.indices, most);
+      const indices = coarsened(this.places, last.indices, most);
       this.gl.bindVertexArray(null);
-      this.levels.push({count: indices.length, elements: this.elements(indices)});
+      this.levels.push({count: indices.length, indices, elements: this.elements(indices)});
     }
     return this.levels[level].count / 3;
   }

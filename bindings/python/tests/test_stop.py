@@ -76,8 +76,8 @@ LONG = {
     "ridges of noise": (lambda: rough(700), lambda x, go: crest.ridges(*x, progress=go)),
     "smooth_ridges": (lambda: "(x^4+y^4+z^4-1)*(x^4+y^4+z^4-1) + 0.3*x*y*z*x*y - 0.01",
                       lambda x, go: crest.smooth_ridges(surface=x, box=(-3, 3), progress=go)),
-    "curvature": (lambda: torus(400),
-                  lambda x, go: crest.curvature(*x, method="normal-cycle", rings=60, progress=go)),
+    "curvature": (lambda: torus(600),
+                  lambda x, go: crest.curvature(*x, method="normal-cycle", rings=20, progress=go)),
     "feature_lines": (lambda: torus(700), lambda x, go: crest.feature_lines(
         *x, threshold=0.5, neighbourhood="geodesic", dilate=3, erode=3, progress=go)),
     "reeb_graph": (lambda: rough(1400),
