@@ -207,7 +207,7 @@ void verify_modes(std::span<const std::uint8_t> data, std::span<const std::uint8
         c.points.size(), c.tets.size(), c.zeros.size());
   const bool positions =
       std::ranges::any_of(c.levels, [](const ModeLevel& l) { return !l.root_places.empty(); });
-  const bool embedded = positions && is_embedded(c);
+  const bool embedded = positions && is_embedded(c, domain);
   for (const ModeLevel& level : c.levels) verify_level(level, domain, embedded, field, verdict);
 }
 

@@ -145,11 +145,11 @@ Domain build_domain(const ModesCertificate& c, Field& field) {
   return domain;
 }
 
-std::vector<u32> nonzero_corners(const Field& field, std::span<const u32> corners) {
-  std::vector<u32> list;
-  for (const u32 v : corners)
-    if (!field.zero(v)) list.push_back(v);
-  return list;
+Corners nonzero_corners(const Field& field, const std::array<u32, 4>& tet) {
+  Corners corners;
+  for (const u32 v : tet)
+    if (!field.zero(v)) corners.list[corners.count++] = v;
+  return corners;
 }
 
 /// Zero is in the convex hull iff it is strictly inside that of a least set of corners, whose

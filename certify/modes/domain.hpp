@@ -22,8 +22,18 @@ struct Domain {
 /// Adds the zeros to the field. Throws Reject.
 Domain build_domain(const ModesCertificate& c, Field& field);
 
+/// Some corners of a tetrahedron, in their order.
+struct Corners {
+  std::array<u32, 4> list;
+  std::size_t count = 0;
+
+  std::size_t size() const { return count; }
+  u32 operator[](std::size_t i) const { return list[i]; }
+  const u32* begin() const { return list.data(); }
+  const u32* end() const { return list.data() + count; }
+};
 /// The corners that are not zero. Requires: none is of a split.
-std::vector<u32> nonzero_corners(const Field& field, std::span<const u32> corners);
+Corners nonzero_corners(const Field& field, const std::array<u32, 4>& tet);
 
 /// Whether the tensor is nonzero on the closed simplex of these corners. Cost: 0.1 ms or more.
 bool zero_free(ExactTensors& exact, std::span<const u32> corners);

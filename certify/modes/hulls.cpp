@@ -77,11 +77,6 @@ Hull exact_witness_hull(const LevelContext& context, const Witnessed<n>& simplex
   return hull(forms.witness(w, *lambda, context.level));
 }
 
-template <std::size_t n>
-std::string in_words(const std::array<u32, n>& corners) {
-  return fmt::format("simplex ({})", fmt::join(corners, ", "));
-}
-
 /// Calls check(part) for successive parts of eight at most.
 template <class Simplex, class Check>
 void by_eights(std::span<const Simplex> list, Worker& worker, const Check& check) {
@@ -99,11 +94,11 @@ void check_all_rejected(const LevelContext& context, std::span<const std::array<
       const Hull found =
           hulls[i] == Hull::unknown ? exact_level_hull(context, part[i], worker) : hulls[i];
       require(found != Hull::mixed,
-              "{}: stated to be free of the level, the coefficients do not say so",
-              in_words(part[i]));
+              "simplex ({}): stated to be free of the level, the coefficients do not say so",
+              fmt::join(part[i], ", "));
       if (found == Hull::nonnegative)
-        require(zero_free(worker.exact, part[i]), "{}: the tensor is zero in it",
-                in_words(part[i]));
+        require(zero_free(worker.exact, part[i]), "simplex ({}): the tensor is zero in it",
+                fmt::join(part[i], ", "));
     }
   });
 }
@@ -121,7 +116,8 @@ void check_all_witnesses(const LevelContext& context, std::span<const Witnessed<
     for (std::size_t i = 0; i < part.size(); ++i) {
       const Hull found =
           hulls[i] == Hull::unknown ? exact_witness_hull(context, part[i], worker) : hulls[i];
-      require(found == Hull::positive, "{}: its witness is none", in_words(part[i].corners));
+      require(found == Hull::positive, "simplex ({}): its witness is none",
+              fmt::join(part[i].corners, ", "));
     }
   });
 }

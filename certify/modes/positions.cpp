@@ -34,7 +34,7 @@ int orientation(const std::array<std::array<double, 3>, 4>& p) {
 
 }  // namespace
 
-bool is_embedded(const ModesCertificate& c) {
+bool is_embedded(const ModesCertificate& c, const Domain& domain) {
   auto tets = c.tets;
   std::vector<std::int8_t> signs;
   for (auto& t : tets) {
@@ -49,9 +49,12 @@ bool is_embedded(const ModesCertificate& c) {
     while (apart > 0 && tets[t][apart] == face.corners[apart - 1]) --apart;
     return apart % 2 == 1 ? signs[t] : -signs[t];
   };
-  return std::ranges::all_of(list_faces(tets, c.points.size()), [&](const TetFace& face) {
+  const auto on_two_sides = [&](const TetFace& face) {
     return face.tets[1] == kNone || side(face, face.tets[0]) != side(face, face.tets[1]);
-  });
+  };
+  // Zeros have no positions: of the tetrahedra as they are given.
+  if (c.zeros.empty()) return std::ranges::all_of(domain.faces, on_two_sides);
+  return std::ranges::all_of(list_faces(tets, c.points.size()), on_two_sides);
 }
 
 Positions::Positions(const LevelContext& context) : context_(context) {

@@ -7,7 +7,8 @@
 namespace crest::certify::modes {
 
 /// Whether no tetrahedron is flat and two with a common face are on its two sides. Exact.
-bool is_embedded(const ModesCertificate& c);
+/// Requires: build_domain(c).
+bool is_embedded(const ModesCertificate& c, const Domain& domain);
 
 struct PlacedPieces {
   u32 placed = 0, not_placed = 0;

@@ -35,15 +35,14 @@ std::vector<TetFace> list_faces(const std::vector<std::array<std::uint32_t, 4>>&
       return std::tie(x.b, x.c, x.tet) < std::tie(y.b, y.c, y.tet);
     });
     for (auto at = from; at != to; ++at) {
-      const std::array<std::uint32_t, 3> corners = {v, at->b, at->c};
-      if (!faces.empty() && faces.back().corners == corners) {
+      if (at != from && at[-1].b == at->b && at[-1].c == at->c) {
         require(faces.back().tets[1] == kNoTet,
                 "data: more than two tetrahedra at face ({}, {}, {})", v, at->b, at->c);
         require(tets[faces.back().tets[0]] != tets[at->tet],
                 "data: tetrahedra {} and {} have the same corners", faces.back().tets[0], at->tet);
         faces.back().tets[1] = at->tet;
       } else {
-        faces.push_back({corners, {at->tet, kNoTet}});
+        faces.push_back({{v, at->b, at->c}, {at->tet, kNoTet}});
       }
     }
   }

@@ -70,30 +70,8 @@ class WholeCell {
     if (found[0] + found[1] == 0) return std::nullopt;
     return found;
   }
-  /// Vertices whose mode is within 2^-40 of the level, by the definition. After count(), where that
-  /// is something.
-  std::uint32_t near(const ModesInput& input) const {
-    std::uint32_t count = 0;
-    for (const Line& line : lines_)
-      for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
-        count += is_near(input, line.points[i], level_.roots[line.first].level);
-    for (const auto& [ends, roots] : on_edge_)
-      for (const auto r : roots) {
-        Weights w{};
-        w[ends[1]] = Rational(level_.root_places[r]);
-        w[ends[0]] = 1 - w[ends[1]];
-        count += is_near(input, w, level_.roots[r].level);
-      }
-    for (const InnerVertex& vertex : level_.inner) {
-      Weights w{};
-      for (unsigned k = 0; k < 3; ++k) w[k] = Rational(vertex.weights[k]);
-      w[3] = 1 - w[0] - w[1] - w[2];
-      count += is_near(input, w, vertex.level);
-    }
-    return count;
-  }
 
- private:
+ protected:
   struct Line {
     std::size_t first, second;
     std::vector<Weights> points;
@@ -140,23 +118,6 @@ class WholeCell {
     return p;
   }
 
-  /// mode |mode| is monotonic in the mode, and rational.
-  bool is_near(const ModesInput& input, const Weights& b, int of) const {
-    std::array<Rational, 6> t;
-    for (unsigned i = 0; i < 4; ++i)
-      for (unsigned k = 0; k < 6; ++k) t[k] += b[i] * Rational(input.tensors[i][k]);
-    const Rational mean = (t[0] + t[1] + t[2]) / 3;
-    for (unsigned k = 0; k < 3; ++k) t[k] -= mean;
-    const Rational det = t[0] * t[1] * t[2] + 2 * t[3] * t[4] * t[5] - t[0] * t[4] * t[4] -
-                         t[1] * t[5] * t[5] - t[2] * t[3] * t[3];
-    Rational norm = 0;
-    for (unsigned k = 0; k < 6; ++k) norm += (k < 3 ? 1 : 2) * t[k] * t[k];
-    const auto signed_square = [](const Rational& x) { return x < 0 ? -x * x : x * x; };
-    const Rational mode = 54 * signed_square(det) / (norm * norm * norm),
-                   level = of * Rational(level_.numerator) / Rational(level_.denominator),
-                   room = Rational(0x1p-40);
-    return mode >= signed_square(level - room) && mode <= signed_square(level + room);
-  }
   static bool is_along_a_side(const Line& line) {
     int corners = 0;
     for (unsigned k = 0; k < 4; ++k)
@@ -234,6 +195,54 @@ class WholeCell {
   std::vector<Line> lines_;
 };
 
+/// The vertices of such a tetrahedron.
+class NearCell : public WholeCell {
+ public:
+  using WholeCell::WholeCell;
+
+  /// Vertices whose mode is within 2^-40 of the level, by the definition. After count(), where that
+  /// is something.
+  std::uint32_t near(const ModesInput& input) const {
+    std::uint32_t count = 0;
+    for (const Line& line : lines_)
+      for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
+        count += is_near(input, line.points[i], level_.roots[line.first].level);
+    for (const auto& [ends, roots] : on_edge_)
+      for (const auto r : roots) {
+        Weights w{};
+        w[ends[1]] = Rational(level_.root_places[r]);
+        w[ends[0]] = 1 - w[ends[1]];
+        count += is_near(input, w, level_.roots[r].level);
+      }
+    for (const InnerVertex& vertex : level_.inner) {
+      Weights w{};
+      for (unsigned k = 0; k < 3; ++k) w[k] = Rational(vertex.weights[k]);
+      w[3] = 1 - w[0] - w[1] - w[2];
+      count += is_near(input, w, vertex.level);
+    }
+    return count;
+  }
+
+ private:
+  /// mode |mode| is monotonic in the mode, and rational.
+  bool is_near(const ModesInput& input, const Weights& b, int of) const {
+    std::array<Rational, 6> t;
+    for (unsigned i = 0; i < 4; ++i)
+      for (unsigned k = 0; k < 6; ++k) t[k] += b[i] * Rational(input.tensors[i][k]);
+    const Rational mean = (t[0] + t[1] + t[2]) / 3;
+    for (unsigned k = 0; k < 3; ++k) t[k] -= mean;
+    const Rational det = t[0] * t[1] * t[2] + 2 * t[3] * t[4] * t[5] - t[0] * t[4] * t[4] -
+                         t[1] * t[5] * t[5] - t[2] * t[3] * t[3];
+    Rational norm = 0;
+    for (unsigned k = 0; k < 6; ++k) norm += (k < 3 ? 1 : 2) * t[k] * t[k];
+    const auto signed_square = [](const Rational& x) { return x < 0 ? -x * x : x * x; };
+    const Rational mode = 54 * signed_square(det) / (norm * norm * norm),
+                   level = of * Rational(level_.numerator) / Rational(level_.denominator),
+                   room = Rational(0x1p-40);
+    return mode >= signed_square(level - room) && mode <= signed_square(level + room);
+  }
+};
+
 ModesInput random_tet(Random& random) {
   std::uniform_int_distribution<int> entry(-5, 5), change(-4, 4);
   ModesInput input;
@@ -262,7 +271,7 @@ TEST_CASE("modes: placed pieces are those of the definition, in rationals") {
       INFO(verdict.reason);
       REQUIRE(verdict.accepted);
       for (const auto& level : c.levels) {
-        WholeCell cell(level);
+        NearCell cell(level);
         const auto expected = cell.count();
         if (!expected) continue;
         CHECK(level.near == cell.near(input));

@@ -105,9 +105,9 @@ void add_positions(ModesCertificate& c, unsigned points, std::uint64_t seed) {
 }
 
 void count_positions(ModesCertificate& c) {
-  const bool embedded = is_embedded(c);
   Field field(c.tensors);
   const Domain domain = build_domain(c, field);
+  const bool embedded = is_embedded(c, domain);
   for (ModeLevel& level : c.levels) {
     field.drop_splits();
     Trees trees = read_trees(level, domain, field);
