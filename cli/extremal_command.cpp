@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest extremal: extremal curves and surfaces of images, volumes and points (paper 000).
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -61,13 +64,21 @@ io::VolumeFile read_volume(Run& run, const ExtremalOptions& o) {
   return file;
 }
 
+/// What the allocator keeps of what was freed goes back to the system, where it can.
+void release_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
 /// Writes claim 8 if its checker accepts it: what is proven with no margin here may be refused
 /// there. Returns the digest of its data; empty: none was written.
 std::string certify_result(Run& run, std::optional<ExtremalCertificate>& certificate,
                            std::size_t undecided) {
   return run.step("certificate", "writing the certificate", [&]() -> std::string {
     const auto bytes = certify::encode(*certificate);
-    certificate.reset();  // the checker takes as much memory as the extraction did
+    certificate.reset();
+    release_memory();  // the checker takes as much as the extraction did
     const certify::Verdict verdict = certify::verify(bytes);
     if (!verdict.accepted) {
       run.warn("no certificate, its checker does not accept it: " + verdict.reason);
@@ -152,9 +163,9 @@ Outcome of_volume(Run& run, const ExtremalOptions& o) {
   if (run.wanted("--certificate")) certificate.emplace();
   extremal::Result result = run.step("extract", "extremal surface", [&] {
     return run.with_input([&] {
-      const extremal::Volume volume = extremal::volume_of(grid);
+      extremal::Volume volume = extremal::volume_of(grid);
       if (grid.dimension() == 3) file.grid.samples = {};
-      return extremal::extract(volume, options, certificate ? &*certificate : nullptr);
+      return extremal::extract(std::move(volume), options, certificate ? &*certificate : nullptr);
     });
   });
   extremal::move_to_world(grid, result);

@@ -10,7 +10,8 @@ Assembly::Assembly(const Grid& grid, const Options& options, Records records)
     : grid_(grid),
       options_(options),
       records_(std::move(records)),
-      clusters_(grid_, records_.cells) {}
+      clusters_(grid_, records_.cells),
+      counts_(record_counts()) {}
 
 MeasuredMesh Assembly::mesh(bool critical) const {
   MeasuredMesh r;
@@ -32,10 +33,26 @@ MeasuredMesh Assembly::mesh(bool critical) const {
   return r;
 }
 
+Counts Assembly::record_counts() const {
+  Counts c;
+  c.critical_edges = records_.critical.size();
+  for (const CriticalRecord& e : records_.critical) {
+    c.extremal_edges += e.state == EdgeState::extremal ? 1 : 0;
+    c.undecided_types += e.state == EdgeState::type_undecided ? 1 : 0;
+  }
+  c.undecided_edges = records_.undecided.size();
+  for (const FaceRecord& f : records_.faces) {
+    c.odd_faces += f.odd() ? 1 : 0;
+    c.ambiguous_faces += f.ambiguous() ? 1 : 0;
+    c.junction_edges += f.odd() && f.critical == 3 ? 1 : 0;
+  }
+  return c;
+}
+
 Counts Assembly::counts(const MeasuredMesh& mesh) const {
   const RecordCounts& n = records_.counts;
   const auto of = [&](CellState s) { return n.cells[static_cast<std::size_t>(s)]; };
-  Counts c;
+  Counts c = counts_;
   c.nodes = grid_.nodes();
   c.active_nodes = n.nodes[static_cast<std::size_t>(NodeState::active)];
   c.flat_nodes = n.nodes[static_cast<std::size_t>(NodeState::flat)];
@@ -47,19 +64,8 @@ Counts Assembly::counts(const MeasuredMesh& mesh) const {
   for (const std::size_t edges : c.bisections) c.edges += edges;
   while (c.bisections.size() > 1 && c.bisections.back() == 0) c.bisections.pop_back();
   c.cone_tests = n.tests;
-  c.critical_edges = records_.critical.size();
-  for (const CriticalRecord& e : records_.critical) {
-    c.extremal_edges += e.state == EdgeState::extremal ? 1 : 0;
-    c.undecided_types += e.state == EdgeState::type_undecided ? 1 : 0;
-  }
-  c.undecided_edges = records_.undecided.size();
   c.valence = mesh.trimmed.valence;
   c.odd_valence_unexplained = mesh.trimmed.unexplained;
-  for (const FaceRecord& f : records_.faces) {
-    c.odd_faces += f.odd() ? 1 : 0;
-    c.ambiguous_faces += f.ambiguous() ? 1 : 0;
-    c.junction_edges += f.odd() && f.critical == 3 ? 1 : 0;
-  }
   c.sheets_split = n.sheets_split;
   return c;
 }

@@ -24,14 +24,22 @@ class Assembly {
   }
   /// Gives the cells away, of which the certificate has most.
   CellRecords take_cells() { return std::move(records_.cells); }
+  /// Throws away what the meshes alone were made from.
+  void drop_faces() {
+    records_.faces = {};
+    records_.sheets = {};
+  }
 
  private:
+  /// Of records, but for nodes and cells.
+  Counts record_counts() const;
   Counts counts(const MeasuredMesh& mesh) const;
 
   Grid grid_;
   Options options_;
   Records records_;
   Clusters clusters_;
+  Counts counts_;
 };
 
 }  // namespace crest::extremal

@@ -138,17 +138,20 @@ class RegularTest {
     for (std::size_t i = 0; i < 64; ++i) {
       double sum = 0;
       for (std::size_t row = 0; row < 3; ++row) {
-        double h = 0;
+        double h = 0, own = 0;
         for (std::size_t col = 0; col < 3; ++col) {
           const double x = hessian_[entry(row, col)][i] / d[col];
           h += x * w[col];
-          sum += x * x;
+          own += x * x;
         }
         h_[row][i] = h;
+        row_size_[row] = std::max(row_size_[row], own);
+        sum += own;
       }
       square = std::max(square, sum);
     }
     size_ = std::sqrt(square);
+    for (double& x : row_size_) x = std::sqrt(x);
   }
 
   /// Is grad g in one cone? Sets its axis, and whether the box test holds.
@@ -167,9 +170,11 @@ class RegularTest {
     // First without what turns of n add, which costs most.
     if (!(room > 0)) return false;
     const double largest = std::max(std::fabs(g.low), std::fabs(g.high));
-    const double e =
-        2 * std::sin(theta_ / 2) * size_ + turn() * (g.across + std::sin(theta_) * largest);
-    proof.boxed = boxed(e + kMargin * size_ + slack_);
+    const double chord = 2 * std::sin(theta_ / 2), across = g.across + std::sin(theta_) * largest;
+    const Vec3 turn = turns();
+    const double e = chord * size_ + kernel::norm(turn) * across;
+    proof.boxed = boxed((chord + kMargin) * row_size_ + across * turn +
+                        (kMargin * size_ + slack_) * Vec3{1, 1, 1});
     return room > std::sqrt(2.0) * e + kMargin * size_ + slack_;
   }
 
@@ -189,12 +194,12 @@ class RegularTest {
   }
 
  private:
-  /// Do any two vectors with coordinates in the ranges of h, widened by e, have a positive product?
-  bool boxed(double e) const {
+  /// Do any two vectors with coordinates in the ranges of h, widened by e's, have a positive
+  /// product?
+  bool boxed(const Vec3& e) const {
     double sum = 0, square = 0;
-    for (int k = 0; k < fields_.grid().dimension(); ++k) {
-      const Controls& h = h_[static_cast<std::size_t>(k)];
-      const double low = least(h) - e, high = largest(h) + e;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(fields_.grid().dimension()); ++k) {
+      const double low = least(h_[k]) - e[k], high = largest(h_[k]) + e[k];
       sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
       square += std::max(low * low, high * high);
     }
@@ -203,11 +208,11 @@ class RegularTest {
   static constexpr std::size_t entry(std::size_t a, std::size_t b) {
     return a == b ? a : a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
   }
-  /// Bounds how fast n turns: D of the specification.
-  double turn() const {
+  /// Bounds how fast n turns along the axes: D_k of the specification.
+  Vec3 turns() const {
     const auto [u, v] = kernel::frame_across(w_);
     const auto fu = form(u, w_), fv = form(v, w_);
-    double sum = 0;
+    Vec3 r{};
     for (int k = 0; k < fields_.grid().dimension(); ++k) {
       const auto dt = made_.tensor(k);
       Controls across, norm;
@@ -216,10 +221,10 @@ class RegularTest {
         across[i] = a * a + b * b;
         norm[i] = square_norm(dt, i);
       }
-      const double x = (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm))) / gap_;
-      sum += x * x;
+      r[static_cast<std::size_t>(k)] =
+          (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm))) / gap_;
     }
-    return std::sqrt(sum);
+    return r;
   }
 
   const Fields& fields_;
@@ -228,6 +233,7 @@ class RegularTest {
   double gap_, theta_, size_ = 0, least_, slack_;
   std::array<Controls, 6> hessian_;
   std::array<Controls, 3> h_;
+  Vec3 row_size_{};  ///< of diag(d) Hess s
 };
 
 }  // namespace

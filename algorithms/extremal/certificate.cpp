@@ -68,11 +68,9 @@ void append(const Volume& volume, certify::ExtremalData& data) {
 }
 
 void record_edges(const Records& records, certify::ExtremalCertificate& c) {
-  for (const BisectedEdge& b : records.bisected) {
-    c.edges.push_back(b.edge / 3 * c.data.dimension + b.edge % 3);
-    c.trees.insert(c.trees.end(), b.transport.tree.begin(), b.transport.tree.end());
-    for (const Leaf& leaf : b.transport.leaves) c.leaves.push_back(leaf.w);
-  }
+  for (const Index e : records.bisected.edges) c.edges.push_back(e / 3 * c.data.dimension + e % 3);
+  c.trees = records.bisected.trees;
+  c.leaves = records.bisected.leaves;
   for (const CriticalRecord& e : records.critical)
     c.types.push_back(e.state == EdgeState::merely_critical
                           ? certify::extremal_code::kMerelyCritical

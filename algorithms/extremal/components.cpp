@@ -76,6 +76,7 @@ class Meter {
     count_vertices();
     count_borders();
     orient();
+    borders_ = {};
     for (Index p = 0; p < count(); ++p) measure_polygon(p);
     return std::move(r_);
   }
@@ -85,6 +86,7 @@ class Meter {
   Component& of(Index polygon) { return r_.components[r_.component_of[polygon]]; }
 
   void collect_borders() {
+    borders_.reserve(trimmed_.corners.size());
     for (Index p = 0; p < count(); ++p) {
       const Index begin = trimmed_.first[p], end = trimmed_.first[p + 1];
       for (Index i = begin; i < end; ++i) {

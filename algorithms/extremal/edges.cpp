@@ -65,7 +65,7 @@ void Edges::decide(const Node& v, std::size_t axis, Slice& slice) {
     lower = nodes_.sign(a) * side(na, unit(way.leaves.front().w));
     // In the orientation of the last leaf, which the first one's is brought to.
     upper = nodes_.sign(b) * side(nb, unit(way.leaves.back().w));
-    slice.bisected.push_back({e, way});
+    slice.bisected.add(e, way);
     if (lower * turned == upper) {
       states_[e] = EdgeState::plain;
       return;
@@ -104,9 +104,14 @@ Edges::Edges(const Fields& fields, const Nodes& nodes, const Cells& cells,
       }
   });
   depths_.assign(15, 0);
+  std::size_t found = 0;
+  for (const Slice& s : slices) found += s.critical.size();
+  critical_.reserve(found);
   for (Slice& s : slices) {
     append(critical_, s.critical);
-    append(bisected_, s.bisected);
+    append(bisected_.edges, s.bisected.edges);
+    append(bisected_.trees, s.bisected.trees);
+    append(bisected_.leaves, s.bisected.leaves);
     append(undecided_, s.undecided);
     tests_ += s.tests;
     for (std::size_t d = 0; d < depths_.size(); ++d) depths_[d] += s.depths[d];

@@ -22,9 +22,46 @@ struct CriticalEdge {
   Index edge;
   double place;  ///< of a zero, from the lower end on
 };
-struct BisectedEdge {
-  Index edge;
-  Transport transport;
+/// Edges that no cell decides, with what proves them, one after the other: a list an edge would
+/// take more than all else that is recorded.
+class BisectedEdges {
+ public:
+  std::vector<Index> edges;
+  std::vector<std::uint8_t> trees;  ///< as in Transport
+  std::vector<Short3> leaves;       ///< w
+
+  void add(Index edge, const Transport& way) {
+    edges.push_back(edge);
+    trees.insert(trees.end(), way.tree.begin(), way.tree.end());
+    for (const Leaf& leaf : way.leaves) leaves.push_back(leaf.w);
+  }
+  /// Where an edge's tree and leaves begin.
+  struct Place {
+    std::size_t edge, tree, leaf;
+  };
+  /// Of the edge after that one.
+  Place after(Place p) const {
+    ++p.edge;
+    for (std::size_t missing = 1; missing > 0; ++p.tree)
+      if (trees[p.tree] == 0) {
+        --missing;
+        ++p.leaf;
+      } else {
+        ++missing;
+      }
+    return p;
+  }
+  /// One edge of `other`, under this number.
+  void add(Index edge, const BisectedEdges& other, const Place& from) {
+    const Place to = other.after(from);
+    const auto part = [](auto& list, const auto& more, std::size_t begin, std::size_t end) {
+      list.insert(list.end(), more.begin() + static_cast<std::ptrdiff_t>(begin),
+                  more.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    edges.push_back(edge);
+    part(trees, other.trees, from.tree, to.tree);
+    part(leaves, other.leaves, from.leaf, to.leaf);
+  }
 };
 
 class Edges {
@@ -43,7 +80,7 @@ class Edges {
   const std::vector<CriticalEdge>& critical_edges() const { return critical_; }
   /// The place of a critical edge among critical_edges().
   std::size_t find(Index e) const;
-  const std::vector<BisectedEdge>& bisected() const { return bisected_; }
+  const BisectedEdges& bisected() const { return bisected_; }
   const std::vector<Index>& undecided() const { return undecided_; }
   /// Edges by depth of their bisection; those of cells: 0.
   const std::vector<std::size_t>& depths() const { return depths_; }
@@ -52,7 +89,7 @@ class Edges {
  private:
   struct Slice {
     std::vector<CriticalEdge> critical;
-    std::vector<BisectedEdge> bisected;
+    BisectedEdges bisected;
     std::vector<Index> undecided;
     std::vector<std::size_t> depths = std::vector<std::size_t>(15);
     std::size_t tests = 0;
@@ -70,7 +107,7 @@ class Edges {
   const kernel::GridBox counted_;
   std::vector<EdgeState> states_;
   std::vector<CriticalEdge> critical_;
-  std::vector<BisectedEdge> bisected_;
+  BisectedEdges bisected_;
   std::vector<Index> undecided_;
   std::vector<std::size_t> depths_;
   std::size_t tests_ = 0;

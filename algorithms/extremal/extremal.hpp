@@ -62,6 +62,9 @@ struct PointOptions {
 ///   nodes along an axis, a size that is not that of the samples, spacing or options out of range.
 Result extract(const Volume& volume, const Options& options,
                certify::ExtremalCertificate* certificate = nullptr);
+/// The same, of samples that are thrown away as soon as they are smoothed: less memory.
+Result extract(Volume&& volume, const Options& options,
+               certify::ExtremalCertificate* certificate = nullptr);
 
 /// The extremal surface of points on an octree. Throws kernel::InputError: no point, all normals
 /// zero, numbers that are not finite. Points whose normal is zero are dropped and counted.

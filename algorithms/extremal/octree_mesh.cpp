@@ -208,29 +208,30 @@ class OctreePolygons {
 /// As on the uniform grid: the zeros' centroid, then along n, inside the leaf.
 void place_vertices(const PointTree& tree, SheetMesh& mesh) {
   std::vector<int> count(mesh.vertices.size(), 0);
+  mesh.points.assign(mesh.vertices.size(), Vec3{});
   for (const SheetPolygon& p : mesh.polygons)
     for (std::size_t i = 0; i < p.count; ++i) {
-      Vec3& at = mesh.vertices[p.corners[i]].at;
+      Vec3& at = mesh.points[p.corners[i]];
       at = at + p.zero;
       ++count[p.corners[i]];
     }
   const double unit = tree.grid().spacing[0];
   kernel::parallel_for(tbb::blocked_range<std::size_t>(0, count.size(), 64), [&](const auto& r) {
     for (std::size_t i = r.begin(); i < r.end(); ++i) {
-      SheetVertex& v = mesh.vertices[i];
-      const OctreeLeaf& leaf = tree.tree().leaves()[v.cell];
-      v.at = (1.0 / count[i]) * v.at;
+      Vec3& at = mesh.points[i];
+      const OctreeLeaf& leaf = tree.tree().leaves()[mesh.vertices[i].cell];
+      at = (1.0 / count[i]) * at;
       for (int step = 0; step < 3; ++step) {
         for (std::size_t k = 0; k < 3; ++k)
-          v.at[k] = std::clamp(v.at[k], leaf.low[k] + leaf.size / 64.0,
-                               leaf.low[k] + leaf.size * 63 / 64.0);
+          at[k] = std::clamp(at[k], leaf.low[k] + leaf.size / 64.0,
+                             leaf.low[k] + leaf.size * 63 / 64.0);
         if (step == 2) break;
-        const Local l = tree.sums(v.at).local;
+        const Local l = tree.sums(at).local;
         const Vec3 n = dominant_direction(l.tensor);
         const double bend = kernel::dot(n, product(l.hessian, n));
         if (bend == 0) break;
         const double move = kernel::dot(n, l.gradient) / bend / unit;
-        v.at = v.at - std::clamp(move, -double(leaf.size), double(leaf.size)) * n;
+        at = at - std::clamp(move, -double(leaf.size), double(leaf.size)) * n;
       }
     }
   });
@@ -307,7 +308,7 @@ class OctreeMesher {
       }
       before = leaf;
       number[root] = static_cast<Index>(mesh_.vertices.size());
-      mesh_.vertices.push_back({leaf, {}, {}});
+      mesh_.vertices.push_back({leaf, {}});
     }
     for (Index c = 0; c < count; ++c)
       if (polygons_.leaf_of[c] != kernel::kNone)
@@ -317,6 +318,7 @@ class OctreeMesher {
 
   void make_edges() {
     std::size_t first = 0;  // Of the face's edges of the mesh.
+    std::vector<Vec3> middles;
     for (std::size_t i = 0, end; i < uses_.size(); i = end) {
       for (end = i; end < uses_.size() && same_edge(uses_[i], uses_[end]);) ++end;
       SheetEdge edge;
@@ -326,18 +328,30 @@ class OctreeMesher {
       edge.valence = static_cast<std::uint8_t>(end - i);
       edge.reason = end - i == 2 ? 0 : u.reason;
       const auto number = static_cast<Index>(mesh_.edges.size());
-      if (i == 0 || uses_[i - 1].face != u.face) first = number;
+      if (i == 0 || uses_[i - 1].face != u.face) {
+        first = number;
+        middles.clear();
+      }
+      Vec3& middle = middles.emplace_back();
       for (std::size_t k = i; k < end; ++k) {
         mesh_.polygons[uses_[k].polygon].sides[uses_[k].side] = number;
-        edge.middle = edge.middle + (1.0 / double(end - i)) * mesh_.polygons[uses_[k].polygon].zero;
+        middle = middle + (1.0 / double(end - i)) * mesh_.polygons[uses_[k].polygon].zero;
       }
-      for (std::size_t k = first; k < mesh_.edges.size(); ++k) mark_twin(mesh_.edges[k], edge);
+      for (std::size_t k = first; k < mesh_.edges.size(); ++k) {
+        if (std::minmax(edge.ends[0], edge.ends[1]) !=
+            std::minmax(mesh_.edges[k].ends[0], mesh_.edges[k].ends[1]))
+          continue;
+        put_middle(mesh_.edges[k], middles[k - first]);
+        put_middle(edge, middle);
+      }
       mesh_.edges.push_back(edge);
     }
   }
-  static void mark_twin(SheetEdge& a, SheetEdge& b) {
-    if (std::minmax(a.ends[0], a.ends[1]) == std::minmax(b.ends[0], b.ends[1]))
-      a.twin = b.twin = true;
+  /// The edge is a twin.
+  void put_middle(SheetEdge& edge, const Vec3& middle) {
+    if (edge.middle != kernel::kNone) return;
+    edge.middle = static_cast<Index>(mesh_.middles.size());
+    mesh_.middles.push_back(middle);
   }
 
   const PointTree& tree_;

@@ -66,6 +66,13 @@ class Recorder : OnPiece {
 
  private:
   void record_cells() {
+    // Lists that grow are held twice, and these are the longest.
+    const std::size_t regular =
+        e_.cells().count(CellState::regular) + e_.cells().count(CellState::regular_extremal);
+    const std::size_t proven =
+        e_.cells().count(CellState::cone) + e_.cells().count(CellState::empty) + regular;
+    r_.cells.codes.reserve(proven + e_.cells().count(CellState::open));
+    r_.cells.directions.reserve(proven);
     const kernel::GridBox& own = piece_.owned;
     const auto at = [&](std::size_t k, Index x) {
       return static_cast<int>(x) - static_cast<int>(piece_.all.low[k]);
@@ -132,10 +139,14 @@ class Recorder : OnPiece {
   }
 
   void record_edges() {
-    for (const BisectedEdge& b : e_.edges().bisected())
-      if (owned_edge(b.edge)) r_.bisected.push_back({global(b.edge), b.transport});
+    const BisectedEdges& bisected = e_.edges().bisected();
+    for (BisectedEdges::Place p{}; p.edge < bisected.edges.size(); p = bisected.after(p)) {
+      const Index e = bisected.edges[p.edge];
+      if (owned_edge(e)) r_.bisected.add(global(e), bisected, p);
+    }
     for (const Index e : e_.edges().undecided())
       if (owned_edge(e)) r_.undecided.push_back(global(e));
+    r_.critical.reserve(e_.edges().critical_edges().size());
     for (const CriticalEdge& c : e_.edges().critical_edges()) {
       if (!owned_edge(c.edge)) continue;
       const std::uint16_t place = snapped(c.place);
@@ -163,7 +174,9 @@ class Recorder : OnPiece {
   }
 
   void record_faces() {
-    for (const Index f : crossed_faces(e_.fields(), e_.edges())) {
+    const std::vector<Index> crossed = crossed_faces(e_.fields(), e_.edges());
+    r_.faces.reserve(crossed.size());
+    for (const Index f : crossed) {
       const Node v = grid_.node(f / 3);
       if (!owns(v)) continue;
       const Face face = e_.faces().face(v, f % 3);
@@ -194,17 +207,18 @@ class SheetRecorder : OnPiece {
  private:
   /// Owned cells (an image: squares) with critical edges, ascending.
   std::vector<Node> crossed_cells() const {
-    std::vector<std::size_t> found;
+    std::vector<Index> found;
     for (const CriticalEdge& c : e_.edges().critical_edges()) {
       const auto round = dual_.cells_at(c.edge);
       for (std::size_t i = 0; i < dual_.sides; ++i)
-        if (dual_.inside(round[i]) && owns(round[i])) found.push_back(grid_.index(round[i]));
+        if (dual_.inside(round[i]) && owns(round[i]))
+          found.push_back(static_cast<Index>(grid_.index(round[i])));
     }
     tbb::parallel_sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<Node> r;
     r.reserve(found.size());
-    for (const std::size_t c : found) r.push_back(grid_.node(c));
+    for (const Index c : found) r.push_back(grid_.node(c));
     return r;
   }
 
@@ -219,6 +233,7 @@ class SheetRecorder : OnPiece {
 
   std::vector<SheetRecord> sheets(const std::vector<Node>& cells, bool critical) const {
     std::vector<SheetRecord> r;
+    r.reserve(cells.size());
     for (const Node& c : cells) add_sheets(c, critical, r);
     const Levels levels{e_.options().min_value, e_.options().min_strength};
     kernel::parallel_for(tbb::blocked_range<std::size_t>(0, r.size(), 256), [&](const auto& range) {

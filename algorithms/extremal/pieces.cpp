@@ -66,12 +66,12 @@ Result assemble(const VolumeFrame& frame, const Options& options, Records joined
                 const ValuesAt& values, certify::ExtremalCertificate* certificate) {
   Assembly assembly(refined(frame.grid(), options.refine), options, std::move(joined));
   const MeasuredMesh mesh = assembly.mesh(options.critical);
-  Result result = assembly.result(mesh, values);
   if (certificate != nullptr) {
     certificate->data = data_of(frame.grid(), options);
     record_claims(assembly, options.critical ? assembly.mesh(false) : mesh, *certificate);
   }
-  return result;
+  assembly.drop_faces();
+  return assembly.result(mesh, values);
 }
 
 Result extract_in_pieces(const VolumeFrame& frame, const Options& options,

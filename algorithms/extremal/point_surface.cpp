@@ -70,8 +70,7 @@ LevelValues rim_values(const PointField& field, const PointTree& tree, const She
   r.centres.resize(mesh.polygons.size());
   using Range = tbb::blocked_range<std::size_t>;
   kernel::parallel_for(Range(0, r.corners.size(), 64), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      r.corners[i] = value(mesh.vertices[i].at);
+    for (std::size_t i = range.begin(); i < range.end(); ++i) r.corners[i] = value(mesh.points[i]);
   });
   kernel::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -133,7 +132,8 @@ Result extract(const OrientedPoints& given, const PointOptions& options,
   const PointTree tree(field, options.depth);
   MeasuredMesh mesh;
   mesh.sheets = make_octree_sheets(tree, options.critical, r.counts);
-  mesh.trimmed = trim(mesh.sheets, rim_values(field, tree, mesh.sheets));
+  const LevelValues levels = rim_values(field, tree, mesh.sheets);
+  mesh.trimmed = trim(mesh.sheets, levels);
   mesh.measured = measure(tree.grid(), mesh.sheets, mesh.trimmed);
   write_mesh(
       tree.grid(), mesh,

@@ -19,12 +19,9 @@ class Writer {
   template <class T>
   void operator()(const std::vector<T>& list) {
     (*this)(std::uint64_t{list.size()});
-    if constexpr (std::is_trivially_copyable_v<T>) {
-      const auto* from = reinterpret_cast<const std::uint8_t*>(list.data());
-      bytes.insert(bytes.end(), from, from + list.size() * sizeof(T));
-    } else {
-      for (const T& x : list) visit(*this, x);
-    }
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* from = reinterpret_cast<const std::uint8_t*>(list.data());
+    bytes.insert(bytes.end(), from, from + list.size() * sizeof(T));
   }
   std::vector<std::uint8_t> bytes;
 };
@@ -41,13 +38,10 @@ class Reader {
   void operator()(std::vector<T>& list) {
     std::uint64_t count = 0;
     (*this)(count);
+    static_assert(std::is_trivially_copyable_v<T>);
     if (count > rest_.size()) throw std::runtime_error("records: they end too early");
     list.resize(count);
-    if constexpr (std::is_trivially_copyable_v<T>) {
-      if (count > 0) std::memcpy(list.data(), take(count * sizeof(T)), count * sizeof(T));
-    } else {
-      for (T& x : list) visit(*this, x);
-    }
+    if (count > 0) std::memcpy(list.data(), take(count * sizeof(T)), count * sizeof(T));
   }
   bool empty() const { return rest_.empty(); }
 
@@ -61,17 +55,6 @@ class Reader {
   std::span<const std::uint8_t> rest_;
 };
 
-template <class Archive, class Edge>
-requires std::is_same_v<std::remove_const_t<Edge>, BisectedEdge>
-void visit(Archive& a, Edge& e) {
-  a(e.edge);
-  a(e.transport.tree);
-  a(e.transport.leaves);
-  a(e.transport.depth);
-  a(e.transport.tests);
-  a(e.transport.decided);
-}
-
 template <class Archive, class All>
 void visit_all(Archive& a, All& r) {
   a(r.cells.runs);
@@ -79,7 +62,9 @@ void visit_all(Archive& a, All& r) {
   a(r.cells.directions);
   a(r.cells.gradients);
   a(r.cells.fit);
-  a(r.bisected);
+  a(r.bisected.edges);
+  a(r.bisected.trees);
+  a(r.bisected.leaves);
   a(r.critical);
   a(r.undecided);
   a(r.faces);

@@ -23,6 +23,26 @@ void join_items(std::vector<Records>& pieces, std::vector<Item> Records::*items,
   if (!std::is_sorted(to.begin(), to.end(), before)) std::stable_sort(to.begin(), to.end(), before);
 }
 
+BisectedEdges join_bisected(std::vector<Records>& pieces) {
+  struct Source {
+    Index edge;
+    std::size_t piece;
+    BisectedEdges::Place place;
+  };
+  std::vector<Source> sources;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+    const BisectedEdges& from = pieces[piece].bisected;
+    for (BisectedEdges::Place p{}; p.edge < from.edges.size(); p = from.after(p))
+      sources.push_back({from.edges[p.edge], piece, p});
+  }
+  std::sort(sources.begin(), sources.end(),
+            [](const Source& a, const Source& b) { return a.edge < b.edge; });
+  BisectedEdges to;
+  for (const Source& s : sources) to.add(s.edge, pieces[s.piece].bisected, s.place);
+  for (Records& p : pieces) p.bisected = {};
+  return to;
+}
+
 /// A run with where its cells' numbers stand in its piece.
 struct Source {
   certify::CellRun run;
@@ -88,8 +108,7 @@ Records join(std::vector<Records> pieces) {
   if (pieces.size() == 1) return std::move(pieces[0]);
   Records r;
   r.cells = join_cells(pieces);
-  join_items(
-      pieces, &Records::bisected, [](const auto& x) { return x.edge; }, r.bisected);
+  r.bisected = join_bisected(pieces);
   join_items(
       pieces, &Records::critical, [](const auto& x) { return x.edge; }, r.critical);
   join_items(

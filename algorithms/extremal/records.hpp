@@ -58,7 +58,7 @@ struct RecordCounts {
 
 struct Records {
   CellRecords cells;
-  std::vector<BisectedEdge> bisected;
+  BisectedEdges bisected;
   std::vector<CriticalRecord> critical;
   std::vector<Index> undecided;
   std::vector<FaceRecord> faces;

@@ -24,6 +24,9 @@ class Polygons {
   Polygons(const Grid& grid, const Records& records, bool critical)
       : dual(grid), grid_(grid), records_(records), critical_(critical) {
     number_.assign(records.critical.size(), kernel::kNone);
+    all.reserve(static_cast<std::size_t>(
+        std::count_if(records.critical.begin(), records.critical.end(),
+                      [&](const CriticalRecord& c) { return wanted(c) && c.whole; })));
     for (std::size_t i = 0; i < number_.size(); ++i) {
       const CriticalRecord& c = records.critical[i];
       if (!wanted(c) || !c.whole) continue;
@@ -99,21 +102,22 @@ void find_corners(const Grid& grid, const std::vector<SheetRecord>& sheets, Poly
   }
 }
 
-std::vector<SheetVertex> vertices_of(const Grid& grid, const std::vector<SheetRecord>& sheets) {
-  std::vector<SheetVertex> r;
-  r.reserve(sheets.size());
+void add_vertices(const Grid& grid, const std::vector<SheetRecord>& sheets, SheetMesh& mesh) {
+  mesh.vertices.reserve(sheets.size());
+  mesh.points.reserve(sheets.size());
   for (const SheetRecord& s : sheets) {
-    const Node cell = grid.node(s.cell);
-    r.push_back({s.cell, s.place, {}});
-    for (std::size_t k = 0; k < 3; ++k) r.back().at[k] = cell[k] + s.place[k] / kPlaces;
+    mesh.vertices.push_back({s.cell, s.place});
+    Vec3 at = as_vector(grid.node(s.cell));
+    for (std::size_t k = 0; k < 3; ++k) at[k] += s.place[k] / kPlaces;
+    mesh.points.push_back(at);
   }
-  return r;
 }
 
 /// Edges of the mesh, with why not two polygons are there (an image: ends).
 class EdgeMaker {
  public:
-  explicit EdgeMaker(Polygons& polygons) : polygons_(polygons) {}
+  EdgeMaker(Polygons& polygons, std::vector<Vec3>& middles)
+      : polygons_(polygons), middles_(middles) {}
 
   std::vector<SheetEdge> make() {
     made_.reserve(2 * polygons_.all.size());
@@ -181,7 +185,8 @@ class EdgeMaker {
   /// Does another group of the face join the same vertices? Of an ambiguous face its other arc; of
   /// one with an edge that is not tested each critical edge is a group.
   void mark_twin(SheetEdge& edge, const CrossedFace& f, std::size_t group,
-                 const Polygons::Members& m) const {
+                 const Polygons::Members& m) {
+    bool twin = false;
     for (std::size_t other = 0; other < 4; ++other) {
       if (f.record.group[other] < 0 || f.record.group[other] == f.record.group[group]) continue;
       const auto o = polygons_.members(f, other);
@@ -189,14 +194,18 @@ class EdgeMaker {
       const SheetPolygon& q = polygons_.all[o.polygons[0]];
       const std::size_t s = side_in(q, f);
       const Index a = q.corners[s], b = q.corners[(s + 1) % 4];
-      edge.twin = edge.twin || std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
+      twin = twin || std::minmax(a, b) == std::minmax(edge.ends[0], edge.ends[1]);
     }
-    if (!edge.twin) return;
+    if (!twin) return;
+    Vec3 middle{};
     for (std::size_t k = 0; k < m.count; ++k)
-      edge.middle = edge.middle + (1.0 / double(m.count)) * polygons_.all[m.polygons[k]].zero;
+      middle = middle + (1.0 / double(m.count)) * polygons_.all[m.polygons[k]].zero;
+    edge.middle = static_cast<Index>(middles_.size());
+    middles_.push_back(middle);
   }
 
   Polygons& polygons_;
+  std::vector<Vec3>& middles_;
   std::vector<SheetEdge> made_;
 };
 
@@ -208,8 +217,8 @@ SheetMesh make_sheets(const Grid& grid, const Records& records, bool critical) {
   const std::vector<SheetRecord>& sheets = records.sheets[critical ? 1 : 0];
   Polygons polygons(grid, records, critical);
   find_corners(grid, sheets, polygons);
-  r.vertices = vertices_of(grid, sheets);
-  EdgeMaker maker(polygons);
+  add_vertices(grid, sheets, r);
+  EdgeMaker maker(polygons, r.middles);
   if (polygons.dual.plane())
     r.ends = maker.make_ends(r.vertices.size());
   else

@@ -14,17 +14,16 @@ namespace crest::extremal {
 inline constexpr Reason kUnexplained{0};
 
 struct SheetVertex {
-  std::size_t cell;                    ///< an image: square; an octree: leaf
+  Index cell;                          ///< an image: square; an octree: leaf
   std::array<std::uint16_t, 3> place;  ///< in it, in 65536ths; an octree: unused
-  Vec3 at;                             ///< in units of the grid
 };
 /// An edge of the mesh; an image: unused.
 struct SheetEdge {
   std::array<Index, 2> ends;
   std::uint8_t valence;
   std::uint8_t reason;  ///< 0 with valence 2
-  bool twin = false;    ///< another arc of its face joins the same ends
-  Vec3 middle{};        ///< of a twin: its place, in units of the grid
+  /// Of a twin, whose ends another arc of its face joins, too: which of the middles; else kNone.
+  Index middle = kernel::kNone;
 };
 struct SheetPolygon {
   Index edge;           ///< of the grid
@@ -40,6 +39,8 @@ struct SheetMesh {
   int dimension = 3;
   std::vector<SheetPolygon> polygons;  ///< by edge
   std::vector<SheetVertex> vertices;   ///< by cell, then by the lowest edge of their polygons
+  std::vector<Vec3> points;            ///< where they are, in units of the grid, until it is cut
+  std::vector<Vec3> middles;           ///< places of twins, in units of the grid
   std::vector<SheetEdge> edges;        ///< by their lowest polygon
   /// Of an image's vertices: valence and reason.
   std::vector<std::pair<std::uint8_t, std::uint8_t>> ends;

@@ -2,6 +2,7 @@
 #include "algorithms/extremal/trim.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace crest::extremal {
 namespace {
@@ -20,11 +21,11 @@ bool kept(double x) {
 
 class Trimmer {
  public:
-  Trimmer(const SheetMesh& mesh, const LevelValues& values)
+  Trimmer(SheetMesh& mesh, const LevelValues& values)
       : mesh_(mesh), values_(values), plane_(mesh.dimension == 2) {}
 
   TrimmedMesh run() {
-    for (const SheetVertex& v : mesh_.vertices) r_.points.push_back(v.at);
+    r_.points = std::exchange(mesh_.points, {});
     r_.partly.assign(mesh_.polygons.size(), false);
     cut_of_.assign(mesh_.edges.size(), kernel::kNone);
     middle_of_.assign(mesh_.edges.size(), kernel::kNone);
@@ -54,8 +55,8 @@ class Trimmer {
       const bool whole = kept(corner(b));
       if (!whole)
         cut_of_[i] = add_cut(r_.points[a], corner(a), r_.points[b], corner(b));
-      else if (e.twin)
-        middle_of_[i] = add_point(e.middle);
+      else if (e.middle != kernel::kNone)
+        middle_of_[i] = add_point(mesh_.middles[e.middle]);
       count(r_, e.valence, e.reason);
       if (e.valence == 2 || static_cast<Reason>(e.reason) == kUnexplained) continue;
       const auto why = static_cast<Reason>(e.reason);
@@ -164,7 +165,7 @@ class Trimmer {
     }
   }
 
-  const SheetMesh& mesh_;
+  SheetMesh& mesh_;
   const LevelValues& values_;
   bool plane_;
   std::vector<Index> cut_of_, middle_of_;  ///< an edge's
@@ -173,7 +174,7 @@ class Trimmer {
 
 }  // namespace
 
-TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values) {
+TrimmedMesh trim(SheetMesh& mesh, const LevelValues& values) {
   return Trimmer(mesh, values).run();
 }
 

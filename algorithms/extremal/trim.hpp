@@ -24,6 +24,7 @@ struct LevelValues {
       centres;  ///< at the vertices, at the polygons' zeros; none: all kept
 };
 
-TrimmedMesh trim(const SheetMesh& mesh, const LevelValues& values);
+/// Takes the mesh's points.
+TrimmedMesh trim(SheetMesh& mesh, const LevelValues& values);
 
 }  // namespace crest::extremal

@@ -43,13 +43,16 @@ void write_points(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& va
   for (const Index v : kept) places.push_back(t.points[v]);
   const Vec3& d = grid.spacing;
   const double least = std::min({d[0], d[1], result.dimension == 2 ? d[0] : d[2]});
+  result.normals.reserve(places.size());
   for (const AtPlace& at : values(places)) {
-    result.points.push_back(grid.position(places[result.points.size()]));
     result.normals.push_back(at.normal);
     const double bend = std::fabs(at.bend) * least;
     result.max_residual = std::max(result.max_residual, bend > 0 ? std::fabs(at.slope) / bend : 0);
   }
+  for (Vec3& x : places) x = grid.position(x);
+  result.points = std::move(places);
   result.first = t.first;
+  result.corners.reserve(t.corners.size());
   for (const Index v : t.corners) result.corners.push_back(number[v]);
   for (const Feature& f : t.features)
     result.features.push_back({number[f.a], number[f.b], f.reason});
@@ -61,6 +64,9 @@ void write_polygons(const MeasuredMesh& mesh, const ValuesAt& values, Result& re
   std::vector<Vec3> places;
   places.reserve(mesh.trimmed.source.size());
   for (const Index p : mesh.trimmed.source) places.push_back(mesh.sheets.polygons[p].zero);
+  for (std::vector<double>* list : {&result.strength, &result.s, &result.plateness})
+    list->reserve(places.size());
+  result.critical_type.reserve(places.size());
   for (const AtPlace& at : values(places)) {
     const Index source = mesh.trimmed.source[result.strength.size()];
     result.critical_type.push_back(mesh.sheets.polygons[source].extremal ? 1 : 0);

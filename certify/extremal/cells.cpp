@@ -16,26 +16,45 @@ namespace code = extremal_code;
 
 constexpr size_t kBatch = 512;  ///< cells to a worker's turn: columns are shared in a row
 
-/// The largest norm of diag(d) H, from the derivatives by index.
+/// The largest norms of diag(d) H, from the derivatives by index, and of each of its rows.
+struct RowNorms {
+  double all;
+  Vec rows;
+};
 template <size_t n>
-double most_row_norm(const Matrices<n>& h, const Vec& inverse) {
-  std::array<double, n> square{};
-  for (unsigned i = 0; i < 3; ++i)
+RowNorms most_row_norms(const Matrices<n>& h, const Vec& inverse) {
+  RowNorms norms;
+  std::array<double, n> sum{};
+  for (unsigned i = 0; i < 3; ++i) {
+    std::array<double, n> square{};
     for (unsigned j = 0; j < 3; ++j)
       for (size_t k = 0; k < n; ++k) {
         const double x = h.at[kComponent[i][j]][k] * inverse[j];
         square[k] += x * x;
       }
-  return std::sqrt(most(square)) + slack(h.size);
+    norms.rows[i] = std::sqrt(most(square)) + slack(h.size);
+    for (size_t k = 0; k < n; ++k) sum[k] += square[k];
+  }
+  norms.all = std::sqrt(most(sum)) + slack(h.size);
+  return norms;
+}
+
+/// E_k of SPEC.md.
+Vec box_errors(const Cone& cone, const RowNorms& norms, const Vec& turns, double aside,
+               double size) {
+  Vec errors;
+  for (size_t k = 0; k < 3; ++k)
+    errors[k] = (cone.chord * norms.rows[k] + turns[k] * aside) * kMore * kMore + slack(size);
+  return errors;
 }
 
 /// The box test: do any two vectors with coordinates in these ranges, widened, have a positive
 /// product?
 template <size_t n>
-bool has_box(const std::array<std::array<double, n>, 3>& h, unsigned dimension, double error) {
+bool has_box(const std::array<std::array<double, n>, 3>& h, unsigned dimension, const Vec& error) {
   double sum = 0, size = 0;
   for (unsigned k = 0; k < dimension; ++k) {
-    const double low = least(h[k]) - error, high = most(h[k]) + error;
+    const double low = least(h[k]) - error[k], high = most(h[k]) + error[k];
     sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
     size += std::max(low * low, high * high);
   }
@@ -144,9 +163,9 @@ class CellProver {
     h_.size = 0x1p10 * nets_.most_l() * inverse_ * inverse_;
   }
 
-  /// Bounds d_k |n_k| for all axes together: D of SPEC.md.
-  double turning(const Cone& cone, const Frame& frame) {
-    double square = 0;
+  /// Bounds d_k |n_k| for every axis: D_k of SPEC.md.
+  Vec turning(const Cone& cone, const Frame& frame) {
+    Vec speed{};
     for (unsigned axis = 0; axis < dimension; ++axis) {
       for (unsigned i = 0; i < 6; ++i)
         if (fields_.t[i].empty())
@@ -160,18 +179,19 @@ class CellProver {
       d_.size = 0x1p10 * nets_.most_t();
       const double across =
           most_length(form(d_, frame.w, frame.u), form(d_, frame.w, frame.v), d_.size);
-      const double speed = (across + 2 * cone.angle * most_norm(d_)) / cone.gap * kMore;
-      square += speed * speed;
+      speed[axis] = (across + 2 * cone.angle * most_norm(d_)) / cone.gap * kMore;
     }
-    return std::sqrt(square) * kMore;
+    return speed;
   }
   bool is_regular(const Cone& cone, const Frame& frame, const Frame& a) {
     const auto along = form(v_, frame.w);
     const double most_along = std::max(most(along), -least(along)) + slack(v_.size);
     const double p = most_length(form(v_, frame.u), form(v_, frame.v), v_.size);
-    const double error = (cone.chord * most_row_norm(h_, fields_.inverse_spacing) +
-                          turning(cone, frame) * (p + cone.sine * most_along)) *
-                         kMore;
+    const RowNorms norms = most_row_norms(h_, fields_.inverse_spacing);
+    const Vec turns = turning(cone, frame);
+    const double aside = (p + cone.sine * most_along) * kMore;
+    const double error =
+        (cone.chord * norms.all + std::sqrt(dot(turns, turns)) * kMore * aside) * kMore;
     // a . h_i, h_i = diag(d) H_i w of s, and the same for two across a.
     const Vec& d = fields_.inverse_spacing;
     const double sign = fields_.valley ? 1 : -1;
@@ -182,7 +202,7 @@ class CellProver {
       room[n] = ahead[n] - std::sqrt(u[n] * u[n] + v[n] * v[n]);
     boxed_ =
         has_box(std::array{form(h_, {1, 0, 0}, w), form(h_, {0, 1, 0}, w), form(h_, {0, 0, 1}, w)},
-                dimension, error * kMore + slack(h_.size));
+                dimension, box_errors(cone, norms, turns, aside, h_.size));
     return least(room) - 3 * slack(h_.size) > 1.4142135623730952 * error * kMore;
   }
 

@@ -82,7 +82,12 @@ void verify_extremal(std::span<const std::uint8_t> data, std::span<const std::ui
   Cells cells = list_cells(c, grid);
   check_cells(c, fields, cells);
   say_cells(c, verdict);
+  c.gradients = {};  // What is proven is thrown away: the longest lists of the certificate.
+  cells.gradients = {};
   const Edges edges = check_edges(c, fields, cells);
+  c.directions = {};
+  cells.directions = {};
+  cells.ids = {};
   const Squares squares(c, grid, cells, edges);
   prove(verdict, "edges: g changes its sign on {}; {} faces round which n is not orientable",
         edges.critical.size(), c.odd_faces);

@@ -121,13 +121,32 @@ void read_rows(ByteReader& reader, std::vector<Row>& rows, std::size_t count, st
     for (std::size_t k = 0; k < d; ++k) row[k] = reader.integer<typename Row::value_type>();
 }
 
-void read_directions(ByteReader& reader, std::vector<ExtremalDirection>& rows, std::size_t count,
-                     std::size_t d) {
-  read_rows(reader, rows, count, d);
-  require_form(
-      std::ranges::none_of(rows, [](const auto& row) { return row == ExtremalDirection{}; }),
-      "claim section: a direction is zero");
+/// The direction with kScale, or minus that, along its axis, the numbers beside it read.
+ExtremalDirection read_direction(ByteReader& reader, unsigned axis, bool negative, std::size_t d) {
+  ExtremalDirection v{};
+  for (std::size_t k = 0; k < d; ++k)
+    v[k] = k != axis  ? reader.integer<std::int16_t>()
+           : negative ? static_cast<std::int16_t>(-extremal_code::kScale)
+                      : extremal_code::kScale;
+  return v;
 }
+
+/// What a listed cell's byte says.
+struct CellByte {
+  unsigned code, axis, gradient_axis;
+  bool negative;
+  CellByte(unsigned byte)
+      : code(byte & ((1U << extremal_code::kAxis) - 1)),
+        axis(byte >> extremal_code::kAxis & 3U),
+        gradient_axis(byte >> extremal_code::kGradientAxis & 3U),
+        negative(byte >> extremal_code::kNegative != 0) {}
+  bool is_open() const { return code == extremal_code::kOpen; }
+  bool is_regular() const { return code >= extremal_code::kRegular; }
+  bool good(std::size_t d) const {
+    return code <= extremal_code::kRegularExtremal && axis < d && gradient_axis < d &&
+           (!is_open() || axis == 0) && (is_regular() || (gradient_axis == 0 && !negative));
+  }
+};
 
 ExtremalComponent read_component(ByteReader& reader) {
   ExtremalComponent component;
@@ -144,7 +163,6 @@ ExtremalComponent read_component(ByteReader& reader) {
 }
 
 void read_cells(ByteReader& reader, ExtremalCertificate& c) {
-  namespace code = extremal_code;
   const std::size_t runs = reader.integer<std::uint32_t>();
   require_length(reader, runs, 8);
   c.cells.resize(runs);
@@ -152,13 +170,42 @@ void read_cells(ByteReader& reader, ExtremalCertificate& c) {
     run.first = reader.integer<std::uint32_t>();
     run.length = reader.integer<std::uint32_t>();
   }
-  read_bytes(reader, c.codes, code::kRegularExtremal, "claim section: no such code of a cell");
-  const auto proven =
-      c.codes.size() - static_cast<std::size_t>(std::ranges::count(c.codes, code::kOpen));
-  const auto regular = static_cast<std::size_t>(
-      std::ranges::count_if(c.codes, [](std::uint8_t cell) { return cell >= code::kRegular; }));
-  read_directions(reader, c.directions, proven, c.data.dimension);
-  read_directions(reader, c.gradients, regular, c.data.dimension);
+  const std::size_t d = c.data.dimension;
+  const auto bytes = reader.take(reader.integer<std::uint32_t>());
+  std::size_t proven = 0, regular = 0;
+  c.codes.reserve(bytes.size());
+  for (const CellByte byte : bytes) {
+    require_form(byte.good(d), "claim section: no such code of a cell");
+    proven += byte.is_open() ? 0 : 1;
+    regular += byte.is_regular() ? 1 : 0;
+    c.codes.push_back(static_cast<std::uint8_t>(byte.code));
+  }
+  require_length(reader, proven, 2 * (d - 1));
+  c.directions.reserve(proven);
+  for (const CellByte byte : bytes)
+    if (!byte.is_open()) c.directions.push_back(read_direction(reader, byte.axis, false, d));
+  require_length(reader, regular, 2 * (d - 1));
+  c.gradients.reserve(regular);
+  for (const CellByte byte : bytes)
+    if (byte.is_regular())
+      c.gradients.push_back(read_direction(reader, byte.gradient_axis, byte.negative, d));
+}
+
+void read_trees(ByteReader& reader, ExtremalCertificate& c) {
+  namespace code = extremal_code;
+  const std::size_t d = c.data.dimension;
+  reader.words(c.edges, reader.integer<std::uint32_t>());
+  const auto bytes = reader.take(reader.integer<std::uint32_t>());
+  c.trees.reserve(bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    require_form(byte < d || byte == code::kSplitByte, "claim section: no such code of a node");
+    c.trees.push_back(byte == code::kSplitByte ? code::kSplit : code::kLeaf);
+  }
+  const auto leaves = static_cast<std::size_t>(std::ranges::count(c.trees, code::kLeaf));
+  require_length(reader, leaves, 2 * (d - 1));
+  c.leaves.reserve(leaves);
+  for (const std::uint8_t byte : bytes)
+    if (byte != code::kSplitByte) c.leaves.push_back(read_direction(reader, byte, false, d));
 }
 
 }  // namespace
@@ -171,10 +218,7 @@ ExtremalCertificate decode_extremal(std::span<const std::uint8_t> data,
   const std::size_t d = c.data.dimension;
   ByteReader reader(claims);
   read_cells(reader, c);
-  reader.words(c.edges, reader.integer<std::uint32_t>());
-  read_bytes(reader, c.trees, code::kSplit, "claim section: no such code of a node");
-  read_directions(reader, c.leaves,
-                  static_cast<std::size_t>(std::ranges::count(c.trees, code::kLeaf)), d);
+  read_trees(reader, c);
   read_bytes(reader, c.types, code::kUndecidedType, "claim section: no such type of an edge");
   read_bytes(reader, c.pairings, 1, "claim section: no such pairing of a face");
   read_rows(reader, c.vertices, reader.integer<std::uint32_t>(), d);

@@ -55,10 +55,11 @@ class NodeSigns {
       : place_(fields.grid.count) {
     const Grid& grid = fields.grid;
     std::fill(place_.begin(), place_.end(), kNothing);
+    std::vector<u32> nodes;
     const auto want = [&](u32 node) {
       if (place_[node] != kNothing) return;
-      place_[node] = static_cast<u32>(nodes_.size());
-      nodes_.push_back(node);
+      place_[node] = static_cast<u32>(nodes.size());
+      nodes.push_back(node);
     };
     for (size_t i = 0; i < cells.ids.size(); ++i) {
       if (c.codes[i] == code::kOpen || c.codes[i] == code::kEmpty) continue;
@@ -73,20 +74,19 @@ class NodeSigns {
       want(node);
       want(node + grid.stride[axis]);
     }
-    signs_.resize(nodes_.size());
+    signs_.resize(nodes.size());
     constexpr size_t kBatch = 256;
-    parallel_for((nodes_.size() + kBatch - 1) / kBatch, [] { return 0; },
+    parallel_for((nodes.size() + kBatch - 1) / kBatch, [] { return 0; },
                  [&](int, size_t batch) {
-                   const size_t end = std::min(nodes_.size(), (batch + 1) * kBatch);
+                   const size_t end = std::min(nodes.size(), (batch + 1) * kBatch);
                    for (size_t i = batch * kBatch; i < end; ++i)
-                     signs_[i] = node_sign(fields, nodes_[i]);
+                     signs_[i] = node_sign(fields, nodes[i]);
                  });
   }
   const NodeSign& operator[](u32 node) const { return signs_[place_[node]]; }
 
  private:
   Buffer<u32> place_;
-  std::vector<u32> nodes_;
   std::vector<NodeSign> signs_;
 };
 

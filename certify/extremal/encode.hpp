@@ -10,7 +10,10 @@ namespace crest::certify {
 /// The first bytes, which depend on the data alone. Throws std::invalid_argument for lists whose
 /// lengths do not fit.
 EncodedData encode_data(const ExtremalData& data);
-/// The file's bytes, sealed; `data` is of the same data. Cost: linear.
+/// The file's bytes, sealed; `data` is of the same data. Directions are rounded to 16384ths of
+/// their largest number, and each w is turned to be positive there, its a with it. Throws
+/// std::invalid_argument for lists whose lengths do not fit, and for a direction that is zero.
+/// Cost: linear.
 Bytes encode(EncodedData data, const ExtremalCertificate& certificate);
 Bytes encode(const ExtremalCertificate& certificate);
 

@@ -21,6 +21,7 @@ class MeshBuilder {
     for (const u32 edge : edges_.critical)
       if (edges_.is_extremal(edge) && is_inside(grid_, edge)) mesh_.polygons.push_back(edge);
     require(mesh_.polygons.size() <= 0x10000000U, "mesh: more than 2^28 polygons");
+    mesh_.seams.reserve(size_t{mesh_.corners / 2} * mesh_.polygons.size());
     for (u32 polygon = 0; polygon < mesh_.polygons.size(); ++polygon) {
       const auto around = squares_round(grid_, mesh_.polygons[polygon]);
       for (u32 side = 0; side < around.count; ++side) add_seam({polygon, side}, around.at[side]);

@@ -9,7 +9,7 @@
 
 namespace crest::certify {
 
-inline constexpr std::uint32_t kExtremal = 8, kExtremalVersion = 2;
+inline constexpr std::uint32_t kExtremal = 8, kExtremalVersion = 3;
 
 namespace extremal_code {
 /// Of a listed cell. Each but kOpen passes the cone test for its w, so it decides its edges.
@@ -22,6 +22,12 @@ inline constexpr std::uint8_t kMerelyCritical = 0, kExtremalEdge = 1, kUndecided
 /// Of samples: i8 u8 i16 u16 i32 u32 i64 u64 f32 f64 are 0 to 9. Width in bytes.
 inline constexpr std::array<std::uint8_t, 10> kSampleSize = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
 inline constexpr unsigned kMostRefined = 3;
+/// A direction's number along its axis.
+inline constexpr std::int16_t kScale = 16384;
+/// From these bits of a listed cell's byte on: the axis of w, the axis of a, its sign along that.
+inline constexpr unsigned kAxis = 3, kGradientAxis = 5, kNegative = 7;
+/// The byte of a split in a tree; a leaf's is the axis of its w.
+inline constexpr std::uint8_t kSplitByte = 3;
 }  // namespace extremal_code
 
 /// The data section.
@@ -46,7 +52,8 @@ struct ExtremalData {
 struct CellRun {
   std::uint32_t first, length;
 };
-/// A direction, an integer vector that is not zero; with dimension 2 the last number is 0.
+/// A direction, an integer vector that is not zero; with dimension 2 the last number is 0. In the
+/// file: the axis of its largest number, and the others where that is kScale.
 using ExtremalDirection = std::array<std::int16_t, 3>;
 
 /// A component of the mesh as written (trimmed).

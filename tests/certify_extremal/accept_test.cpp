@@ -208,3 +208,35 @@ TEST_CASE("extremal: samples of all types") {
     CHECK(c.components == first.components);
   }
 }
+
+TEST_CASE("extremal: directions are read as they were made, up to the sign of w") {
+  for (const auto& data : {with_level(sampled({40, 40, 1}, sphere(0.7, 0.28), 1.6), 0.4),
+                           with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4)}) {
+    auto made = reference_extremal(data);
+    // Half of them reversed: what a says goes with its w.
+    for (std::size_t i = 0; i < made.directions.size(); i += 2)
+      for (auto& x : made.directions[i]) x = static_cast<std::int16_t>(-x);
+    const auto read = as_read(made);
+    CHECK(read.codes == made.codes);
+    REQUIRE(read.directions.size() == made.directions.size());
+    REQUIRE(read.gradients.size() == made.gradients.size());
+    std::size_t direction = 0, gradient = 0, reversed = 0;
+    const auto times = [](const ExtremalDirection& v, int sign) {
+      return std::array<int, 3>{sign * v[0], sign * v[1], sign * v[2]};
+    };
+    for (const auto cell : made.codes) {
+      if (cell == extremal_code::kOpen) continue;
+      const auto &w = made.directions[direction], &v = read.directions[direction];
+      const int sign = times(w, 1) == times(v, 1) ? 1 : -1;
+      CHECK(times(w, sign) == times(v, 1));
+      ++direction;
+      if (cell < extremal_code::kRegular) continue;
+      reversed += sign < 0 ? 1 : 0;
+      CHECK(times(made.gradients[gradient], sign) == times(read.gradients[gradient], 1));
+      ++gradient;
+    }
+    CHECK(reversed > 0);
+    CHECK(reversed < gradient);
+    CHECK(encode(read) == encode(made));
+  }
+}

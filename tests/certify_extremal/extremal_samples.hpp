@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "certify/container/container.hpp"
+#include "certify/extremal/decode.hpp"
 #include "certify/extremal/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_extremal/reference_extremal.hpp"
@@ -62,6 +64,12 @@ inline double moebius(double x, double y, double z) {
   return sheet(d, 0.2) * sheet(std::max(0.0, std::fabs(t) - 0.2), 0.2);
 }
 
+/// Written and read again: every w is positive along its axis.
+inline certify::ExtremalCertificate as_read(const certify::ExtremalCertificate& c) {
+  const certify::Bytes bytes = certify::encode(c);
+  const certify::Container container = certify::open_container(bytes);
+  return certify::decode_extremal(container.data, container.claims);
+}
 inline void require_accepted(const certify::ExtremalCertificate& c) {
   const auto verdict = certify::verify(certify::encode(c));
   INFO(verdict.reason);

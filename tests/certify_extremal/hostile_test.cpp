@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "certify/container/container.hpp"
 #include "tests/certify_extremal/extremal_samples.hpp"
@@ -122,7 +123,10 @@ TEST_CASE("extremal: lists longer than their bytes, runs beyond the grid") {
   require_rejected(c, "is none");
   c = small();
   c.directions[0] = {0, 0, 0};
-  require_rejected(c, "a direction is zero");
+  CHECK_THROWS(encode(c));
+  c = small();
+  c.directions.pop_back();
+  CHECK_THROWS(encode(c));
   c = small();
   c.data.nodes = {1U << 16U, 1U << 16U, 1};
   CHECK_THROWS(encode(c));
@@ -137,6 +141,44 @@ TEST_CASE("extremal: lists longer than their bytes, runs beyond the grid") {
       rebind(mutant);
       (void)verify(mutant);  // any answer but a crash
     }
+}
+
+TEST_CASE("extremal: bytes of cells and trees that nothing writes are refused") {
+  for (const auto& c :
+       {small(), reference_extremal(with_level(sampled({8, 8, 8}, sphere(0.6, 0.5)), 0.4)),
+        reference_extremal(small().data, {true})}) {
+    const Bytes bytes = encode(c);
+    const unsigned d = c.data.dimension;
+    // Runs, then the cells' bytes; w and a; edges, then the trees' bytes.
+    const std::size_t cells =
+        open_container(bytes).data.size() + kHeaderSize + 4 + 8 * c.cells.size() + 4;
+    const std::size_t trees = cells + c.codes.size() +
+                              2 * (d - 1) * (c.directions.size() + c.gradients.size()) + 4 +
+                              4 * c.edges.size() + 4;
+    const auto refused = [&](std::size_t at, unsigned byte, const char* why) {
+      Bytes mutant = bytes;
+      mutant[at] = static_cast<std::uint8_t>(byte);
+      rebind(mutant);
+      require_rejected(mutant, why);
+    };
+    std::array<bool, 5> seen{};
+    for (std::size_t i = 0; i < c.codes.size(); ++i) {
+      if (std::exchange(seen.at(c.codes[i]), true)) continue;
+      const unsigned byte = bytes[cells + i];
+      const bool open = c.codes[i] == 0, regular = c.codes[i] >= 3;
+      CHECK((byte & 7) == c.codes[i]);
+      for (const unsigned none : {5U, 6U, 7U})
+        refused(cells + i, (byte & ~7U) | none, "no such code of a cell");
+      for (unsigned axis = open ? 1 : d; axis < 4; ++axis)
+        refused(cells + i, (byte & ~(3U << 3)) | axis << 3, "no such code of a cell");
+      for (unsigned axis = regular ? d : 1; axis < 4; ++axis)
+        refused(cells + i, (byte & ~(3U << 5)) | axis << 5, "no such code of a cell");
+      if (!regular) refused(cells + i, byte | 128, "no such code of a cell");
+    }
+    if (c.trees.empty()) continue;
+    for (const unsigned none : {d, 4U, 255U})
+      if (none != 3) refused(trees, none, "no such code of a node");
+  }
 }
 
 TEST_CASE("extremal: deep trees are refused, and cost what they weigh") {

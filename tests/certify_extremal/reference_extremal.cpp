@@ -74,6 +74,8 @@ class CellMaker {
     make(cell, w, c);
     return c.codes[0] >= code::kRegular && boxed_;
   }
+  /// Of the cell that was asked last.
+  const GradientBox& box() const { return box_; }
 
  private:
   void make(u32 cell, const ExtremalDirection& w16, ExtremalCertificate& c) {
@@ -94,7 +96,7 @@ class CellMaker {
   }
   std::uint8_t kind(u32 cell, ExtremalCertificate& c) {
     double low = HUGE_VAL, high = -HUGE_VAL, p = 0, h = 0, least_curvature = HUGE_VAL;
-    Vec sum{};
+    Vec sum{}, rows{};
     const Vec d = world_units_ ? Vec{1, 1, 1} : fields_.data.spacing;
     std::vector<Vec> gradients;
     for (const PointFields& x : controls_) {
@@ -105,6 +107,7 @@ class CellMaker {
       Sym scaled = x.hessian;
       for (std::size_t k = 0; k < 3; ++k) scaled[k] = times(d[k], scaled[k]);
       h = std::max(h, norm(scaled));
+      for (std::size_t k = 0; k < 3; ++k) rows[k] = std::max(rows[k], length(scaled[k]));
       gradients.push_back(image(scaled, w_));
       for (std::size_t k = 0; k < 3; ++k) sum[k] += gradients.back()[k];
     }
@@ -113,9 +116,13 @@ class CellMaker {
     if (fields_.data.hessian || sum == Vec{}) return code::kCone;
     const auto a16 = quantised(sum);
     const Vec a = direction(a16);
-    const double e = 2 * std::sin(angle_ / 2) * h +
-                     turning(cell) * (p + s1 * std::max(std::fabs(low), std::fabs(high)));
-    boxed_ = has_box(gradients, e);
+    const double chord = 2 * std::sin(angle_ / 2),
+                 aside = p + s1 * std::max(std::fabs(low), std::fabs(high));
+    const Vec turns = turning(cell);
+    const double e = chord * h + length(turns) * aside;
+    Vec each;
+    for (std::size_t k = 0; k < 3; ++k) each[k] = chord * rows[k] + turns[k] * aside;
+    boxed_ = has_box(gradients, each);
     for (const Vec& g : gradients)
       if (!(dot(a, g) - length(across(g, a)) > std::sqrt(2) * e * (1 + 1e-6))) return code::kCone;
     c.gradients.push_back(a16);
@@ -124,20 +131,24 @@ class CellMaker {
     return least_curvature > 2 * angle_ * most_h * (1 + 1e-6) ? code::kRegularExtremal
                                                               : code::kRegular;
   }
-  bool has_box(const std::vector<Vec>& gradients, double e) const {
+  bool has_box(const std::vector<Vec>& gradients, const Vec& e) {
     double sum = 0;
     for (unsigned k = 0; k < fields_.data.dimension; ++k) {
       double low = HUGE_VAL, high = -HUGE_VAL;
       for (const Vec& g : gradients) {
-        low = std::min(low, g[k] - e);
-        high = std::max(high, g[k] + e);
+        low = std::min(low, g[k]);
+        high = std::max(high, g[k]);
       }
+      box_.inner_low[k] = low;
+      box_.inner_high[k] = high;
+      box_.low[k] = low -= e[k];
+      box_.high[k] = high += e[k];
       sum += low > 0 ? low * low : high < 0 ? high * high : low * high;
     }
     return sum > 0;
   }
-  double turning(u32 cell) const {
-    double square = 0;
+  Vec turning(u32 cell) const {
+    Vec speed{};
     for (unsigned k = 0; k < fields_.data.dimension; ++k) {
       std::array<int, 3> order{};
       order[k] = 1;
@@ -153,9 +164,9 @@ class CellMaker {
         most = std::max(most, norm(x));
       }
       const double unit = world_units_ ? fields_.data.spacing[k] : 1;
-      square += std::pow((side + 2 * angle_ * most) / (gap_ * unit), 2);
+      speed[k] = (side + 2 * angle_ * most) / (gap_ * unit);
     }
-    return std::sqrt(square);
+    return speed;
   }
 
   const ReferenceFields& fields_;
@@ -164,6 +175,7 @@ class CellMaker {
   Vec w_{};
   double angle_ = 0, gap_ = 0;
   bool boxed_ = false;
+  GradientBox box_{};
 };
 
 /// n in the direction nearer to another; zero if lambda1 is not simple.
@@ -375,6 +387,12 @@ class Maker {
 
 bool is_boxed(const ReferenceFields& fields, u32 cell, const ExtremalDirection& w) {
   return CellMaker(fields, false).is_boxed(cell, w);
+}
+
+GradientBox gradient_box(const ReferenceFields& fields, u32 cell, const ExtremalDirection& w) {
+  CellMaker maker(fields, false);
+  maker.is_boxed(cell, w);
+  return maker.box();
 }
 
 ExtremalCertificate reference_of(const ExtremalCertificate& c) {

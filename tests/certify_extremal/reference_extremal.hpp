@@ -24,6 +24,13 @@ certify::ExtremalCertificate reference_of(const certify::ExtremalCertificate& c)
 bool is_boxed(const ReferenceFields& fields, std::uint32_t cell,
               const certify::ExtremalDirection& w);
 
+/// What diag(d) grad g is within on a regular cell, n oriented by w, and what h_i alone span.
+struct GradientBox {
+  Vec low, high, inner_low, inner_high;
+};
+GradientBox gradient_box(const ReferenceFields& fields, std::uint32_t cell,
+                         const certify::ExtremalDirection& w);
+
 /// Does the code hold at points of the cell? (g, n . w and s_nn are sampled)
 bool code_holds(const ReferenceFields& fields, std::uint32_t cell, std::uint8_t code,
                 const certify::ExtremalDirection& w);

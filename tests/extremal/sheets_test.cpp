@@ -110,6 +110,20 @@ TEST_CASE("extremal sheets: a closed shell is isotopic to the field's, and lies 
   CHECK(verdict.accepted);
 }
 
+TEST_CASE("extremal sheets: an ellipsoid of 64 nodes is isotopic, its bounds by coordinate") {
+  const auto ellipsoid = [](double x, double y, double z) {
+    const double k = std::hypot(x / 0.7, y / 0.55, z / 0.45);
+    const double slope = std::hypot(x / 0.49, y / 0.3025, z / 0.2025);
+    return profile(k * (k - 1) / slope);
+  };
+  const auto [r, verdict] = extracted(sampled(ellipsoid, 64), at_least(0.4));
+  REQUIRE(r.components.size() == 1);
+  CHECK(r.components[0].isotopic == true);
+  CHECK(r.components[0].euler_characteristic == 2);
+  INFO(verdict.reason);
+  CHECK(verdict.accepted);
+}
+
 TEST_CASE("extremal sheets: on a halved grid closed sheets are isotopic to the field's") {
   struct Sheet {
     Function f;
