@@ -48,7 +48,7 @@ void check_part(const TriangleMesh& whole, const MeshPart& part, std::span<const
 }
 
 TriangleMesh mesh_of(const tests::Surface& s) {
-  return {s.points, s.faces};
+  return {s.points, s.triangles};
 }
 
 }  // namespace
