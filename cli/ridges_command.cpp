@@ -196,9 +196,10 @@ io::Scene page_scene(const kernel::TriangleMesh& mesh, const ridges::RidgeGraph&
   return scene;
 }
 
-Outcome work(Run& run, const RidgesOptions& o) {
-  const io::MeshFile file = run.read_mesh();
-  const kernel::TriangleMesh& mesh = file.mesh;
+/// With a support that is chosen, if that is asked for.
+std::pair<ridges::SupportChoice, ridges::FitResult> fitted(Run& run,
+                                                           const kernel::TriangleMesh& mesh,
+                                                           const RidgesOptions& o) {
   const ridges::Workers* workers = mesh_workers().ridges;
   ridges::FitOptions fitting = o.fit;
   ridges::SupportChoice choice;
@@ -208,13 +209,21 @@ Outcome work(Run& run, const RidgesOptions& o) {
     });
     fitting.min_points = choice.points;
   }
-  const ridges::FitResult fit = run.step("fit", "fitting Monge forms", [&] {
-    return ridges::fit_monge_forms(mesh, fitting, workers);
-  });
+  return {std::move(choice), run.step("fit", "fitting Monge forms", [&] {
+            return ridges::fit_monge_forms(mesh, fitting, workers);
+          })};
+}
+
+Outcome work(Run& run, const RidgesOptions& o) {
+  const io::MeshFile file = run.read_mesh();
+  const kernel::TriangleMesh& mesh = file.mesh;
+  const auto fits = fitted(run, mesh, o);
+  const ridges::SupportChoice& choice = fits.first;
+  const ridges::FitResult& fit = fits.second;
   warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
   ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
-    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates, workers);
+    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates, mesh_workers().ridges);
   });
   ridges::RidgeGraph& graph = certified.graph;
   if (run.wanted("--report")) {

@@ -74,7 +74,7 @@ TEST_CASE("mode pieces: 2, 7 and 64 pieces have the bytes of the whole") {
   }
 }
 
-TEST_CASE("mode pieces: trees that ties make others in a piece than in the whole") {
+TEST_CASE("mode pieces: small integers, with ties, exact zeros and spent budgets") {
   modes::ModeOptions options;
   options.budget = 2000;
   for (const modes::Level& level : {modes::Level{0, 1}, modes::Level{1, 2}})
