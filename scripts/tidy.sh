@@ -11,4 +11,5 @@ build=${CREST_BUILD:-build-tidy}
 [ -f "$build/compile_commands.json" ] ||
   cmake -S . -B "$build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
-printf '%s\n' "$@" | xargs -n 1 -P 2 clang-tidy --quiet -p "$build"
+printf '%s\n' "$@" | xargs -n 1 -P 2 clang-tidy --quiet -p "$build" \
+  --extra-arg=-Wno-unknown-pragmas

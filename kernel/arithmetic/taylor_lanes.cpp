@@ -72,9 +72,10 @@ struct Loops {
   }
 
   static bool may_be_flat(const Rows& a, const Rows& b) {
+    const auto zero = [](double x) { return static_cast<int>(x == 0); };
     int any = 0;
     for (std::size_t l = 0; l < Lanes::count; ++l)
-      any |= ((a[1].x[l] == 0) & (a[2].x[l] == 0)) | ((b[1].x[l] == 0) & (b[2].x[l] == 0));
+      any |= (zero(a[1].x[l]) & zero(a[2].x[l])) | (zero(b[1].x[l]) & zero(b[2].x[l]));
     return any != 0;
   }
 };

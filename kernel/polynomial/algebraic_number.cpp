@@ -118,8 +118,9 @@ bool AlgebraicNumber::guess(long parts_bits) {
   const Sign t = p_->sign_at(y);
   if (t == Sign::zero) return set(y), true;
   if (t == s) return false;
-  low_ = right ? std::move(x) : y;
-  high_ = right ? std::move(y) : std::move(x);
+  if (!right) std::swap(x, y);
+  low_ = std::move(x);
+  high_ = std::move(y);
   return true;
 }
 
