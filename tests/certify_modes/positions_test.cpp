@@ -427,6 +427,11 @@ const std::vector<std::pair<std::string, Edit>> kEdits = {
        return std::swap(l.inner.front(), l.inner.back()),
               l.inner.front().witness != l.inner.back().witness;
      }},
+    {"inner vertex twice",
+     [](ModeLevel& l, Random& r) {
+       l.inner.insert(l.inner.begin(), l.inner.front());
+       return ++l.near, r() % 2 < 2;
+     }},
     {"inner vertex outside",
      [](ModeLevel& l, Random& r) {
        auto& w = l.inner[r() % l.inner.size()].weights;
