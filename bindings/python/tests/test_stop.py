@@ -92,10 +92,10 @@ LONG = {
                           lambda x, go: crest.spline_isosurface(x, 0.5, progress=go)),
     "spline_rays": (lambda: (noise(40), rays(3000000)),
                     lambda x, go: crest.spline_rays(x[0], 0.99, x[1], progress=go)),
-    "spline_samples": (lambda: scattered(400000),
+    "spline_samples": (lambda: scattered(4000000),
                        lambda x, go: crest.spline_samples(*x, progress=go)),
-    "lineart": (lambda: torus(60),
-                lambda x, go: crest.lineart(*x, width=4000, spacing=0.2, progress=go)),
+    "lineart": (lambda: torus(200),
+                lambda x, go: crest.lineart(*x, width=300, spacing=0.2, progress=go)),
     "encode": (lambda: torus(1400), lambda x, go: crest.encode(*x, progress=go)),
     "strips": (lambda: torus(100), lambda x, go: crest.strips(*x, effort=100000, progress=go)),
 }
