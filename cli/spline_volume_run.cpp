@@ -14,6 +14,7 @@
 #include "io/splines/quadratic_model_file.hpp"
 #include "io/splines/ray_picture.hpp"
 #include "io/splines/table.hpp"
+#include "kernel/geometry/input_error.hpp"
 
 namespace crest::cli {
 namespace {
@@ -233,6 +234,10 @@ Outcome run_volume(Run& run, const SplineOptions& o) {
       run.step("coefficients", "bounding coefficients", [&] { return splines::summarise(spline); });
   Report& report = run.report();
   const auto& n = spline.cubes();
+  for (const double x : {summary.low, summary.high, summary.gradient_jump})
+    if (!std::isfinite(x))
+      throw kernel::InputError(
+          "samples: coefficients of the spline are beyond doubles; divide the samples by a number");
   report["spline"] = "quadratic";
   report["cubes"] = n;
   report["coefficients"] = spline.grid().count();

@@ -213,18 +213,22 @@ class Recorder {
     to_.arc_points.push_back(static_cast<std::uint16_t>(points.count));
   }
 
-  /// The vertices of one side inside a cell that is recorded last.
+  /// The vertices of one side inside a cell that is recorded last, each place once.
   void inner(Index c, Side side) {
-    const int level = side == Side::minus ? -1 : 1;
+    const std::int8_t level = side == Side::minus ? -1 : 1;
+    std::vector<std::array<double, 3>> places;
     for (auto b : extraction_.inner(c, side)) {
       // Rounding may have put it just outside.
       while (b[0] + b[1] + b[2] >= 1)
         for (double& x : b) x *= 1 - 0x1p-52;
-      to_.inner.push_back({static_cast<std::uint32_t>(to_.tet_witnesses.size() - 1),
-                           static_cast<std::int8_t>(level),
-                           {b[0], b[1], b[2]}});
-      edges_.count_near<4>(extraction_.cells().cell(c).corners,
-                           {b[0], b[1], b[2], 1 - b[0] - b[1] - b[2]}, level);
+      places.push_back({b[0], b[1], b[2]});
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const auto& [x, y, z] : places) {
+      to_.inner.push_back(
+          {static_cast<std::uint32_t>(to_.tet_witnesses.size() - 1), level, {x, y, z}});
+      edges_.count_near<4>(extraction_.cells().cell(c).corners, {x, y, z, 1 - x - y - z}, level);
     }
   }
 

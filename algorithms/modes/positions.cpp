@@ -379,8 +379,10 @@ bool is_near(const Vertices& vertices, const std::array<Index, n>& corners,
     for (std::size_t k = 0; k < 6; ++k) t[k] += weights[i] * corner.t[k];
     error = std::fmax(error, corner.error + 24 * kUnit * corner.largest());
   }
-  const double relative = 3 * error / std::sqrt(product(t, t));  // nine entries
-  return relative < 1e-6 &&
+  const double square = product(t, t);
+  const double relative = 3 * error / std::sqrt(square);  // nine entries
+  // Its cube is far from underflow.
+  return square > 0x1p-500 && relative < 1e-6 &&
          std::fabs(ModeFunction::mode(t) - level) + 3.01 * relative + 512 * kUnit < kNear;
 }
 

@@ -386,6 +386,10 @@ Index Mesher::make_vertex(const Leaf& leaf, std::size_t n, std::size_t p) {
 Isosurface extract_isosurface(const QuadraticSpline& spline, double c, int max_depth) {
   if (spline.cube_count() > 0xffffffffU / kTetrahedra)
     throw kernel::InputError("samples: are more than 178 million cubes; cut the volume");
+  // Products with such a one would round to 0.
+  if (c != 0 && std::fabs(c) < 0x1p-900 * spline.largest_sample())
+    throw kernel::InputError(
+        "isovalue: is not 0 but below 2^-900 of the largest sample; take 0 or a larger one");
   return Mesher(spline, c).run(max_depth);
 }
 

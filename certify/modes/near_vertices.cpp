@@ -107,8 +107,11 @@ NearVertices::NearVertices(const LevelContext& context, const Positions& positio
     if (cell.code == modes_code::kGraphTet || cell.code == modes_code::kPlainTet)
       cell_of_[cell.witness] = i;
   }
-  const auto order = [](const InnerVertex& v) { return std::pair(v.witness, -v.level); };
-  require(std::ranges::is_sorted(stated.inner, {}, order), "inner vertices: not in their order");
+  const auto order = [](const InnerVertex& v) {
+    return std::tuple(v.witness, -v.level, v.weights);
+  };
+  require(std::ranges::is_sorted(stated.inner, std::less_equal<>(), order),
+          "inner vertices: not in their order, or one twice");
   for (const auto& [witness, level, weights] : stated.inner) {
     require((level == 1 || level == -1) && witness < stated.tet_witnesses.size() &&
                 stated.tet_witnesses[witness].pieces[level > 0 ? 0 : 1] > 0,

@@ -3,8 +3,8 @@
 
 // A long double with a radius that bounds its error, in any rounding mode: for what intervals of
 // doubles do not decide, before rationals.
-#include <cfloat>
 #include <cmath>
+#include <limits>
 
 #include "kernel/arithmetic/rational.hpp"
 #include "kernel/arithmetic/sign.hpp"
@@ -14,31 +14,42 @@ namespace crest::certify::spline_rays {
 /// Holds all x with |x - mid| <= rad.
 ///
 /// Lemma. The result of an operation holds the exact result for all numbers that the operands hold,
-/// or its radius is infinite, or one of the two is NaN: then no comparison holds. Proof. In every
-/// rounding mode a result errs by at most kUnit |mid|, or by 2^-16445 where it underflows. Each
-/// radius is a sum of products of non-negative terms with at most seven roundings, each a factor of
-/// at least 1 - 2^-63, for which kSlack makes up, or an underflow, for which kTiny does. Quotient:
-/// |a/b - a'/b'| <= (ra + |a'/b'| rb) / (|b'| - rb) for |b'| > rb.
+/// or its radius is infinite, or one of the two is NaN: then no comparison holds. Proof, for p
+/// digits and u = kUnit = 2^(1 - p). In every rounding mode a result errs by at most u |mid|, or by
+/// the least positive number, u min(), where a product or quotient underflows; sums that would are
+/// exact. Each radius is a sum of products of non-negative terms with at most seven roundings, each
+/// a factor of at least 1 - u, for which kSlack = 1 + 32 u makes up, or an underflow, for which
+/// kTiny does; in sums the only one is of u |mid|, which stays at least the last place of mid.
+/// Quotient: |a/b - a'/b'| <= (ra + |a'/b'| rb) / (|b'| - rb) for |b'| > rb.
+///
+/// All it needs of `long double` is one of IEEE 754's formats: 53 digits (Visual C++, Apple's ARM),
+/// 64 (x86), 113 (ARM on Linux, WebAssembly). A pair of doubles (PowerPC) is none.
 struct LongBall {
-  static_assert(LDBL_MANT_DIG >= 64 && LDBL_MIN_EXP <= -16000);
+  using Limits = std::numeric_limits<long double>;
+  static_assert(Limits::is_iec559 && Limits::radix == 2);
+  static_assert(Limits::digits == 53 || Limits::digits == 64 || Limits::digits == 113);
   long double mid = 0, rad = 0;
-  static constexpr long double kUnit = 0x1p-63L, kSlack = 1 + 0x1p-58L, kTiny = 0x1p-16000L;
+  static constexpr long double kUnit = Limits::epsilon(), kSlack = 1 + 32 * kUnit,
+                               kTiny = Limits::min();
 
   LongBall() = default;
   LongBall(double x)  // NOLINT: numbers convert
       : mid(x), rad(std::fabs(x) < HUGE_VAL ? 0 : HUGE_VALL) {}
-  LongBall(long double m, long double r) : mid(m), rad(r) {}
-  /// GMP rounds towards 0: what is left of x after two doubles is below 2^-52 of the second one, or
-  /// 2^-1074.
+  /// What overflows is the largest number in some rounding modes.
+  LongBall(long double m, long double r)
+      : mid(m), rad(std::fabs(m) < Limits::max() && r < Limits::max() ? r : HUGE_VALL) {}
+  /// Nothing is taken for granted of conversions to doubles: rationals tell whether what two
+  /// doubles leave of x is below what is expected, or the radius is infinite.
   explicit LongBall(const kernel::Rational& x) : rad(HUGE_VALL) {
     const auto high = static_cast<double>(x);
     if (!(std::fabs(high) < HUGE_VAL)) return;
-    const auto low = static_cast<double>(kernel::Rational(x - kernel::Rational(high)));
+    const auto rest = kernel::Rational(x - kernel::Rational(high));
+    const auto low = static_cast<double>(rest);
+    if (!(std::fabs(low) < HUGE_VAL)) return;
     mid = static_cast<long double>(high) + low;
-    if (low == 0 && x == high)
-      rad = 0;
-    else
-      rad = (kUnit * std::fabs(mid) + 0x1p-50L * std::fabs(low)) * kSlack + 0x1p-1000L;
+    const double left = rest == 0 ? 0 : 0x1p-50 * std::fabs(low) + 0x1p-1000;
+    if (abs(kernel::Rational(rest - kernel::Rational(low))) <= kernel::Rational(left))
+      rad = rest == 0 ? 0 : (kUnit * std::fabs(mid) + left) * kSlack + kTiny;
   }
 
   friend LongBall operator-(const LongBall& a) { return {-a.mid, a.rad}; }
@@ -57,7 +68,7 @@ struct LongBall {
   }
   /// Holds nothing certain (NaN) if b holds zero.
   friend LongBall operator/(const LongBall& a, const LongBall& b) {
-    const long double low = (std::fabs(b.mid) - b.rad) * (1 - 0x1p-60L);
+    const long double low = (std::fabs(b.mid) - b.rad) * (1 - 8 * kUnit);
     if (!(low > 0)) return {NAN, NAN};
     const long double m = a.mid / b.mid;
     const long double r = (a.rad + (std::fabs(m) + kTiny) * b.rad + kTiny) / low;

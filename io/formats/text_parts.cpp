@@ -59,6 +59,8 @@ class RowReader {
     count_lines();
     const std::size_t all = rows_.vertices + rows_.faces;
     if (first_.back() < all || rows_.vertices > std::size_t{kMost}) return false;
+    // The shortest lines are "0 0 0" and "3 0 1 2": no room for more than the bytes may hold.
+    if (6 * rows_.vertices + 8 * rows_.faces > text_.size() - rows_.begin + 1) return false;
     points_.resize(rows_.vertices);
     nodes_.resize(3 * rows_.faces);
     if (!all_parts(parts_.size(), [&](std::size_t p) { return read_part(p); })) return false;
@@ -176,7 +178,8 @@ bool read_triangle_rows(std::string_view text, const TriangleRows& rows, Soup& s
 }
 
 bool read_obj_triangles(std::string_view text, Soup& soup) {
-  const std::vector<TextPart> parts = text_parts(text, 0);
+  // From behind a byte order mark.
+  const std::vector<TextPart> parts = text_parts(text, TextScan(text, '#').position());
   std::vector<ObjPart> read(parts.size());
   if (!all_parts(parts.size(), [&](std::size_t p) { return read[p].read(text, parts[p]); }))
     return false;

@@ -57,7 +57,13 @@ int write_pieces(int descriptor, const Writing& write) {
 void write_directly(const std::string& path, const Writing& write) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) fail(path, errno);
-  int error = write_pieces(descriptor, write);
+  int error = 0;
+  try {
+    error = write_pieces(descriptor, write);
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
   if (::close(descriptor) != 0 && error == 0) error = errno;
   if (error != 0) fail(path, error);
 }
@@ -127,12 +133,15 @@ PendingFiles* current = nullptr;
 /// One held file: an open descriptor without a name, or (descriptor_ < 0) the bytes.
 class PendingFiles::File {
  public:
+  File(const std::string& path, const std::string& target)
+      : path_(path), target_(target), descriptor_(open_unnamed(path, target)) {}
+  /// By the other one, so that a writing that throws closes the file.
   File(const std::string& path, const std::string& target, const Writing& write)
-      : path_(path), target_(target), descriptor_(open_unnamed(path, target)) {
+      : File(path, target) {
     if (descriptor_ < 0)
       write([&](std::string_view piece) { bytes_ += piece; });
     else if (const int error = write_pieces(descriptor_, write))
-      fail_and_close(error);
+      fail(path_, error);
   }
   ~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -175,10 +184,6 @@ class PendingFiles::File {
       else if (errno != EEXIST)
         fail(path_, errno);
     }
-  }
-  [[noreturn]] void fail_and_close(int error) {
-    ::close(descriptor_);
-    fail(path_, error);
   }
   void store_beside() {
     std::string name = target_ + ".XXXXXX";

@@ -427,6 +427,11 @@ const std::vector<std::pair<std::string, Edit>> kEdits = {
        return std::swap(l.inner.front(), l.inner.back()),
               l.inner.front().witness != l.inner.back().witness;
      }},
+    {"inner vertex twice",
+     [](ModeLevel& l, Random& r) {
+       l.inner.insert(l.inner.begin(), l.inner.front());
+       return ++l.near, r() % 2 < 2;
+     }},
     {"inner vertex outside",
      [](ModeLevel& l, Random& r) {
        auto& w = l.inner[r() % l.inner.size()].weights;
@@ -444,13 +449,17 @@ TEST_CASE("modes: edited positions are rejected") {
   add_positions(c, 1, 3);
   require_accepted(c);
   REQUIRE(c.levels[0].placed > 0);
-  for (const auto& [kind, edit] : kEdits)
+  for (const auto& [kind, edit] : kEdits) {
+    CAPTURE(kind);
+    std::uint64_t tried = 0;
     for (std::uint64_t i = 0; i < scaled(3); ++i) {
       auto mutant = c;
       if (!edit(mutant.levels[0], random)) continue;
-      CAPTURE(kind);
+      ++tried;
       CHECK_FALSE(verify(encode(mutant)).accepted);
     }
+    CHECK(tried > 0);
+  }
   // Fewer may be stated.
   auto modest = c;
   --modest.levels[0].placed, ++modest.levels[0].not_placed, --modest.levels[0].near;

@@ -162,3 +162,26 @@ TEST_CASE("triangles of OBJ in parts are those of its reader", "[io]") {
     CHECK(none.points.empty());
   }
 }
+
+TEST_CASE("triangles of OBJ in parts begin behind a byte order mark", "[io]") {
+  for (const std::string first : {"v 9 9 9\n", "f 1 3 2\n"}) {
+    const std::string text = "\xef\xbb\xbf" + first + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    Soup soup;
+    REQUIRE(read_obj_triangles(text, soup));
+    CHECK(soup.points.size() == (first[0] == 'v' ? 4 : 3));
+    CHECK(soup.cells.size() == (first[0] == 'f' ? 2 : 1));
+  }
+}
+
+TEST_CASE("rows that the bytes are too few for are not made room for", "[io]") {
+  const std::size_t lines = 100000;
+  const std::string text = "0 0 0\n" + std::string(lines, '\n');
+  Soup soup;
+  TriangleRows rows;
+  rows.vertices = lines;
+  CHECK_FALSE(read_triangle_rows(text, rows, soup));
+  const std::string least = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  rows.vertices = 3;
+  rows.faces = 1;
+  CHECK(read_triangle_rows(least, rows, soup));
+}
