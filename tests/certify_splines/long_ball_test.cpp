@@ -101,3 +101,14 @@ TEST_CASE("long balls that are undefined or too large have no sign") {
   CHECK(certain_sign(LongBall(Rational(1) / 3)) == crest::kernel::Sign::positive);
   CHECK(certain_sign(LongBall(0.0)) == crest::kernel::Sign::zero);
 }
+
+TEST_CASE("what overflows in long balls has no sign in any rounding mode") {
+  const long double top = std::ldexp(1.0L, std::numeric_limits<long double>::max_exponent - 1);
+  const LongBall x(1.5L * top, 0), y(1.75L * top, 0), z(top, 0), zero(0.0L, 0);
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const RoundingMode guard(mode);
+    CHECK(!certain_sign(x + x - y - z));
+    CHECK(!certain_sign(zero - x - x + y + z));
+    CHECK(!certain_sign(x * x - y * y));
+  }
+}
