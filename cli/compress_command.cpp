@@ -11,6 +11,7 @@
 #include "certify/certificate.hpp"
 #include "certify/verify.hpp"
 #include "cli/compression_report.hpp"
+#include "cli/one_of.hpp"
 #include "cli/run.hpp"
 #include "cli/skeleton_report.hpp"
 #include "cli/vector_options.hpp"
@@ -105,20 +106,20 @@ std::function<int()> add(CLI::App& app) {
                  "strong: all triangles that the skeleton meets stay; original: those of zeros "
                  "(default); relaxed: zeros may move")
       ->excludes(simplify)
-      ->transform(CLI::CheckedTransformer(notions, CLI::ignore_case))
+      ->transform(one_of(notions))
       ->type_name("WORD");
   const std::map<std::string, CollapseTest> tests = {{"retrace", CollapseTest::retrace},
                                                      {"thesis", CollapseTest::thesis}};
   app.add_option("--test", o.compression.test,
                  "retrace (default), or thesis: also the order on rings, as printed")
       ->excludes(simplify)
-      ->transform(CLI::CheckedTransformer(tests, CLI::ignore_case))
+      ->transform(one_of(tests))
       ->type_name("WORD");
   const std::map<std::string, CollapsePriority> priorities = {{"length", CollapsePriority::length},
                                                               {"error", CollapsePriority::error}};
   app.add_option("--priority", o.compression.priority,
                  "short edges first, or small differences of vectors (default: length)")
-      ->transform(CLI::CheckedTransformer(priorities, CLI::ignore_case))
+      ->transform(one_of(priorities))
       ->type_name("WORD");
   return [options] {
     options->compression.simplify = options->simplify.threshold;

@@ -17,6 +17,7 @@
 #include "algorithms/ridges/ridges.hpp"
 #include "certify/certificate.hpp"
 #include "cli/features_report.hpp"
+#include "cli/one_of.hpp"
 #include "cli/references.hpp"
 #include "cli/run.hpp"
 #include "io/features/feature_writer.hpp"
@@ -115,7 +116,7 @@ void add_features_options(CLI::App& app, FeaturesOptions& o) {
              "--neighbourhood", o.lines.neighbourhood,
              "what N of these four is: rings of neighbours (default), or a length in units of "
              "the input: Euclidean, along edge paths, or over the surface from the whole region")
-          ->transform(CLI::CheckedTransformer(kinds))
+          ->transform(one_of(kinds))
           ->type_name("ring|euclidean|path|geodesic"));
   app.add_option("--prune", o.lines.prune, "drop branches of at most M vertices (default 0)")
       ->check(whole)

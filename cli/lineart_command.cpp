@@ -15,6 +15,7 @@
 #include "certify/lineart/encode.hpp"
 #include "certify/verify.hpp"
 #include "cli/lineart_report.hpp"
+#include "cli/one_of.hpp"
 #include "cli/run.hpp"
 #include "io/line_art/buffer_files.hpp"
 #include "io/line_art/drawing_writer.hpp"
@@ -183,14 +184,14 @@ void add_view(CLI::App& app, LineArtOptions& o) {
 void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
   const std::map<std::string, bool> fields = {{"line", false}, {"cross", true}};
   app.add_option("--field", o.cross_field, "line (default) or cross: what is smoothed")
-      ->transform(CLI::CheckedTransformer(fields, CLI::ignore_case))
+      ->transform(one_of(fields))
       ->type_name("WORD");
   const std::map<std::string, line_art::ToneStyle> tones = {
       {"width", line_art::ToneStyle::width},
       {"bands", line_art::ToneStyle::bands},
       {"length", line_art::ToneStyle::length}};
   app.add_option("--tone", o.tone_style, "width (default), bands or length")
-      ->transform(CLI::CheckedTransformer(tones, CLI::ignore_case))
+      ->transform(one_of(tones))
       ->type_name("WORD");
   app.add_flag("--cross-hatch", o.cross_hatch, "a second layer where it is darker than cmin");
   app.add_option("--spacing", o.tone.spacing, "of hatches, mm (default: 0.8)")
@@ -249,7 +250,7 @@ std::function<int()> add(CLI::App& app) {
                                                {"streamlines", Style::streamlines},
                                                {"fishbone", Style::fishbone}};
   app.add_option("--style", o.style, "contours, streamlines or fishbone (default)")
-      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+      ->transform(one_of(styles))
       ->type_name("WORD");
   app.add_option("--crease", o.crease, "draw edges sharper than DEG, or none (default: 60)")
       ->type_name("DEG");

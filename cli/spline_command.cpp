@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/run.hpp"
+#include "cli/one_of.hpp"
 #include "cli/spline_cubic_run.hpp"
 #include "cli/spline_options.hpp"
 #include "cli/spline_volume_run.hpp"
@@ -90,7 +91,7 @@ void add_table_options(CLI::App& app, SplineOptions& o) {
   app.add_option("--smoothness", o.smoothness,
                  "c1: exactly (default); local: but for triangles inside cubes, one pass; "
                  "sequential: the thesis' extension")
-      ->transform(CLI::CheckedTransformer(words, CLI::ignore_case))
+      ->transform(one_of(words))
       ->type_name("WORD")
       ->group(group);
   add_numbers(app, "-n", o.cubes, {1, 3},

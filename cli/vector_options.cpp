@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/common_options.hpp"
+#include "cli/one_of.hpp"
 
 namespace crest::cli {
 
@@ -21,7 +22,7 @@ void add_vector_options(CLI::App& app, io::VectorRequest& request) {
   const std::map<std::string, io::Diagonal> diagonals = {
       {"up", io::Diagonal::up}, {"down", io::Diagonal::down}, {"short", io::Diagonal::shorter}};
   app.add_option("--diagonal", request.diagonal, "of grids' cells: up, down or short (default: up)")
-      ->transform(CLI::CheckedTransformer(diagonals, CLI::ignore_case))
+      ->transform(one_of(diagonals))
       ->type_name("WORD");
   app.add_option("--slice", request.slice, "the layer of a grid with several, from 0")
       ->check(CLI::Range(0, 1'000'000'000))
@@ -55,7 +56,7 @@ CLI::Option* add_simplify_options(CLI::App& app, SimplifyOptions& options,
                                                        {"cotan", Laplacian::cotan}};
   app.add_option("--laplacian", options.laplacian,
                  "of the smoothed field that gives weights: uniform (default) or cotan")
-      ->transform(CLI::CheckedTransformer(laplacians, CLI::ignore_case))
+      ->transform(one_of(laplacians))
       ->needs(simplify)
       ->type_name("WORD");
   app.add_option("--smoothed", options.smoothed,

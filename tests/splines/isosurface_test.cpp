@@ -292,7 +292,7 @@ TEST_CASE("a long volume: pieces 2^20 cubes apart are two pieces") {
 
 TEST_CASE("isovalues that vanish beside the samples are refused") {
   const QuadraticSpline spline(
-      tests::volume_of(4, [](double x, double y, double) { return x - y; }));
+      tests::volume_of<double>(4, [](double x, double y, double) { return x - y; }));
   CHECK_THROWS_WITH(splines::extract_isosurface(spline, 5e-324, 10), Catch::Contains("isovalue: "));
   CHECK_NOTHROW(splines::extract_isosurface(spline, 0x1p-890, 10));
 }
