@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "cli/run.hpp"
 #include "cli/one_of.hpp"
+#include "cli/run.hpp"
 #include "cli/spline_cubic_run.hpp"
 #include "cli/spline_options.hpp"
 #include "cli/spline_volume_run.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Help texts, examples, the README: what a newcomer types first.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -49,6 +50,9 @@ TEST_CASE("every command's help ends with examples and they run") {
     CHECK(help.exit_code == 0);
     const auto examples = examples_of(help.out);
     INFO(help.out);
+    const auto is_control = [](unsigned char c) { return c < ' ' && c != '\n'; };
+    CHECK(std::ranges::none_of(help.out, is_control));
+    CHECK(help.out.find("->") == std::string::npos);
     REQUIRE(examples.size() >= 2);
     const auto lines = split_lines(help.out);
     CHECK(lines.back() == "  " + examples.back());
