@@ -15,7 +15,6 @@
 #include "certify/container/sha256.hpp"
 #include "certify/verify.hpp"
 #include "cli/input_mesh.hpp"
-#include "cli/one_of.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 
 namespace {
@@ -179,7 +178,7 @@ void describe(CLI::App& app, Arguments& arguments) {
       app.add_option("--arithmetic", arguments.options.arithmetic,
                      "double (with proven bounds, default) or mpfr (directed rounding;\n"
                      "about a thousand times slower for ridges of smooth surfaces)")
-          ->transform(crest::cli::one_of(kArithmetic))
+          ->transform(CLI::CheckedTransformer(kArithmetic).description("{double,mpfr}"))
           ->default_str("double");
   auto* const input = app.add_option("--input", arguments.input,
                                      "also require the data to be what `crest` makes of this file");

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "algorithms/extremal/record_bytes.hpp"
+#include "certify/container/sha256.hpp"
 #include "cli/version.hpp"
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
@@ -82,7 +83,12 @@ std::optional<Records> finished_piece(const PieceJob& job, std::size_t piece) {
   try {
     if (bytes.starts_with(key)) {
       const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
-      return extremal::records_from({from + key.size(), bytes.size() - key.size()});
+      const std::span<const std::uint8_t> rest(from + key.size(), bytes.size() - key.size());
+      if (rest.size() < sizeof(certify::Digest)) throw std::runtime_error("cut off");
+      const auto records = rest.subspan(sizeof(certify::Digest));
+      if (!std::ranges::equal(certify::sha256({records}), rest.first(sizeof(certify::Digest))))
+        throw std::runtime_error("another digest");
+      return extremal::records_from(records);
     }
   } catch (const std::runtime_error&) {
     throw kernel::InputError(path + ": piece: is damaged; delete it");
@@ -94,7 +100,11 @@ void keep_piece(const PieceJob& job, std::size_t piece, const Records& records) 
   const std::string key = key_of(job, piece);
   const auto bytes = extremal::to_bytes(records);
   std::string file = key;
-  file.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto append = [&](std::span<const std::uint8_t> more) {
+    file.append(reinterpret_cast<const char*>(more.data()), more.size());
+  };
+  append(certify::sha256({bytes}));
+  append(bytes);
   io::write_atomically(file_of(job, piece), file);
 }
 

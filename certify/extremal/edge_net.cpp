@@ -83,6 +83,10 @@ EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis) {
       scale(h, Number(sign * inverse(i) * inverse(j)));
     }
   }
+  // Across an image nothing changes; the errors of sums would.
+  for (unsigned i = 0; i < 3 && fields.grid.dimension == 2; ++i)
+    net.h[kComponent[i][2]].fill(Number(0));
+  if (fields.grid.dimension == 2) net.v[2].fill(Number(0));
   const double l_size = 0x1p10 * l.most;
   net.v_size = l_size * inverse_most;
   net.h_size = net.t_size = net.v_size * inverse_most;

@@ -64,6 +64,10 @@ class SpotFields {
     double most = 0;
     for (unsigned i = 0; i < 3; ++i)
       for (unsigned j = i; j < 3; ++j) {
+        if (j >= fields_.grid.dimension) {  // of an image; the errors of a sum would decide
+          h[kComponent[i][j]] = Number(0);
+          continue;
+        }
         std::array<unsigned, 3> order{};
         ++order[i];
         ++order[j];

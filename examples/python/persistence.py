@@ -17,7 +17,7 @@ import crest
 def main(mesh="blend.ply", picture="persistence.svg"):
     V, F = crest.read_mesh(mesh)
     noise = np.random.default_rng(1).normal(size=len(V))
-    height = 0.2 * V[:, 0] + 0.1 * V[:, 1] + V[:, 2] + 0.02 * np.ptp(V) * noise
+    height = V @ [0.2, 0.1, 1] + 0.02 * np.ptp(V) * noise
     span = np.ptp(height)
     print("persistence  nodes  arcs  loops")
     for share in (0, 0.02, 0.05, 0.1, 0.2, 0.4):

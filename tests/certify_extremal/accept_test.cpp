@@ -191,6 +191,26 @@ TEST_CASE("extremal: second derivatives, valleys, strengths") {
   require_accepted(reference_extremal(image));
 }
 
+TEST_CASE("extremal: an image's curves do not depend on the unit of length") {
+  auto image = sampled({24, 24, 1}, [](double x, double y, double) {
+    const double along = std::cos(0.4) * x + std::sin(0.4) * y;
+    const double across = std::cos(0.4) * y - std::sin(0.4) * x;
+    return std::exp(-across * across / 0.04 - along * along / 0.81);
+  });
+  image.hessian = true;
+  image.tensor_weights = {{{1}, {1}, {1}}};
+  image.min_strength = 0.03;
+  const ExtremalCertificate unscaled = reference_extremal(image);
+  require_accepted(unscaled);
+  for (const int power : {-56, -20, 20, 44, 50, 56}) {
+    INFO("2^" << power);
+    ExtremalCertificate c = unscaled;
+    for (std::size_t k = 0; k < 2; ++k) c.data.spacing[k] = std::ldexp(c.data.spacing[k], power);
+    c.data.min_strength = std::ldexp(c.data.min_strength, -2 * power);
+    require_accepted(c);
+  }
+}
+
 TEST_CASE("extremal: a sphere with other spacings stays a sphere") {
   const auto c = reference_extremal(
       with_level(sampled({20, 20, 9}, sphere(0.65, 0.3), 1, {1, 1, 19.0 / 8}), 0.4));

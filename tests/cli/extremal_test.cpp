@@ -252,3 +252,27 @@ TEST_CASE("crest sample: volumes and points take their own options alone") {
     CHECK(run.err.find(c.words) != std::string::npos);
   }
 }
+
+TEST_CASE("crest extremal: blocks and restarts give the same bytes, damaged pieces are refused") {
+  const TemporaryFolder folder;
+  sample("sphere-shell --nodes 24 -o s.nrrd", folder);
+  extremal("s.nrrd --ridge --quiet --certificate whole.crest", folder);
+  std::filesystem::create_directory(folder / "pieces");
+  const std::string blocks = "s.nrrd --ridge --quiet --blocks 4 --restart pieces --certificate ";
+  extremal(blocks + "blocks.crest", folder);
+  CHECK(read_text(folder / "blocks.crest") == read_text(folder / "whole.crest"));
+  extremal(blocks + "again.crest", folder);
+  CHECK(read_text(folder / "again.crest") == read_text(folder / "whole.crest"));
+
+  const auto piece = std::filesystem::directory_iterator(folder / "pieces")->path();
+  const std::string good = read_text(piece);
+  for (const std::size_t at : {good.find('\n') + 1, good.size() / 2, good.size() - 1}) {
+    std::string damaged = good;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    write_text(piece, damaged);
+    const auto run = run_crest("crest extremal " + blocks + "damaged.crest", folder.path());
+    CHECK(run.exit_code == 3);
+    CHECK(run.err.find("is damaged; delete it") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder / "damaged.crest"));
+  }
+}
