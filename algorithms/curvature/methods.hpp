@@ -39,7 +39,10 @@ void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::si
 template <class Body>
 void for_each_index(Index n, Body&& body) {
   kernel::parallel_for(tbb::blocked_range<Index>(0, n, 512), [&](const auto& range) {
-    for (Index i = range.begin(); i != range.end(); ++i) body(i);
+    for (Index i = range.begin(); i != range.end(); ++i) {
+      if (i % 64 == 0) kernel::stop_point();  // TBB's parts may be long
+      body(i);
+    }
   });
 }
 
