@@ -86,7 +86,7 @@ LONG = {
     "degenerate curves": (lambda: block(40),
                           lambda x, go: crest.modes(*x, degenerate=True, progress=go)),
     "extremal": (lambda: noise(96), lambda x, go: crest.extremal(x, ridge=True, progress=go)),
-    "skeleton": (lambda: plane(150), lambda x, go: crest.skeleton(*x, progress=go)),
+    "skeleton": (lambda: plane(500), lambda x, go: crest.skeleton(*x, progress=go)),
     "compress": (lambda: plane(40), lambda x, go: crest.compress(*x, progress=go)),
     "spline_isosurface": (lambda: noise(200),
                           lambda x, go: crest.spline_isosurface(x, 0.5, progress=go)),
@@ -123,4 +123,4 @@ def test_the_work_ends(name):
         call(given, go)
     start = time.process_time()
     assert _crest.wait_for_stopped(30)
-    assert time.process_time() - start < 1, steps
+    assert time.process_time() - start < 3, steps
