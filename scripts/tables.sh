@@ -19,7 +19,7 @@ wanted() {  # SIZE NAME WANTED...
   size=$1; name=$2; shift 2
   [ $# -gt 0 ] || return 0
   for w in "$@"; do
-    [ "$w" != "$size" ] && [ "$w" != "$name" ] || return 0
+    [ "$w" != "$size" ] && [ "$w" != "$name" ] && [ "$w" != "$table" ] || return 0
   done
   return 1
 }
@@ -43,12 +43,14 @@ machine="$(nproc) cores, $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | hea
 commit=$(git describe --always --dirty --abbrev=12 2>/dev/null || echo "no repository")
 differing=0
 left_out=0
+found=0
 fresh=$(mktemp)
 trap 'rm -f "$fresh" "$fresh.a" "$fresh.b"' EXIT
 while read -r size table program arguments; do
   case $size in ''|'#'*) continue ;; esac
   name=${table##*/}
   wanted "$size" "$name" "$@" || continue
+  found=1
   stored=experiments/${table%/*}/tables/$name.md
   if [ ! -d ../shared ] && grep -q '"../shared' "experiments/${table%/*}/$program.cpp"; then
     echo "$name: left out, it needs ../shared"; left_out=1; continue
@@ -70,5 +72,6 @@ while read -r size table program arguments; do
     echo "$name: DIFFERS from $stored"; head -n 20 "$fresh"; differing=1
   fi
 done <$list
+[ $found = 1 ] || { echo "scripts/tables.sh: no such table: $*; see $list" >&2; exit 2; }
 [ $differing = 0 ] && [ $left_out = 1 ] && exit 77
 exit $differing
