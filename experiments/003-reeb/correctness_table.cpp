@@ -151,6 +151,17 @@ int main(int argc, char** argv) {
   std::vector<Row> table = rows();
   if (argc > 2) table = {table.at(static_cast<std::size_t>(std::atoi(argv[2])))};
   fmt::print(
+      "Command: experiments/003-reeb/correctness_table\n\n"
+      "Right of {} seeds, row by row. Brute force: all contours of all slabs between neighbouring\n"
+      "ranks. Degree 2: the tiles of a quadratic function. The surfaces of degree 2 are coarser "
+      "where\n"
+      "brute force would take long; genus 16 is checked by its certificate and its loops. Genus "
+      "5,\n"
+      "degree 1: the mesh is so coarse that multiple saddles swallow a loop in some of the seeds\n"
+      "(theorem 7 of certify/reeb/SPEC.md); the graphs are right, and tests/reeb counts the loops\n"
+      "swallowed.\n\n",
+      seeds);
+  fmt::print(
       "| surface | values | degree | equal to brute force | certificates accepted | loops = "
       "genus |\n|---|---|---|---|---|---|\n");
   bool all = true;
