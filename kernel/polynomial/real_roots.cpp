@@ -65,6 +65,7 @@ void exact_roots(const Shared& p, int multiplicity, const Side& side,
 
 void sort(std::vector<RealRoot>& roots) {
   std::vector<AlgebraicNumber> numbers;
+  numbers.reserve(roots.size());
   for (const RealRoot& r : roots) numbers.push_back(r.value);
   std::vector<RealRoot> sorted;
   for (const auto& group : increasing_groups(numbers))
