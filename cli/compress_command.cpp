@@ -87,7 +87,7 @@ Outcome work(Run& run, const CompressOptions& o) {
           : kDone};
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_compress(CLI::App& app) {
   using namespace vector_fields;
   auto options = std::make_shared<CompressOptions>();
   CompressOptions& o = *options;
@@ -138,7 +138,7 @@ extern const Command compress_command;
 const Command compress_command = {
     "compress",
     "a plane vector field on fewer triangles with the same topological skeleton",
-    add,
+    add_compress,
     {"crest compress lattice.vtu -o small.vtu --certificate small.crest",
      "crest compress twin-bodden.vtu --vectors flow --equivalence relaxed -o bodden.vtu"}};
 

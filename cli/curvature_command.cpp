@@ -22,7 +22,6 @@
 namespace crest::cli {
 namespace {
 
-using curvature::Method;
 using curvature::PointCurvature;
 using kernel::TriangleMesh;
 
@@ -40,7 +39,7 @@ void add_options(CLI::App& app, CurvatureOptions& o) {
   app.add_option("-o,--output", o.common.output, "the mesh with its curvatures (.vtp .vtu .ply)")
       ->type_name("FILE");
   std::vector<std::string> names;
-  for (const Method m : curvature::kMethods) names.push_back(curvature::name_of(m));
+  for (const curvature::Method m : curvature::kMethods) names.push_back(curvature::name_of(m));
   app.add_option("--method", o.method, "default ne: normal-based, normals estimated")
       ->check(CLI::IsMember(names));
   app.add_option("--normals", o.normals,
@@ -99,7 +98,7 @@ std::optional<sampling::Surface> reference_of(const CurvatureOptions& o) {
 
 void check_corners(const CurvatureOptions& o) {
   if (!o.corners) return;
-  if (o.estimate.method != Method::np && o.estimate.method != Method::ne)
+  if (o.estimate.method != curvature::Method::np && o.estimate.method != curvature::Method::ne)
     throw UsageError("--corners belongs to --method np and ne");
   if (io::lower_extension(o.common.output) == ".ply")
     throw UsageError("--corners: .ply has no place for them, write .vtp or .vtu");
@@ -107,11 +106,11 @@ void check_corners(const CurvatureOptions& o) {
 
 /// The normals option, its default by the method, against what is there.
 std::string normals_source(const CurvatureOptions& o) {
-  const bool perfect = o.estimate.method == Method::np;
+  const bool perfect = o.estimate.method == curvature::Method::np;
   if (!o.normals.empty()) {
     if (perfect && o.normals == "estimated")
       throw UsageError("--normals estimated: with these np is ne; say --method ne");
-    if (o.estimate.method == Method::ne && o.normals != "estimated")
+    if (o.estimate.method == curvature::Method::ne && o.normals != "estimated")
       throw UsageError("--normals " + o.normals + ": ne estimates them; say --method np");
     if (o.normals == "gradient" && o.reference.empty())
       throw UsageError("--normals gradient needs --reference");
@@ -206,8 +205,8 @@ std::vector<curvature::FocalSurface> focal_surfaces(const CurvatureOptions& o,
                                                     const io::MeshFile& file,
                                                     const curvature::Result& result) {
   const TriangleMesh& mesh = file.mesh;
-  const bool triangles =
-      !o.focal_averaged && (o.estimate.method == Method::np || o.estimate.method == Method::ne);
+  const bool triangles = !o.focal_averaged && (o.estimate.method == curvature::Method::np ||
+                                               o.estimate.method == curvature::Method::ne);
   std::vector<curvature::FocalSurface> surfaces;
   for (const auto q : {curvature::Quantity::gaussian, curvature::Quantity::mean}) {
     surfaces.push_back(triangles
@@ -322,7 +321,7 @@ int run(CurvatureOptions& o) {
       [&](Run& run) { return work(run, o, source, surface); });
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_curvature(CLI::App& app) {
   auto options = std::make_shared<CurvatureOptions>();
   add_options(app, *options);
   return [options] { return run(*options); };
@@ -334,7 +333,7 @@ extern const Command curvature_command;
 const Command curvature_command = {
     "curvature",
     "the curvature tensor of a triangle mesh, by seven methods",
-    add,
+    add_curvature,
     {"crest curvature ellipsoid.off -o ellipsoid-curvature.vtp --picture ellipsoid-curvature.png "
      "--page ellipsoid-curvature.html",
      "crest curvature ellipsoid.off --method cf --reference ellipsoid --parameters 1,1.5,2 "

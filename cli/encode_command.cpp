@@ -22,7 +22,6 @@
 namespace crest::cli {
 namespace {
 
-using coding::Method;
 using coding::Places;
 
 struct EncodeCommandOptions {
@@ -59,7 +58,8 @@ void check_options(EncodeCommandOptions& o) {
     o.coding.places = Places::rounded;
   }
   if (o.connectivity_only) o.coding.places = Places::none;
-  for (const Method method : {Method::valence, Method::fan, Method::zigzag, Method::fixed})
+  for (const coding::Method method : {coding::Method::valence, coding::Method::fan,
+                                      coding::Method::zigzag, coding::Method::fixed})
     if (o.method == coding::name_of(method)) o.coding.method = method;
 }
 

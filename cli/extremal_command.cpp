@@ -259,7 +259,7 @@ void add_point_options(CLI::App& app, ExtremalOptions& o) {
       ->group(group);
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_extremal(CLI::App& app) {
   auto options = std::make_shared<ExtremalOptions>();
   ExtremalOptions& o = *options;
   add_common_options(
@@ -282,7 +282,7 @@ extern const Command extremal_command;
 const Command extremal_command = {
     "extremal",
     "ridge and valley surfaces of volumes, curves of images, surfaces of points",
-    add,
+    add_extremal,
     {"crest extremal moebius.nrrd --ridge --min-value 0.4 -o sheet.vtp --certificate sheet.crest",
      "crest extremal strip.xyz --surface --radius 0.15 --depth 6 -o strip.vtp --picture "
      "strip.png"}};

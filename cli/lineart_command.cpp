@@ -232,7 +232,7 @@ void add_hatch(CLI::App& app, line_art::HatchOptions& o) {
           });
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_lineart(CLI::App& app) {
   auto options = std::make_shared<LineArtOptions>();
   LineArtOptions& o = *options;
   app.add_option("INPUT", o.common.input,
@@ -288,7 +288,7 @@ extern const Command lineart_command;
 const Command lineart_command = {
     "lineart",
     "a pen-and-ink drawing: exact contours, hatches along principal directions",
-    add,
+    add_lineart,
     {"crest lineart ellipsoid.off -o drawing.svg --certificate drawing.crest",
      "crest lineart blend.obj --style contours --camera 3,2,4,0,0,0 -o contours.pdf"}};
 

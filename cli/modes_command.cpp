@@ -193,7 +193,7 @@ Outcome work(Run& run, const ModesOptions& o) {
                                                       : kDone};
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_modes(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   ModesOptions& o = *options;
   add_common_options(app, o.common,
@@ -238,7 +238,7 @@ extern const Command modes_command;
 const Command modes_command = {
     "modes",
     "mode and neutral surfaces of a symmetric tensor field on tetrahedra",
-    add,
+    add_modes,
     {"crest modes stress.vtu --tensor stress --mode 0.5 -o modes.vtp --report report.json",
      "crest modes stress.vtu --neutral --certificate neutral.crest",
      "crest modes stress.vtu --degenerate -o curves.vtp --certificate curves.crest"}};

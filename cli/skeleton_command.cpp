@@ -94,7 +94,7 @@ Outcome work(Run& run, const SkeletonOptions& o) {
   return {summary, {"roessl2005surfaces"}, undecided_count(skeleton) > 0 ? kNotCertified : kDone};
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_skeleton(CLI::App& app) {
   auto options = std::make_shared<SkeletonOptions>();
   SkeletonOptions& o = *options;
   add_common_options(app, o.common, kVectorFormats, "the skeleton (.vtp)");
@@ -124,7 +124,7 @@ extern const Command skeleton_command;
 const Command skeleton_command = {
     "skeleton",
     "zeros, switch points, separatrices and closed orbits of a plane vector field",
-    add,
+    add_skeleton,
     {"crest skeleton lattice.vtu -o skeleton.vtp --certificate skeleton.crest",
      "crest skeleton twin-bodden.vtu --vectors flow --picture bodden.png --page bodden.html"}};
 

@@ -108,7 +108,7 @@ void add_table_options(CLI::App& app, SplineOptions& o) {
       ->group(group);
 }
 
-std::function<int()> add(CLI::App& app) {
+std::function<int()> add_spline(CLI::App& app) {
   auto options = std::make_shared<SplineOptions>();
   SplineOptions& o = *options;
   add_common_options(
@@ -137,7 +137,7 @@ extern const Command spline_command;
 const Command spline_command = {
     "spline",
     "splines of volumes and of scattered samples, their isosurfaces by exact rays",
-    add,
+    add_spline,
     {"crest spline moebius.nrrd --isovalue 0.4 --picture surface.png --certificate rays.crest",
      "crest spline moebius.nrrd --isovalue 0.4 --mesh surface.vtp --report surface.json"}};
 

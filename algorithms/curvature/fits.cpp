@@ -13,24 +13,23 @@ namespace crest::curvature {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-using Eigen::Index;
-using MeshIndex = kernel::Index;
+using Row = Eigen::Index;
 
 /// A vertex, its neighbours in its frame, in units of `scale`.
 struct Neighbourhood {
   Frame frame;
   double scale = 1;
-  std::vector<MeshIndex> vertices;  ///< without the centre
-  std::vector<Vec3> local;          ///< x, y, z
+  std::vector<Index> vertices;  ///< without the centre
+  std::vector<Vec3> local;      ///< x, y, z
 };
 
-Neighbourhood neighbourhood_of(const kernel::TriangleMesh& mesh, const Vec3& normal, MeshIndex v,
-                               std::vector<MeshIndex> vertices) {
+Neighbourhood neighbourhood_of(const kernel::TriangleMesh& mesh, const Vec3& normal, Index v,
+                               std::vector<Index> vertices) {
   Neighbourhood n;
   n.frame = frame_of(1 / norm(normal) * normal);
   n.vertices = std::move(vertices);
   double sum = 0;
-  for (const MeshIndex w : n.vertices) {
+  for (const Index w : n.vertices) {
     const Vec3 d = mesh.points()[w] - mesh.points()[v];
     sum += norm(d);
     n.local.push_back({dot(d, n.frame.t1), dot(d, n.frame.t2), dot(d, n.frame.n)});
@@ -60,18 +59,18 @@ double power(double x, int n) {
   return product;
 }
 
-std::vector<MeshIndex> one_ring(const kernel::TriangleMesh& mesh, MeshIndex v) {
+std::vector<Index> one_ring(const kernel::TriangleMesh& mesh, Index v) {
   const auto ring = mesh.ring(v);
   return {ring.begin(), ring.end()};
 }
 
 /// z = (a20 x^2 + 2 a11 x y + a02 y^2) / 2.
 PointCurvature quadratic(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                         MeshIndex v, VertexFlags& flags) {
+                         Index v, VertexFlags& flags) {
   const Neighbourhood n = neighbourhood_of(mesh, normals[v], v, one_ring(mesh, v));
-  const auto count = static_cast<Index>(n.local.size());
+  const auto count = static_cast<Row>(n.local.size());
   Matrix a(count, 3), b(count, 1);
-  for (Index i = 0; i < count; ++i) {
+  for (Row i = 0; i < count; ++i) {
     const auto [x, y, z] = n.local[static_cast<std::size_t>(i)];
     a.row(i) << 0.5 * x * x, x * y / kRoot2, 0.5 * y * y;
     b(i, 0) = z;
@@ -82,12 +81,12 @@ PointCurvature quadratic(const kernel::TriangleMesh& mesh, const std::vector<Vec
 }
 
 /// Equation 3.9 for heights and, by the neighbours' normals, for both slopes.
-PointCurvature cubic(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
-                     MeshIndex v, VertexFlags& flags) {
+PointCurvature cubic(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, Index v,
+                     VertexFlags& flags) {
   const Neighbourhood n = neighbourhood_of(mesh, normals[v], v, one_ring(mesh, v));
-  const auto count = static_cast<Index>(n.local.size());
+  const auto count = static_cast<Row>(n.local.size());
   Matrix a = Matrix::Zero(3 * count, 7), b = Matrix::Zero(3 * count, 1);
-  for (Index i = 0; i < count; ++i) {
+  for (Row i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto [x, y, z] = n.local[k];
     a.row(3 * i) << 0.5 * x * x, x * y / kRoot2, 0.5 * y * y, x * x * x, kRoot3 * x * x * y,
@@ -109,7 +108,7 @@ PointCurvature cubic(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& 
 
 /// Parameters of the neighbours: distance and angle, the angles of a closed fan stretched to a full
 /// turn (the exponential map of the one-ring, Welch and Witkin 1994).
-std::vector<Flat> exponential_map(const kernel::TriangleMesh& mesh, MeshIndex v) {
+std::vector<Flat> exponential_map(const kernel::TriangleMesh& mesh, Index v) {
   const auto ring = mesh.ring(v);
   std::vector<double> angle(ring.size()), radius(ring.size());
   std::vector<Vec3> spoke(ring.size());
@@ -135,20 +134,20 @@ std::vector<Flat> exponential_map(const kernel::TriangleMesh& mesh, MeshIndex v)
 
 /// f(u, v) = f_u u + f_v v + u^2 f_uu / 2 + u v f_uv + v^2 f_vv / 2, then equations 3.1 to 3.3.
 PointCurvature quadratic_over_exponential(const kernel::TriangleMesh& mesh,
-                                          const std::vector<Vec3>& normals, MeshIndex v,
+                                          const std::vector<Vec3>& normals, Index v,
                                           VertexFlags& flags) {
   const Neighbourhood n = neighbourhood_of(mesh, normals[v], v, one_ring(mesh, v));
   const std::vector<Flat> map = exponential_map(mesh, v);
-  const auto count = static_cast<Index>(map.size());
+  const auto count = static_cast<Row>(map.size());
   Matrix a(count, 5), b(count, 3);
-  for (Index i = 0; i < count; ++i) {
+  for (Row i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double s = map[k].x / n.scale, t = map[k].y / n.scale;
     a.row(i) << s, t, 0.5 * s * s, s * t / kRoot2, 0.5 * t * t;
     b.row(i) << n.local[k][0], n.local[k][1], n.local[k][2];
   }
   const Matrix c = solve(a, b, flags);
-  const auto world = [&](Index i) {
+  const auto world = [&](Row i) {
     return c(i, 0) * n.frame.t1 + c(i, 1) * n.frame.t2 + c(i, 2) * n.frame.n;
   };
   const Vec3 fu = world(0), fv = world(1);
@@ -172,19 +171,19 @@ PointCurvature quadratic_over_exponential(const kernel::TriangleMesh& mesh,
 
 /// The height polynomial of the degree, or of the largest lower degree that the points determine
 /// by number (at least 2).
-PointCurvature jet(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, MeshIndex v,
+PointCurvature jet(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, Index v,
                    const Options& options, VertexFlags& flags) {
-  thread_local std::vector<MeshIndex> found;
+  thread_local std::vector<Index> found;
   collect_rings(mesh, v, 1, static_cast<std::size_t>(options.jet_points), found);
   const Neighbourhood n = neighbourhood_of(mesh, normals[v], v, {found.begin() + 1, found.end()});
-  const auto count = static_cast<Index>(n.local.size()) + 1;
+  const auto count = static_cast<Row>(n.local.size()) + 1;
   int degree = options.degree;
   while (degree > 2 && (degree + 1) * (degree + 2) / 2 > count) --degree;
   Matrix a(count, (degree + 1) * (degree + 2) / 2), b(count, 1);
-  for (Index i = 0; i < count; ++i) {
+  for (Row i = 0; i < count; ++i) {
     const Vec3 p = i == 0 ? Vec3{0, 0, 0} : n.local[static_cast<std::size_t>(i - 1)];
     b(i, 0) = p[2];
-    Index column = 0;
+    Row column = 0;
     // By degree; within a degree the powers of x descend.
     for (int d = 0; d <= degree; ++d) {
       double binomial = 1;
@@ -210,7 +209,7 @@ PointCurvature jet(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& no
 
 void fit(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, const Options& options,
          std::vector<PointCurvature>& out, std::vector<VertexFlags>& flags) {
-  for_each_index(mesh.vertex_count(), [&](MeshIndex v) {
+  for_each_index(mesh.vertex_count(), [&](Index v) {
     switch (options.method) {
       case Method::qf:
         out[v] = quadratic(mesh, normals, v, flags[v]);

@@ -7,8 +7,8 @@
 namespace crest::extremal {
 namespace {
 
-constexpr double kMargin = 1e-6, kSlack = 1e-10;
-constexpr int kDeepest = 14;
+constexpr double kEdgeMargin = 1e-6, kEdgeSlack = 1e-10;
+constexpr int kDeepestEdge = 14;
 
 double value(const Cubic& c, double t) {
   const double s = 1 - t;
@@ -71,7 +71,7 @@ class TypeSearch {
     const Vec3 w = direction_at(net, 0.5, guess);
     const EdgeBounds b = edge_bounds(net, w);
     if (b.gap > 0 && decided(net, w, b.theta)) return;
-    if (depth == kDeepest || --left_ == 0) {
+    if (depth == kDeepestEdge || --left_ == 0) {
       open = true;
       return;
     }
@@ -97,11 +97,12 @@ class TypeSearch {
       size = std::max(size, h[0] * h[0] + h[1] * h[1] + h[2] * h[2] +
                                 2 * (h[3] * h[3] + h[4] * h[4] + h[5] * h[5]));
     }
-    const double sine = std::sin(theta) * across * (1 + kMargin) + kSlack * net.gradient_size;
-    const double cosine = std::cos(theta) * (1 - kMargin);
+    const double sine =
+        std::sin(theta) * across * (1 + kEdgeMargin) + kEdgeSlack * net.gradient_size;
+    const double cosine = std::cos(theta) * (1 - kEdgeMargin);
     if (low * cosine > sine || -high * cosine > sine) return true;
     size = std::sqrt(size);
-    const double room = 2 * theta * size + kMargin * size + kSlack * net.hessian_size;
+    const double room = 2 * theta * size + kEdgeMargin * size + kEdgeSlack * net.hessian_size;
     if (least > room) return extremal = true;
     if (-most > room) return critical = true;
     return false;
@@ -174,7 +175,7 @@ EdgeBounds edge_bounds(const EdgeNet& net, const Vec3& w) {
     gap = std::min(gap, kernel::dot(w, tw) - 0.5 * (a + c) - std::sqrt(half * half + b * b));
     across = std::max(across, std::hypot(kernel::dot(u, tw), kernel::dot(v, tw)));
   }
-  gap = gap * (1 - kMargin) - kSlack * net.tensor_size;
+  gap = gap * (1 - kEdgeMargin) - kEdgeSlack * net.tensor_size;
   return {gap, gap > 0 ? 0.5 * std::atan(2 * across / gap) : HUGE_VAL};
 }
 
@@ -192,7 +193,7 @@ void bisect(const EdgeNet& net, const Vec3& lower, const Vec3& upper, double low
     r.leaves.push_back({low, high, w});
     return;
   }
-  if (depth == kDeepest) {
+  if (depth == kDeepestEdge) {
     r.decided = false;
     return;
   }

@@ -20,6 +20,9 @@ using kernel::operator-;
 using kernel::operator*;
 
 using Node = std::array<int, 3>;
+inline Vec3 as_vector(const Node& v) {
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
 
 class Grid {
  public:

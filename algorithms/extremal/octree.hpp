@@ -23,6 +23,11 @@ inline Node unpacked(Place p) {
           static_cast<int>(p >> 40 & kMask)};
 }
 
+inline Node moved(Node v, std::size_t axis, int by) {
+  v[axis] += by;
+  return v;
+}
+
 /// What there is in a box: nothing within reach, nothing, perhaps something, so much that it is to
 /// be split.
 enum class Content : std::uint8_t { far, empty, open, split };

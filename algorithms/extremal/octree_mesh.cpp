@@ -12,14 +12,6 @@
 namespace crest::extremal {
 namespace {
 
-Vec3 as_vector(const Node& v) {
-  return {double(v[0]), double(v[1]), double(v[2])};
-}
-Node moved(Node v, std::size_t axis, int by) {
-  v[axis] += by;
-  return v;
-}
-
 /// A minimal face: its lowest node and the axis across.
 struct FaceName {
   Place low;

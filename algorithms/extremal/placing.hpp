@@ -17,9 +17,6 @@ inline constexpr double kPlaces = 65536;
 inline std::uint16_t snapped(double x) {
   return static_cast<std::uint16_t>(std::clamp(std::round(x * kPlaces), 1.0, kPlaces - 1));
 }
-inline Vec3 as_vector(const Node& v) {
-  return {double(v[0]), double(v[1]), double(v[2])};
-}
 /// A place on an edge, in units of the grid.
 inline Vec3 zero_at(const Grid& grid, Index edge, std::uint16_t place) {
   Vec3 x = as_vector(grid.node(edge / 3));

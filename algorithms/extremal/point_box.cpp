@@ -34,7 +34,7 @@ double kappa4(double y) {
   return std::max(165.0, 144 - 1440 * far + 1680 * far * far);
 }
 
-void add_outer(Tensor& t, double f, const Vec3& a) {
+void add_scaled_outer(Tensor& t, double f, const Vec3& a) {
   const Vec3 b = f * a;
   t[0] += b[0] * a[0];
   t[1] += b[1] * a[1];
@@ -88,14 +88,14 @@ class BoxProof {
     if (p.y >= 1) return;
     const double s = 1 - p.y, s2 = s * s, first = 8 * s2 * s;
     Tensor outer{};
-    add_outer(outer, 1, *p.normal);
+    add_scaled_outer(outer, 1, *p.normal);
     gradient_ = gradient_ + first * p.d;
     for (std::size_t i = 0; i < 6; ++i) {
       tensor_[i] += s2 * s2 * outer[i];
       for (std::size_t k = 0; k < 3; ++k) slopes_[k][i] -= first * p.d[k] * outer[i];
     }
     for (std::size_t k = 0; k < 3; ++k) hessian_[k] += first;
-    add_outer(hessian_, -48 * s2, p.d);
+    add_scaled_outer(hessian_, -48 * s2, p.d);
   }
 
   void prove_cone() {
@@ -148,12 +148,12 @@ class BoxProof {
       fourth += kappa4(far * far);
       if (p.y >= 1) continue;
       const double s = 1 - p.y, along = kernel::dot(w(), p.d), b = 48 * s * s;
-      add_outer(t, -192 * s * along, p.d);
+      add_scaled_outer(t, -192 * s * along, p.d);
       // d w' + w d'
       const Vec3 sum = p.d + w();
-      add_outer(t, b, sum);
-      add_outer(t, -b, p.d);
-      add_outer(t, -b, w());
+      add_scaled_outer(t, b, sum);
+      add_scaled_outer(t, -b, p.d);
+      add_scaled_outer(t, -b, w());
       for (std::size_t k = 0; k < 3; ++k) t[k] += b * along;
     }
     double quadratic = 0;

@@ -16,13 +16,6 @@ namespace {
 using Range = tbb::blocked_range<std::size_t>;
 constexpr int kDeepest = 14;
 
-Vec3 as_vector(const Node& v) {
-  return {double(v[0]), double(v[1]), double(v[2])};
-}
-Node moved(Node v, std::size_t axis, int by) {
-  v[axis] += by;
-  return v;
-}
 Node corner(const OctreeLeaf& leaf, int i) {
   return {leaf.low[0] + (i & 1) * leaf.size, leaf.low[1] + (i >> 1 & 1) * leaf.size,
           leaf.low[2] + (i >> 2) * leaf.size};

@@ -10,7 +10,7 @@ namespace {
 using kernel::cross, kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
-constexpr double kTouch = 1e-6;  // mm
+constexpr double kReach = 1e-6;  // mm
 
 }  // namespace
 
@@ -109,9 +109,9 @@ double Barriers::free_share(const Vec2& p, const Vec2& q, double clearance) cons
 
 bool Barriers::crosses(const Vec2& p, const Vec2& q) const {
   bool met = false;
-  visit(std::min(p[0], q[0]) - kTouch, std::min(p[1], q[1]) - kTouch, std::max(p[0], q[0]) + kTouch,
-        std::max(p[1], q[1]) + kTouch,
-        [&](const Barrier& b) { met = met || distance_between(p, q, b.from, b.to) <= kTouch; });
+  visit(std::min(p[0], q[0]) - kReach, std::min(p[1], q[1]) - kReach, std::max(p[0], q[0]) + kReach,
+        std::max(p[1], q[1]) + kReach,
+        [&](const Barrier& b) { met = met || distance_between(p, q, b.from, b.to) <= kReach; });
   return met;
 }
 

@@ -14,7 +14,7 @@ namespace {
 using kernel::cross, kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
-Vec3 unit(const Vec3& a) {
+Vec3 unit_vector(const Vec3& a) {
   const double n = norm(a);
   return n > 0 ? (1 / n) * a : a;
 }
@@ -33,14 +33,14 @@ class Painter {
   Painter(const Model& model, const View& view, const LightOptions& light, int first, int last,
           Buffers& out)
       : model_(model), view_(view), first_(first), last_(last), out_(out) {
-    const Vec3 l = unit(light.light);
+    const Vec3 l = unit_vector(light.light);
     light_ = l[0] * view.x + l[1] * view.y + (-l[2]) * view.z;
   }
 
   void paint(Index f, const std::array<Vec3, 3>& normals) {
     const kernel::Triangle& t = model_.mesh.faces()[f];
     const auto& p = model_.mesh.points();
-    const Vec3 facing = unit(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
+    const Vec3 facing = unit_vector(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
     std::array<Corner, 3> c;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = t[k];
@@ -100,10 +100,10 @@ class Painter {
       return w[0] * (c[0].*member) + w[1] * (c[1].*member) + w[2] * (c[2].*member);
     };
     const Vec3 eye = view_.towards_eye(place);
-    Vec3 n = unit(mean(&Corner::normal));
+    Vec3 n = unit_vector(mean(&Corner::normal));
     if (dot(facing, eye) < 0) n = -1.0 * n;
     Vec3 rib = mean(&Corner::rib);
-    rib = unit(rib - dot(rib, facing) * facing);
+    rib = unit_vector(rib - dot(rib, facing) * facing);
     out_.near[at] = near;
     out_.face[at] = f;
     out_.normal[at] = {static_cast<float>(dot(n, view_.x)), static_cast<float>(dot(n, view_.y)),
@@ -140,7 +140,7 @@ class CornerNormals {
       Vec3 sum{};
       for (const Index g : mesh_.fan(mesh_.faces()[f][k]))
         if (dot(areas_[f], areas_[g]) >= cosine_ * lengths_[f] * lengths_[g]) sum = sum + areas_[g];
-      normals[k] = unit(norm(sum) > 0 ? sum : areas_[f]);
+      normals[k] = unit_vector(norm(sum) > 0 ? sum : areas_[f]);
     }
     return normals;
   }

@@ -38,11 +38,6 @@ double length_of(const std::vector<Vec2>& line) {
   return sum;
 }
 
-Vec2 unit(const Vec2& a) {
-  const double n = norm(a);
-  return n > 0 ? (1 / n) * a : Vec2{0, 0};
-}
-
 class Chainer {
  public:
   double visible_length = 0;  ///< mm, of all pieces

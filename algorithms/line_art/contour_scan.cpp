@@ -16,13 +16,6 @@ PageBox box_of(const std::vector<PagePoint>& seen, std::span<const Index> corner
   return box;
 }
 
-std::vector<PagePoint> see_all(const Scene& scene, const View& view) {
-  std::vector<PagePoint> seen;
-  seen.reserve(scene.points.size());
-  for (const Vec3& p : scene.points) seen.push_back(view.see(p));
-  return seen;
-}
-
 CellFrame frame_of(const Scene& scene, const std::vector<PagePoint>& seen) {
   double sum = 0;
   for (const kernel::Triangle& f : scene.faces)
@@ -48,7 +41,7 @@ ScanScene::ScanScene(const Scene& scene_in, const View& view, std::vector<Contou
                      FaceSides sides_in)
     : scene(scene_in),
       sight(view.eye, scene.points),
-      seen(see_all(scene, view)),
+      seen(view.see(scene.points)),
       sides(std::move(sides_in)),
       frame(frame_of(scene, seen)),
       faces(face_lists(frame, scene, seen)),

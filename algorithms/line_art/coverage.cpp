@@ -135,11 +135,12 @@ class Strip {
   std::vector<std::size_t> touched_;
 };
 
-constexpr int kRows = 32;  // of a strip
+constexpr int kStripRows = 32;  // of a strip
 
 /// The hatches that may reach each strip, in their order.
 std::vector<std::vector<Index>> by_strip(const Buffers& b, const std::vector<Hatch>& hatches) {
-  std::vector<std::vector<Index>> strips(static_cast<std::size_t>((b.height + kRows - 1) / kRows));
+  std::vector<std::vector<Index>> strips(
+      static_cast<std::size_t>((b.height + kStripRows - 1) / kStripRows));
   for (Index h = 0; h < hatches.size(); ++h) {
     const Stroke& s = hatches[h].stroke;
     double low = HUGE_VAL, high = -HUGE_VAL, width = s.band;
@@ -148,7 +149,7 @@ std::vector<std::vector<Index>> by_strip(const Buffers& b, const std::vector<Hat
       high = std::max(high, p[1]);
     }
     for (const double w : s.widths) width = std::max(width, w);
-    const double reach = 0.5 * width + b.pixel, strip = kRows * b.pixel;
+    const double reach = 0.5 * width + b.pixel, strip = kStripRows * b.pixel;
     const auto last = static_cast<std::ptrdiff_t>(strips.size()) - 1;
     const auto place = [&](double y) {
       return std::clamp(static_cast<std::ptrdiff_t>(y / strip), std::ptrdiff_t{0}, last);
@@ -217,8 +218,8 @@ std::vector<float> coverage(const Buffers& b, const std::vector<Hatch>& hatches)
   const auto strips = by_strip(b, hatches);
   // Pixels of a strip are one thread's: strokes meet them in their own order.
   kernel::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
-    const int first = static_cast<int>(k) * kRows;
-    Strip strip(b, first, std::min(b.height, first + kRows));
+    const int first = static_cast<int>(k) * kStripRows;
+    Strip strip(b, first, std::min(b.height, first + kStripRows));
     for (const Index h : strips[k]) {
       const Stroke& s = hatches[h].stroke;
       if (s.band > 0)

@@ -7,13 +7,6 @@
 namespace crest::line_art {
 namespace {
 
-std::vector<PagePoint> see_all(const Scene& scene, const View& view) {
-  std::vector<PagePoint> seen;
-  seen.reserve(scene.points.size());
-  for (const Vec3& p : scene.points) seen.push_back(view.see(p));
-  return seen;
-}
-
 double mean_edge(const Scene& scene, const std::vector<PagePoint>& seen) {
   double sum = 0;
   for (const kernel::Triangle& f : scene.faces)
@@ -25,7 +18,7 @@ double mean_edge(const Scene& scene, const std::vector<PagePoint>& seen) {
 
 FaceLocator::FaceLocator(const Scene& scene, const View& view)
     : scene_(scene),
-      seen_(see_all(scene, view)),
+      seen_(view.see(scene.points)),
       view_(view),
       frame_(seen_, mean_edge(scene, seen_), scene.faces.size()),
       faces_(frame_, static_cast<Index>(scene.faces.size()), [this](Index f) {

@@ -13,10 +13,6 @@ using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr double kMitre = 2;  // of the half width
 
-Vec2 unit(const Vec2& a) {
-  const double n = norm(a);
-  return n > 0 ? (1 / n) * a : Vec2{0, 0};
-}
 Vec2 left_of(const Vec2& a) {
   return {-a[1], a[0]};
 }
@@ -45,6 +41,11 @@ bool cut(const Vec2& direction, double half, Vec2& offset) {
 }
 
 }  // namespace
+
+Vec2 unit(const Vec2& a) {
+  const double n = norm(a);
+  return n > 0 ? (1 / n) * a : Vec2{0, 0};
+}
 
 const char* name_of(StrokeKind kind) {
   constexpr const char* names[] = {"rib", "cross", "streamline", "contour"};

@@ -29,6 +29,9 @@ struct Stroke {
   double length() const;
 };
 
+/// The direction of a; zero if a is.
+Vec2 unit(const Vec2& a);
+
 /// The area that the pen covers, as a closed polygon to be filled where it winds: sharp bends
 /// mitred, ends round or cut. At least two points that differ, else empty.
 std::vector<Vec2> outline(const Stroke& stroke);

@@ -14,8 +14,8 @@ using kernel::operator+, kernel::operator-, kernel::operator*;
 constexpr double kMargin = 0.03;  // of the width
 constexpr double kTallest = 1.4;  // widths
 
-/// A unit vector, whatever the length. Throws InputError for no direction.
-Vec3 unit(const Vec3& a, const char* problem) {
+/// A direction_of vector, whatever the length. Throws InputError for no direction.
+Vec3 direction_of(const Vec3& a, const char* problem) {
   const double largest = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
   if (!(largest > 0) || !std::isfinite(largest)) throw kernel::InputError(problem);
   const Vec3 b = {a[0] / largest, a[1] / largest, a[2] / largest};
@@ -46,6 +46,13 @@ void frame(View& view, const Scene& scene, double width) {
 }
 
 }  // namespace
+
+std::vector<PagePoint> View::see(std::span<const Vec3> points) const {
+  std::vector<PagePoint> seen;
+  seen.reserve(points.size());
+  for (const Vec3& p : points) seen.push_back(see(p));
+  return seen;
+}
 
 PagePoint View::see(const Vec3& p) const {
   constexpr double kErrors = 64 * kernel::kUnitRoundoff;  // of a dozen roundings, with room
@@ -86,12 +93,13 @@ View make_view(const ViewRequest& request, const Scene& scene) {
   const Vec3 towards =
       request.eye ? *request.eye - request.target.value_or(Vec3{}) : request.towards;
   view.z =
-      -1.0 * unit(towards, "camera: eye and target are the same or not finite; give two points");
-  const Vec3 up = unit(request.up, "camera: up is no direction; give three numbers");
+      -1.0 *
+      direction_of(towards, "camera: eye and target are the same or not finite; give two points");
+  const Vec3 up = direction_of(request.up, "camera: up is no direction; give three numbers");
   const Vec3 right = cross(view.z, up);
   if (!(dot(right, right) > 1e-12))
     throw kernel::InputError("camera: up is along the view; give --up another direction");
-  view.x = unit(right, "camera: up is along the view; give --up another direction");
+  view.x = direction_of(right, "camera: up is along the view; give --up another direction");
   view.y = cross(view.x, view.z);
   view.eye = request.eye ? kernel::Eye{*request.eye, true} : kernel::Eye{towards, false};
   if (view.eye.finite) require_in_front(view, scene);

@@ -2,6 +2,9 @@
 #pragma once
 
 // From where a scene is seen, and the page: millimetres, x to the right, y down.
+#include <span>
+#include <vector>
+
 #include "algorithms/line_art/page_grid.hpp"
 
 namespace crest::line_art {
@@ -21,6 +24,7 @@ struct View {
 
   /// Before the page's scale, with bounds on the rounding.
   PagePoint see(const Vec3& p) const;
+  std::vector<PagePoint> see(std::span<const Vec3> points) const;
   Vec2 project(const Vec3& p) const;
   /// Of the length and direction dp at p, in mm.
   Vec2 derivative(const Vec3& p, const Vec3& dp) const;

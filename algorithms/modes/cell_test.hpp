@@ -43,7 +43,7 @@ struct CellResult {
 inline constexpr std::size_t kTogether = kernel::Lanes::count;
 
 template <int D>
-using Corners = std::array<const Tensor*, D + 1>;
+using Corners = std::array<const Deviator*, D + 1>;
 
 /// Simplex i's tensors, exactly, with one exponent for all.
 template <int D>

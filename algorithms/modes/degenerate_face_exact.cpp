@@ -98,7 +98,7 @@ bool all_simple(const Conic<Integer>& p, const Conic<Integer>& q) {
 }
 
 /// The common points seen in one view.
-struct Seen {
+struct SeenPoints {
   PencilQuartic<Integer> pencil;
   View view;
 
@@ -126,12 +126,12 @@ struct Seen {
   }
 };
 
-std::optional<Seen> see(const SimplexForms<Integer, 3>& forms, int number) {
+std::optional<SeenPoints> see(const SimplexForms<Integer, 3>& forms, int number) {
   const View v = view(number);
   Conic<Integer> p = seen(forms.vanishing[0], v), q = seen(forms.vanishing[1], v);
   if (p.c[2].is_zero()) std::swap(p, q);
   if (p.c[2].is_zero()) return std::nullopt;  // the view point is common to both
-  return Seen{PencilQuartic<Integer>(p, q), v};
+  return SeenPoints{PencilQuartic<Integer>(p, q), v};
 }
 
 /// Three polynomials at the root, to about 60 digits, then doubles that hold them, times a positive
@@ -171,7 +171,7 @@ kernel::Vector3<Ball> enclose(const Curve& curve, AlgebraicNumber t) {
 /// Signs of the three coordinates at a root decide where it lies.
 class RootPlace {
  public:
-  RootPlace(const Seen& seen, const SimplexForms<Integer, 3>& forms)
+  RootPlace(const SeenPoints& seen, const SimplexForms<Integer, 3>& forms)
       : seen_(seen), forms_(forms), curve_(seen.points()), b_(along(curve_)) {}
 
   void add(const kernel::RealRoot& root, FaceRoots& result, std::vector<ExactPoint>& points) const {
@@ -222,7 +222,7 @@ class RootPlace {
     return !(up && down);
   }
 
-  const Seen& seen_;
+  const SeenPoints& seen_;
   const SimplexForms<Integer, 3>& forms_;
   Curve curve_;
   Signs b_;
@@ -242,7 +242,7 @@ FaceRoots solve(const std::array<const Tensor*, 3>& corners, std::vector<ExactPo
   // A view in which all roots are simple, or the one with the fewest multiple roots.
   const bool simple = all_simple(forms->vanishing[0], forms->vanishing[1]);
   result.multiple = !simple;
-  std::optional<Seen> best;
+  std::optional<SeenPoints> best;
   RealRoots roots;
   int fewest = 5;
   bool vanishes = true;

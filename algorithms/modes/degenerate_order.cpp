@@ -46,7 +46,7 @@ Between value_at(const IntegerPolynomial& p, const Between& t) {
   return sum;
 }
 
-Conic<Between> lifted(const Conic<Integer>& a) {
+Conic<Between> enclosed(const Conic<Integer>& a) {
   Conic<Between> p;
   for (std::size_t k = 0; k < 6; ++k) p.c[k] = a.c[k];
   return p;
@@ -69,7 +69,7 @@ class ConicOrder {
  public:
   ConicOrder(const SimplexForms<Integer, 4>& forms, std::vector<ConicPoint> points)
       : forms_(forms),
-        conic_(lifted(forms.vanishing[0])),
+        conic_(enclosed(forms.vanishing[0])),
         det_sign_(forms.vanishing[0].det().sign()),
         points_(std::move(points)) {
     const Vector3<Integer> polar = forms.vanishing[0].times(inside(forms.vanishing[0], det_sign_));
@@ -124,7 +124,7 @@ class ConicOrder {
   }
   /// Whether the arc that goes on counterclockwise from point 0 is inside the tet.
   bool is_curve_ahead() {
-    const Conic<Between> coordinate = lifted(forms_.coordinates[points_[0].opposite]);
+    const Conic<Between> coordinate = enclosed(forms_.coordinates[points_[0].opposite]);
     const int slope = sign([&] {
       const auto v = direction(0);
       return kernel::dot(coordinate.times(v), kernel::cross(conic_.times(v), v));

@@ -16,14 +16,14 @@ namespace {
 
 /// c |c| / (|a|^2 |b|^2), c = <a, b>: decreases as the angle grows. A function of the two ends
 /// alone; 1 where it is not a number.
-double angle_measure(const Tensor& a, const Tensor& b) {
+double angle_measure(const Deviator& a, const Deviator& b) {
   const double c = product(a.t, b.t);
   const double r = c * std::fabs(c) / (product(a.t, a.t) * product(b.t, b.t));
   return r <= 1 ? r : 1;
 }
 
 /// In 64ths from the first end, where the angle is halved.
-std::uint8_t halving(const Tensor& a, const Tensor& b) {
+std::uint8_t halving(const Deviator& a, const Deviator& b) {
   const double la = std::sqrt(product(a.t, a.t)), lb = std::sqrt(product(b.t, b.t));
   const double n = std::floor(64 * (la / (la + lb)) + 0.5);
   return n >= 1 ? static_cast<std::uint8_t>(std::min(n, 63.0)) : std::uint8_t{1};

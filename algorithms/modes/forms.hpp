@@ -112,7 +112,7 @@ TensorForms<kernel::Bounded<P>, D> bounded_forms(const std::array<Entries<P>, D 
 }
 
 template <int D>
-TensorForms<Real, D> real_forms(const std::array<Tensor, D + 1>& t) {
+TensorForms<Real, D> real_forms(const std::array<Deviator, D + 1>& t) {
   std::array<Symmetric, D + 1> entries;
   double m = 0, e = 0;
   for (std::size_t i = 0; i <= D; ++i) {

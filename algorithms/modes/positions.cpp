@@ -16,9 +16,9 @@
 namespace crest::modes {
 namespace {
 
-using Weights = std::array<double, 4>;
+using CornerWeights = std::array<double, 4>;
 using Planar = std::array<double, 2>;
-using Segment = std::array<std::size_t, 2>;
+using Link = std::array<std::size_t, 2>;
 
 /// More are not looked at (certify/modes/SPEC.md).
 constexpr std::size_t kMostVertices = 1024;
@@ -35,7 +35,7 @@ class Plane {
     return cross > room ? 1 : cross < -room ? -1 : 0;
   }
   /// Segments that meet in common ends only, and there not along a line.
-  bool is_simple(const std::vector<Segment>& segments) const {
+  bool is_simple(const std::vector<Link>& segments) const {
     for (std::size_t i = 0; i < segments.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
         if (!are_clear(segments[i], segments[k])) return false;
@@ -78,7 +78,7 @@ class Plane {
     const auto [u, v] = arms(a, b, c);
     return u[0] * v[0] + u[1] * v[1] < -room(u, v);
   }
-  bool are_apart(const Segment& s, const Segment& t) const {
+  bool are_apart(const Link& s, const Link& t) const {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto [a, b] = std::minmax(points[s[0]][k], points[s[1]][k]);
       const auto [c, d] = std::minmax(points[t[0]][k], points[t[1]][k]);
@@ -86,7 +86,7 @@ class Plane {
     }
     return false;
   }
-  bool are_clear(const Segment& s, const Segment& t) const {
+  bool are_clear(const Link& s, const Link& t) const {
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t k = 0; k < 2; ++k)
         if (s[i] == t[k]) return fork(s[i], s[1 - i], t[1 - k]);
@@ -106,7 +106,7 @@ class Projection {
       if (i != drop) kept_[n++] = {i, static_cast<double>(w[i]) / w[drop]};
     drop_ = drop;
   }
-  Planar operator()(const Weights& b) const {
+  Planar operator()(const CornerWeights& b) const {
     return {b[kept_[0].first] - b[drop_] * kept_[0].second,
             b[kept_[1].first] - b[drop_] * kept_[1].second};
   }
@@ -145,7 +145,7 @@ class Paths {
       const Face& face = faces_.face(leaf);
       if (face.arc_count == 0) return;
       const auto roots = roots_around(face);
-      std::array<Weights, 3> w;
+      std::array<CornerWeights, 3> w;
       for (std::size_t k = 0; k < 3; ++k) w[k] = weights(corners, face.corners[k]);
       for (Index a = face.first_arc; a < face.first_arc + face.arc_count; ++a) {
         const Arc& arc = faces_.arcs()[a];
@@ -164,7 +164,7 @@ class Paths {
         end(0);
         for (std::size_t i = 0; i < inner.count; ++i) {
           const auto [x, y] = record_.points[inner.first + i];
-          Weights b;
+          CornerWeights b;
           for (std::size_t k = 0; k < 4; ++k)
             b[k] = x * w[0][k] + y * w[1][k] + (1 - x - y) * w[2][k];
           path.points.push_back(plane_.points.size());
@@ -176,8 +176,8 @@ class Paths {
     });
     return good;
   }
-  std::vector<Segment> segments() const {
-    std::vector<Segment> r;
+  std::vector<Link> segments() const {
+    std::vector<Link> r;
     for (const Path& path : paths_)
       for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
         r.push_back({path.points[i], path.points[i + 1]});
@@ -221,10 +221,10 @@ class Paths {
       places.push_back(edge.from + record_.root_places[found->second + i] * (edge.to - edge.from));
   }
 
-  Weights weights(const std::array<Index, 4>& corners, Index vertex) {
+  CornerWeights weights(const std::array<Index, 4>& corners, Index vertex) {
     const auto at = std::find(corners.begin(), corners.end(), vertex);
     if (at != corners.end()) {
-      Weights b{};
+      CornerWeights b{};
       b[static_cast<std::size_t>(at - corners.begin())] = 1;
       return b;
     }
@@ -232,8 +232,8 @@ class Paths {
     const Cut& c = faces_.vertices().cut(vertex);
     return known_[vertex] = between(weights(corners, c.a), weights(corners, c.b), c.n / 64.0);
   }
-  static Weights between(const Weights& a, const Weights& b, double t) {
-    Weights r;
+  static CornerWeights between(const CornerWeights& a, const CornerWeights& b, double t) {
+    CornerWeights r;
     for (std::size_t i = 0; i < 4; ++i) r[i] = a[i] + t * (b[i] - a[i]);
     return r;
   }
@@ -243,7 +243,7 @@ class Paths {
   const certify::ModeLevel& record_;
   Plane plane_;
   std::unordered_map<Index, std::size_t> point_of_;  ///< by root
-  std::unordered_map<Index, Weights> known_;
+  std::unordered_map<Index, CornerWeights> known_;
   std::vector<Path> paths_;
 };
 
@@ -272,7 +272,7 @@ class Counter {
     if (cone.zeros.size() != 1) return sum;
     paths_.clear();
     const std::array<Index, 4> corners = {cone.others[0], cone.others[1], cone.others[2], kNone};
-    bool good = paths_.add(corners, extraction_.face_of(cone), side, [](const Weights& b) {
+    bool good = paths_.add(corners, extraction_.face_of(cone), side, [](const CornerWeights& b) {
       return Planar{b[0], b[1]};
     });
     kernel::DisjointSets curves(static_cast<Index>(paths_.plane().points.size()));
@@ -375,7 +375,7 @@ bool is_near(const Vertices& vertices, const std::array<Index, n>& corners,
   Symmetric t{};
   double error = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Tensor& corner = vertices.tensor(corners[i]);
+    const Deviator& corner = vertices.tensor(corners[i]);
     for (std::size_t k = 0; k < 6; ++k) t[k] += weights[i] * corner.t[k];
     error = std::fmax(error, corner.error + 24 * kUnit * corner.largest());
   }

@@ -18,7 +18,7 @@ using Entries = std::array<T, 6>;
 using Symmetric = Entries<double>;
 
 /// A deviator in doubles: each entry within `error` of the exact one.
-struct Tensor {
+struct Deviator {
   Symmetric t{};
   double error = 0;
   double largest() const {
@@ -36,7 +36,7 @@ struct ExactTensor {
 
 /// D of T 2^-scale. Each entry is two sums of at most 4 max |T|, each rounded once: 8 u max |T|.
 /// 2^-1070 covers what scaling loses to underflow.
-inline Tensor deviator(const Symmetric& given, int scale) {
+inline Deviator deviator(const Symmetric& given, int scale) {
   Symmetric x;
   double m = 0;
   for (std::size_t k = 0; k < 6; ++k) {

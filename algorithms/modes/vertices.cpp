@@ -28,8 +28,8 @@ Vertices::Vertices(std::span<const Symmetric> tensors, int scale, const Level& l
 }
 
 Index Vertices::add(Index a, Index b, std::uint8_t n) {
-  const Tensor &ta = tensors_[a], &tb = tensors_[b];
-  Tensor t;
+  const Deviator &ta = tensors_[a], &tb = tensors_[b];
+  Deviator t;
   const double s = (64 - n) / 64.0, r = n / 64.0;
   for (std::size_t k = 0; k < 6; ++k) t.t[k] = s * ta.t[k] + r * tb.t[k];
   // Two products and a sum, each rounded once, of parts of the larger end.
@@ -59,7 +59,7 @@ const ExactTensor& Vertices::exact_one(Index v) {
 
 PointSigns Vertices::signs(Index v) {
   // The bounds of forms.hpp, for one tensor.
-  const Tensor& t = tensors_[v];
+  const Deviator& t = tensors_[v];
   constexpr double u = kernel::kUnitRoundoff;
   const double m = t.largest() + t.error;
   const double n = product(t.t, t.t), c = product(anticommutator(t.t, t.t), t.t);

@@ -36,7 +36,7 @@ class Vertices {
 
   Index add(Index a, Index b, std::uint8_t n);
 
-  const Tensor& tensor(Index v) const { return tensors_[v]; }
+  const Deviator& tensor(Index v) const { return tensors_[v]; }
   bool is_zero(Index v) const { return v < mesh_size_ && is_isotropic(given_[v]); }
   /// Requires: not is_zero(v). Several threads may ask.
   PointSigns signs(Index v);
@@ -70,7 +70,7 @@ class Vertices {
   int scale_;
   Level level_;
   Index mesh_size_;
-  std::vector<Tensor> tensors_;
+  std::vector<Deviator> tensors_;
   std::vector<Cut> cuts_;
   // What was asked for, under the mutex.
   std::unordered_map<Index, ExactTensor> exact_;

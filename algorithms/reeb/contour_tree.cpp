@@ -11,9 +11,9 @@ namespace crest::reeb {
 namespace {
 
 /// A merge tree over nodes in ascending order, from which nodes with at most one child are taken.
-class Shrinking {
+class ShrinkingTree {
  public:
-  explicit Shrinking(std::vector<Index> parent)
+  explicit ShrinkingTree(std::vector<Index> parent)
       : parent_(std::move(parent)), children_(parent_.size(), 0), child_sum_(parent_.size(), 0) {
     for (Index i = 0; i < parent_.size(); ++i) {
       if (parent_[i] == kNone) continue;
@@ -75,7 +75,7 @@ ContourTree merged(const MergeTree& join, const MergeTree& split) {
   std::vector<Index> down(n, kNone);
   for (Index i = 0; i < n; ++i)
     if (split.parent[i] != kNone) down[n - 1 - i] = n - 1 - split.parent[i];
-  Shrinking below(join.parent), above(std::move(down));
+  ShrinkingTree below(join.parent), above(std::move(down));
   ContourTree tree;
   tree.vertices = join.vertices;
   std::vector<Index> leaves;

@@ -51,14 +51,14 @@ struct Side {
 };
 
 /// A tile crossed by the level: its two crossed sides, and its face.
-struct Piece {
+struct Crossed {
   std::array<Index, 2> sides;
   Index face;
 };
 
 struct Crossings {
   std::vector<Side> sides;  ///< ascending
-  std::vector<Piece> pieces;
+  std::vector<Crossed> pieces;
   std::vector<std::array<Index, 2>> pieces_of;  ///< by side; kNone on the boundary
 };
 
@@ -87,7 +87,7 @@ Crossings find_crossings(const QuadraticMesh& mesh, const TileComplex& tiles, In
   result.sides.erase(std::unique(result.sides.begin(), result.sides.end()), result.sides.end());
   result.pieces_of.assign(result.sides.size(), {kNone, kNone});
   for (std::size_t i = 0; i < crossed.size(); ++i) {
-    Piece piece{{}, faces[i]};
+    Crossed piece{{}, faces[i]};
     for (std::size_t k = 0; k < 2; ++k) {
       const auto at = std::lower_bound(result.sides.begin(), result.sides.end(), crossed[i][k]);
       piece.sides[k] = static_cast<Index>(at - result.sides.begin());
@@ -124,7 +124,7 @@ std::vector<Line> chain(const Crossings& crossings) {
     seen[start] = true;
     Index side = start, piece = first_piece(crossings, start);
     while (piece != kNone) {
-      const Piece& p = crossings.pieces[piece];
+      const Crossed& p = crossings.pieces[piece];
       side = p.sides[0] == side ? p.sides[1] : p.sides[0];
       line.faces.push_back(p.face);
       if (side == start) {

@@ -74,35 +74,35 @@ Fraction exact_value(const CriticalValue& v) {
 }
 
 /// Items with the same data, a stretch of them; then with one value.
-struct Group {
+struct Tied {
   Fraction value;
   kernel::ValueRange range;
   std::size_t begin, end;
 };
 
-int by_range(const Group& x, const Group& y) {
+int by_range(const Tied& x, const Tied& y) {
   return x.range.high < y.range.low ? -1 : y.range.high < x.range.low ? 1 : 0;
 }
-int by_value(const Group& x, const Group& y) {
+int by_value(const Tied& x, const Tied& y) {
   const int c = by_range(x, y);
   return c != 0 ? c : x.value.compare(y.value);
 }
 
 /// Sorts the items, too.
-std::vector<Group> group_by_data(std::vector<ValuedNode>& items) {
+std::vector<Tied> group_by_data(std::vector<ValuedNode>& items) {
   for (ValuedNode& item : items) item.value = kernel::normal_form(item.value);
   const auto data = [](const ValuedNode& x) { return std::pair(x.value.kind, x.value.f); };
   std::sort(items.begin(), items.end(),
             [&](const ValuedNode& x, const ValuedNode& y) { return data(x) < data(y); });
-  std::vector<Group> groups;
+  std::vector<Tied> groups;
   for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
     while (end < items.size() && data(items[end]) == data(items[begin])) ++end;
     groups.push_back({{}, items[begin].range, begin, end});
   }
   if (groups.size() == 1) return groups;
-  for (Group& group : groups) group.value = exact_value(items[group.begin].value);
+  for (Tied& group : groups) group.value = exact_value(items[group.begin].value);
   std::sort(groups.begin(), groups.end(),
-            [](const Group& x, const Group& y) { return by_value(x, y) < 0; });
+            [](const Tied& x, const Tied& y) { return by_value(x, y) < 0; });
   return groups;
 }
 
@@ -110,7 +110,7 @@ std::vector<Group> group_by_data(std::vector<ValuedNode>& items) {
 
 void sort_exactly(std::vector<ValuedNode>& items, std::span<Index> nodes,
                   std::span<std::uint8_t> tied, kernel::StageCounts& counts) {
-  const std::vector<Group> groups = group_by_data(items);
+  const std::vector<Tied> groups = group_by_data(items);
   std::size_t first = 0, next = 0;  // in nodes: where the value's begin, and the next node goes
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const bool same = g > 0 && by_value(groups[g - 1], groups[g]) == 0;

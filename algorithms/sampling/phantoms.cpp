@@ -13,7 +13,6 @@ namespace crest::sampling {
 namespace {
 
 using kernel::Vec3;
-constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 0.09;
 
 double square(double x) {
@@ -64,7 +63,7 @@ double moebius(const Vec3& p) {
 double junction(const Vec3& p) {
   double most = 0;
   for (int m = 0; m < 3; ++m) {
-    const double angle = 2 * kPi * m / 3 + 0.2;
+    const double angle = 2 * std::numbers::pi * m / 3 + 0.2;
     const double t = std::cos(angle) * p[0] + std::sin(angle) * p[1];
     const double d = -std::sin(angle) * p[0] + std::cos(angle) * p[1];
     most = std::fmax(most, profile(std::hypot(d, std::fmin(t, 0))));
@@ -146,10 +145,11 @@ OrientlessPoints point_phantom(const std::string& name, int count, double noise,
     const double a = uniform(), b = uniform();
     std::pair<Vec3, Vec3> at;
     if (strip) {
-      at = on_strip(2 * kPi * a, 0.45 * (2 * b - 1));
+      at = on_strip(2 * std::numbers::pi * a, 0.45 * (2 * b - 1));
     } else {
       const double r = std::sqrt(1 - b * b);
-      at.first = at.second = {r * std::cos(2 * kPi * a), r * std::sin(2 * kPi * a), b};
+      at.first = at.second = {r * std::cos(2 * std::numbers::pi * a),
+                              r * std::sin(2 * std::numbers::pi * a), b};
     }
     if (uniform() < 0.5)
       for (double& x : at.second) x = -x;

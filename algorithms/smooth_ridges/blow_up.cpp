@@ -11,10 +11,6 @@ using kernel::Interval;
 using Vector = std::array<Interval, 2>;
 constexpr int kDepth = 16;
 
-/// Or may: what is not defined does.
-bool holds_zero(const Interval& x) {
-  return !(x.inf() > 0 || x.sup() < 0) || !is_defined(x);
-}
 double middle(const Interval& x) {
   return x.inf() + 0.5 * (x.sup() - x.inf());
 }

@@ -17,6 +17,11 @@
 
 namespace crest::smooth_ridges {
 
+/// Or may: what is not defined does.
+inline bool holds_zero(const kernel::Interval& x) {
+  return !(x.inf() > 0 || x.sup() < 0) || !is_defined(x);
+}
+
 using IntervalJet1 = kernel::Jet<kernel::Interval, 2, 1>;
 using IntervalJet2 = kernel::Jet<kernel::Interval, 2, 2>;
 

@@ -10,7 +10,7 @@ namespace {
 
 using kernel::Interval;
 using Box = std::array<double, 6>;
-using Cell = std::array<Interval, 3>;
+using Cube = std::array<Interval, 3>;
 using Gradient = std::array<Interval, 3>;
 
 constexpr Vec3 kA = {8, -5, 2}, kB = {3, 7, -9};
@@ -41,10 +41,10 @@ class Enclosures {
     Interval f;
     Gradient gradient;
   };
-  First first(const Cell& k) {
+  First first(const Cube& k) {
     const auto jet = first_(k);
     First r{jet[0], {jet.coefficient(1, 0, 0), jet.coefficient(0, 1, 0), jet.coefficient(0, 0, 1)}};
-    const Cell c = centre(k);
+    const Cube c = centre(k);
     r.f = meet(r.f, value_(c)[0] + dot(r.gradient, k - c));
     return r;
   }
@@ -56,7 +56,7 @@ class Enclosures {
     Gradient centre;
     Gradient offset;
   };
-  Second second(const Cell& k) {
+  Second second(const Cube& k) {
     const auto jet = second_(k);
     Second s;
     for (std::size_t i = 0; i < 3; ++i)
@@ -65,7 +65,7 @@ class Enclosures {
         ++e[i], ++e[j];
         s.hessian[i][j] = jet.derivative(e[0], e[1], e[2]);
       }
-    const Cell c = centre(k);
+    const Cube c = centre(k);
     const auto at = first_(c);
     s.gradient = {jet.coefficient(1, 0, 0), jet.coefficient(0, 1, 0), jet.coefficient(0, 0, 1)};
     s.centre = {at.coefficient(1, 0, 0), at.coefficient(0, 1, 0), at.coefficient(0, 0, 1)};
@@ -86,13 +86,13 @@ class Enclosures {
     }
     return meet(plain, mean);
   }
-  static Cell cell(const Box& b) {
+  static Cube cell(const Box& b) {
     return {Interval(b[0], b[1]), Interval(b[2], b[3]), Interval(b[4], b[5])};
   }
 
  private:
-  static Cell centre(const Cell& k) {
-    Cell c;
+  static Cube centre(const Cube& k) {
+    Cube c;
     for (std::size_t i = 0; i < 3; ++i) c[i] = Interval(k[i].inf() / 2 + k[i].sup() / 2);
     return c;
   }
@@ -217,7 +217,7 @@ class Coverer {
     if (!outer && in_graph_box(b)) return kInBox;
     {
       const kernel::RoundUpward guard;
-      const Cell k = Enclosures::cell(b);
+      const Cube k = Enclosures::cell(b);
       if (avoids_zero(enclose_.first(k).f)) return kNoZero;
       if (outer) return std::nullopt;
       const auto s = enclose_.second(k);

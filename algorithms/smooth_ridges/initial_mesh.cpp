@@ -10,7 +10,6 @@
 #include "algorithms/smooth_ridges/surface_net.hpp"
 
 namespace crest::smooth_ridges {
-namespace {
 
 std::string text(const Vec3& p) {
   char line[96];
@@ -18,7 +17,9 @@ std::string text(const Vec3& p) {
   return line;
 }
 
-std::string text(const Surface::Box& b) {
+namespace {
+
+std::string box_text(const Surface::Box& b) {
   char line[192];
   std::snprintf(line, sizeof line, "[%.6g, %.6g] x [%.6g, %.6g] x [%.6g, %.6g]", b[0], b[1], b[2],
                 b[3], b[4], b[5]);
@@ -302,7 +303,7 @@ class NetMesher {
         checked_net(f_, surface_.box(), generic_grid(all.low, all.high, cell_), {});
     if (first.faces.empty() && points_.known.empty())
       throw MeshError(MeshError::Reason::empty,
-                      "the expression has no zero in the box " + text(surface_.box()));
+                      "the expression has no zero in the box " + box_text(surface_.box()));
     if (!first.faces.empty()) used_.add(first.low), used_.add(first.high);
     for (const FineSpot& p : points_.known) used_.add(along_generic_axes(p.place));
     for (std::size_t k = 0; k < 3; ++k) used_.low[k] -= 1.5 * cell_, used_.high[k] += 1.5 * cell_;

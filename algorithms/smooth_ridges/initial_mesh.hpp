@@ -4,12 +4,16 @@
 // Start triangulations: good triangles in generic position. Their topology is checked, not proven;
 // the certificate's conditions prove it (certify/ridges_smooth/SPEC.md, theorem 8).
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "algorithms/smooth_ridges/graded_grid.hpp"
 #include "algorithms/smooth_ridges/stop.hpp"
 
 namespace crest::smooth_ridges {
+
+/// As messages name a place.
+std::string text(const Vec3& p);
 
 /// Why no triangulation can be made; one line, with coordinates.
 class MeshError : public std::runtime_error {

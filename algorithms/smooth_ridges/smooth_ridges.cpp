@@ -38,12 +38,6 @@ const char* likely_reason(FaceStatus status) {
   }
 }
 
-std::string text(const Vec3& p) {
-  char line[96];
-  std::snprintf(line, sizeof line, "(%.6g, %.6g, %.6g)", p[0], p[1], p[2]);
-  return line;
-}
-
 std::vector<std::string> obstacles_of(const RefinedSurface& refined) {
   std::vector<std::string> lines;
   if (refined.uncertified.empty()) return lines;

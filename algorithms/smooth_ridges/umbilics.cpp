@@ -15,10 +15,6 @@ using Square = std::array<Interval, 2>;
 Interval around(double x, double radius) {
   return Interval(x) + Interval(-radius, radius);
 }
-/// Or may: what is not defined does.
-bool holds_zero(const Interval& x) {
-  return !(x.inf() > 0 || x.sup() < 0) || !is_defined(x);
-}
 std::array<Interval, 3> in_space(std::size_t axis, const Square& z, const Interval& height) {
   const auto [i, j] = plane_axes(axis);
   std::array<Interval, 3> x;

@@ -152,11 +152,11 @@ class StepByStep {
 };
 
 template <int Variables>
-class Search {
+class UndefinedSearch {
  public:
   using Cell = typename StepByStep<Variables>::Cell;
 
-  Search(const Surface& surface, Cell domain) : surface_(surface), domain_(domain) {
+  UndefinedSearch(const Surface& surface, Cell domain) : surface_(surface), domain_(domain) {
     for (const Expression& e : surface.functions()) steps_.emplace_back(e);
   }
 
@@ -253,7 +253,7 @@ std::string line(const Undefined& u, const Expression& e, std::size_t step,
 }
 
 template <int Variables>
-void Search<Variables>::describe(const Expression& e, std::size_t step) {
+void UndefinedSearch<Variables>::describe(const Expression& e, std::size_t step) {
   Undefined& u = *found_;
   u.column = e.places()[step].begin + 1;
   u.name = surface_.is_implicit() ? "F" : std::string(1, "xyz"[expression_]);
@@ -278,7 +278,8 @@ void Search<Variables>::describe(const Expression& e, std::size_t step) {
 std::optional<Undefined> find_undefined(const Surface& surface) {
   if (surface.is_implicit()) {
     const auto& b = surface.box();
-    return Search<3>(surface, {Interval(b[0], b[1]), Interval(b[2], b[3]), Interval(b[4], b[5])})
+    return UndefinedSearch<3>(surface,
+                              {Interval(b[0], b[1]), Interval(b[2], b[3]), Interval(b[4], b[5])})
         .run();
   }
   std::array<Interval, 2> domain;
@@ -288,7 +289,7 @@ std::optional<Undefined> find_undefined(const Surface& surface) {
     };
     domain[k] = Interval(bound(2 * k).lower(), bound(2 * k + 1).upper());
   }
-  return Search<2>(surface, domain).run();
+  return UndefinedSearch<2>(surface, domain).run();
 }
 
 std::optional<Undefined> find_undefined(const Expression& constant, const std::string& name) {

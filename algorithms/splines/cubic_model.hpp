@@ -20,6 +20,13 @@ using kernel::Vec3;
 /// Indices of a vertex, or of a cube, possibly outside of the domain.
 using Place = std::array<int, 3>;
 
+inline Vec3 point(const Place& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+inline Vec3 middle(const Place& cube) {
+  return {cube[0] + 0.5, cube[1] + 0.5, cube[2] + 0.5};
+}
+
 /// As on a chessboard: a black cube has an even sum of indices.
 constexpr bool is_black(const Place& cube) {
   return ((cube[0] + cube[1] + cube[2]) & 1) == 0;

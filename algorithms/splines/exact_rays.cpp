@@ -28,13 +28,6 @@ std::array<Rational, 9> plane_coordinates(const ExactPoint& x) {
           x[0] + x[2], x[0] - x[2], x[1] + x[2], x[1] - x[2]};
 }
 
-double next_up(double x) {
-  return std::nextafter(x, HUGE_VAL);
-}
-double next_down(double x) {
-  return std::nextafter(x, -HUGE_VAL);
-}
-
 /// A quadratic on [from, to].
 struct Segment {
   Rational from, to, b0, b1, b2;

@@ -3,10 +3,19 @@
 
 // The first zero on a part of a ray in rationals: all cuts in order, equal ones merged, rule
 // segment_zero on every segment between neighbours.
+#include <cmath>
+
 #include "algorithms/splines/exact_frame.hpp"
 #include "algorithms/splines/rays.hpp"
 
 namespace crest::splines {
+
+inline double next_up(double x) {
+  return std::nextafter(x, HUGE_VAL);
+}
+inline double next_down(double x) {
+  return std::nextafter(x, -HUGE_VAL);
+}
 
 /// A ray in the lattice.
 struct ExactRay {

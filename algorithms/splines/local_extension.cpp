@@ -17,13 +17,6 @@ bool at_box_edge(const Domain& domain, const Place& cube) {
   return ends >= 2;
 }
 
-Vec3 middle(const Place& cube) {
-  return {cube[0] + 0.5, cube[1] + 0.5, cube[2] + 0.5};
-}
-Vec3 point(const Place& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 class LocalExtension {
  public:
   LocalExtension(const Domain& domain, const Scattered& samples, const std::array<bool, 3>& flat)

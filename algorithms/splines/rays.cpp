@@ -70,12 +70,6 @@ struct LatticeRay {
 /// Half the distance from 1 to the next long double.
 constexpr double kFine = std::numeric_limits<long double>::epsilon() / 2;
 
-double next_up(double x) {
-  return std::nextafter(x, HUGE_VAL);
-}
-double next_down(double x) {
-  return std::nextafter(x, -HUGE_VAL);
-}
 double below(long double x) {
   const auto y = static_cast<double>(x);
   return static_cast<long double>(y) > x ? next_down(y) : y;

@@ -8,12 +8,6 @@ namespace {
 /// Of the local samples; the thesis states none.
 constexpr Scattered::Request kRequest{.radius = 1.6, .growth = 1.15, .least = 40, .most = 120};
 
-Vec3 point(const Place& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-Vec3 middle(const Place& cube) {
-  return {cube[0] + 0.5, cube[1] + 0.5, cube[2] + 0.5};
-}
 /// Of the black tetrahedron: front edge and middle of the bottom face, and the centre.
 Vec3 barycentre(const Place& cube) {
   return {cube[0] + 0.5, cube[1] + 0.25, cube[2] + 0.125};

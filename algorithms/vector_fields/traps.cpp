@@ -15,24 +15,24 @@ using kernel::operator-;
 namespace {
 
 /// A form aa, ab, bb.
-using Form = std::array<double, 3>;
+using LinearForm = std::array<double, 3>;
 /// By rows.
 using Matrix = std::array<std::array<double, 2>, 2>;
 
 /// A^T P + P A = -I.
-Form lyapunov(const Matrix& m) {
+LinearForm lyapunov(const Matrix& m) {
   const auto [a, b] = m[0];
   const auto [c, d] = m[1];
   const double det = a * d - b * c, trace = a + d;
   // P = (det I + adj(A)^T adj(A)) / (-2 trace det).
-  Form p = {det + d * d + c * c, -(a * c + b * d), det + a * a + b * b};
+  LinearForm p = {det + d * d + c * c, -(a * c + b * d), det + a * a + b * b};
   for (double& x : p) x /= -2 * trace * det;
   return p;
 }
 
 /// The largest level at which an ellipse around coordinates l stays where those that are not 0 are
 /// positive.
-double level_inside(const Form& p, const std::array<double, 3>& l) {
+double level_inside(const LinearForm& p, const std::array<double, 3>& l) {
   const double n[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
   const double det = p[0] * p[2] - p[1] * p[1];
   double level = HUGE_VAL;
@@ -44,7 +44,7 @@ double level_inside(const Form& p, const std::array<double, 3>& l) {
   return level * (1 - 0x1p-20);
 }
 
-TrapShape shape_at(const Form& p, double level, double a, double b, bool attracting) {
+TrapShape shape_at(const LinearForm& p, double level, double a, double b, bool attracting) {
   return {{p[0] / level, p[1] / level, p[2] / level}, {a, b}, attracting};
 }
 
@@ -53,7 +53,7 @@ TrapShape shape_at(const Form& p, double level, double a, double b, bool attract
 std::optional<TrapShape> ellipse_in(const TriangleFrame<double>& f, bool attracting) {
   const double a = f.a[0][0], b = f.a[0][1], c = f.a[1][0], d = f.a[1][1];
   const double det = a * d - b * c;
-  const Form p = lyapunov(f.a);
+  const LinearForm p = lyapunov(f.a);
   const double z[2] = {(f.w[1] * b - f.w[0] * d) / det, (f.w[0] * c - f.w[1] * a) / det};
   const double level = level_inside(p, {1 - z[0] - z[1], z[0], z[1]});
   if (!(level > 0 && level < HUGE_VAL)) return std::nullopt;
@@ -145,7 +145,7 @@ std::optional<TrapPolygon> polygon_around(const Domain& domain, const ZeroCompon
 namespace {
 
 /// How surely a form falls along x' = A x: at most 1/4, not positive if it does not.
-double descent(const Form& p, const Matrix& m) {
+double descent(const LinearForm& p, const Matrix& m) {
   const double aa = 2 * (m[0][0] * p[0] + m[1][0] * p[1]),
                bb = 2 * (m[0][1] * p[1] + m[1][1] * p[2]),
                ab = m[0][0] * p[1] + m[1][0] * p[2] + m[0][1] * p[0] + m[1][1] * p[1];
@@ -173,7 +173,7 @@ struct HalfDisc {
 };
 
 /// The columns of m in a form.
-Form congruent(const Form& p, const Matrix& m) {
+LinearForm congruent(const LinearForm& p, const Matrix& m) {
   const auto product = [&](std::size_t i, std::size_t k) {
     return m[0][i] * (p[0] * m[0][k] + p[1] * m[1][k]) +
            m[1][i] * (p[1] * m[0][k] + p[2] * m[1][k]);
@@ -189,12 +189,12 @@ Matrix product(const Matrix& a, const Matrix& b) {
 }
 
 /// Between the forms that suit two matrices one that falls along both, if there is one.
-std::optional<Form> common_form(const Matrix& a, const Matrix& b) {
-  const Form p = lyapunov(a), q = lyapunov(b);
-  std::optional<Form> best;
+std::optional<LinearForm> common_form(const Matrix& a, const Matrix& b) {
+  const LinearForm p = lyapunov(a), q = lyapunov(b);
+  std::optional<LinearForm> best;
   double most = 0x1p-40;
   for (int step = 0; step <= 8; ++step) {
-    Form r;
+    LinearForm r;
     for (std::size_t k = 0; k < 3; ++k)
       r[k] = (8 - step) * p[k] / (p[0] + p[2]) + step * q[k] / (q[0] + q[2]);
     const double least = std::min(descent(r, a), descent(r, b));
@@ -219,7 +219,7 @@ void add_ellipse_at_edge(const Domain& domain, const ZeroComponent& zero, Index 
   const Matrix inverse = {{{back * m[1][1], -back * m[0][1]}, {-back * m[1][0], back * m[0][0]}}};
   const auto p = common_form(one.matrix, product(m, product(other.matrix, inverse)));
   if (!p) return;
-  const Form q = congruent(*p, m);
+  const LinearForm q = congruent(*p, m);
   const double level = std::min(level_inside(*p, one.zero), level_inside(q, other.zero));
   if (!(level > 0 && level < HUGE_VAL)) return;
   traps.emplace(h / 3, Trap{number, shape_at(*p, level, one.zero[1], one.zero[2], attracting)});

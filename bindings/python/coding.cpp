@@ -17,7 +17,7 @@ using coding::Method;
 using coding::Places;
 using kernel::Attribute;
 
-coding::EncodeOptions options_of(const Arguments& a) {
+coding::EncodeOptions encode_options_of(const Arguments& a) {
   coding::EncodeOptions options;
   for (const Method method : {Method::valence, Method::fan, Method::zigzag, Method::fixed})
     if (a.text("method") == coding::name_of(method)) options.method = method;
@@ -127,7 +127,7 @@ void add_attributes(const std::vector<Attribute>& attributes, Output& out) {
 Output run_encode(const Arguments& a, const Progress& progress) {
   const auto points = a.rows<3>("V");
   const auto faces = a.cells<3>("F", points.size());
-  const coding::EncodeOptions options = options_of(a);
+  const coding::EncodeOptions options = encode_options_of(a);
   const std::vector<Attribute> attributes = attributes_of(a);
   const auto count = static_cast<kernel::Index>(points.size());
   const coding::Encoded encoded = progress.step(

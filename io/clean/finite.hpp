@@ -2,6 +2,8 @@
 #pragma once
 
 // Points that faces use are finite.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "io/formats/files.hpp"
@@ -16,8 +18,8 @@ inline void require_finite(const Soup& soup, kernel::Index point) {
     const double x = soup.points[point][k];
     if (std::isfinite(x)) continue;
     fail(soup.point_name(point),
-         std::string("its coordinate ") + "xyz"[k] + " is " +
-             (std::isnan(x) ? "not a number" : "not finite"),
+         fmt::format("its coordinate {} is {}", "xyz"[k],
+                     std::isnan(x) ? "not a number" : "not finite"),
          "repair it, or remove it with its faces");
   }
 }

@@ -15,7 +15,7 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kError = 0.01;                        // mm, of outlines
 constexpr const char* kDate = "1970-01-01T00:00:00Z";  // the same bytes every time
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -54,8 +54,9 @@ void paint(cairo_surface_t* raw, const line_art::Drawing& drawing) {
 
 std::string pdf_of(const line_art::Drawing& drawing) {
   std::string bytes;
-  cairo_surface_t* const surface = cairo_pdf_surface_create_for_stream(
-      append, &bytes, drawing.view.page[0] * kPointsPerMm, drawing.view.page[1] * kPointsPerMm);
+  cairo_surface_t* const surface =
+      cairo_pdf_surface_create_for_stream(append_bytes, &bytes, drawing.view.page[0] * kPointsPerMm,
+                                          drawing.view.page[1] * kPointsPerMm);
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, kDate);
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, drawing.parameters.c_str());
@@ -65,8 +66,9 @@ std::string pdf_of(const line_art::Drawing& drawing) {
 
 std::string eps_of(const line_art::Drawing& drawing) {
   std::string bytes;
-  cairo_surface_t* const surface = cairo_ps_surface_create_for_stream(
-      append, &bytes, drawing.view.page[0] * kPointsPerMm, drawing.view.page[1] * kPointsPerMm);
+  cairo_surface_t* const surface =
+      cairo_ps_surface_create_for_stream(append_bytes, &bytes, drawing.view.page[0] * kPointsPerMm,
+                                         drawing.view.page[1] * kPointsPerMm);
   cairo_ps_surface_set_eps(surface, 1);
   paint(surface, drawing);
   // Cairo knows no other date than today's.

@@ -11,7 +11,7 @@ namespace {
 
 using kernel::operator+, kernel::operator*;
 
-enum Kind { kContour, kBoundary, kRim, kCrease, kHatch };  // then the strokes' own kinds
+enum CellKind { kContour, kBoundary, kRim, kCrease, kHatch };  // then the strokes' own kinds
 
 int kind_of(const line_art::ContourEdge& e) {
   return e.crease ? kCrease : e.rim ? kRim : e.boundary ? kBoundary : kContour;

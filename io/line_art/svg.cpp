@@ -8,7 +8,7 @@ namespace {
 
 using line_art::Stroke, line_art::StrokeKind;
 
-constexpr double kError = 0.01;  // mm, of outlines
+constexpr double kOutlineError = 0.01;  // mm, of outlines
 
 /// Text between tags.
 std::string escaped(const std::string& text) {
@@ -38,7 +38,7 @@ void add_number(Text& text, double x) {
 void add_stroke(Text& text, const Stroke& stroke, bool band = false) {
   if (!band && stroke.band > 0) add_stroke(text, stroke, true);
   const auto polygon = line_art::simplified(
-      band ? line_art::band_outline(stroke) : line_art::outline(stroke), kError);
+      band ? line_art::band_outline(stroke) : line_art::outline(stroke), kOutlineError);
   if (polygon.empty()) return;
   text.add("<path");
   if (band) text.add(" fill=\"#fff\"");

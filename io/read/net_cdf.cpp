@@ -21,7 +21,7 @@ namespace {
 using kernel::Index;
 using kernel::Vec2;
 
-constexpr std::size_t kMost = std::size_t{1} << 27U;
+constexpr std::size_t kMostSamples = std::size_t{1} << 27U;
 
 void check(int error, const std::string& element) {
   if (error != NC_NOERR)
@@ -125,7 +125,7 @@ class NetCdf {
     std::size_t all = 1;
     for (std::size_t i = 0; i + axes < v.axes.size(); ++i) {
       const std::size_t n = length(v.axes[i]);
-      if (n == 0 || all > kMost / n) fail(v.name, "has no or too many layers", "crop it");
+      if (n == 0 || all > kMostSamples / n) fail(v.name, "has no or too many layers", "crop it");
       all *= n;
     }
     return all;
@@ -146,7 +146,7 @@ class NetCdf {
   }
 
   int file_ = -1;
-  std::size_t most_ = kMost;  ///< numbers of a variable
+  std::size_t most_ = kMostSamples;  ///< numbers of a variable
   std::vector<Variable> variables_;
 };
 

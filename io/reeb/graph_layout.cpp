@@ -66,8 +66,8 @@ std::vector<Branch> branches_of(const ReebGraph& graph, const std::vector<Index>
   return branches;
 }
 
-/// Columns with the spans that are taken in them.
-class Columns {
+/// LayoutColumns with the spans that are taken in them.
+class LayoutColumns {
  public:
   /// The free column nearest to `start`, left before right.
   int take(int start, double low, double high) {
@@ -160,7 +160,7 @@ class Placement {
     });
   }
 
-  /// Columns from 0 on: until then some are negative.
+  /// LayoutColumns from 0 on: until then some are negative.
   void finish() {
     const int first = columns_.first();
     for (auto* columns : {&layout_.node_column, &layout_.arc_column}) {
@@ -189,7 +189,7 @@ class Placement {
   std::vector<std::size_t> order_;
   std::vector<bool> done_;
   std::priority_queue<Waiting> waiting_;
-  Columns columns_;
+  LayoutColumns columns_;
   GraphLayout layout_;
 };
 

@@ -36,9 +36,9 @@ int face_number(const ReebScene& scene, Index face) {
   return scene.face_numbers.empty() ? number(face) : static_cast<int>(scene.face_numbers[face]);
 }
 
-class Scene {
+class Rows {
  public:
-  explicit Scene(const ReebScene& scene) : scene_(scene) {}
+  explicit Rows(const ReebScene& scene) : scene_(scene) {}
 
   vtkSmartPointer<vtkPolyData> data() {
     add_nodes();
@@ -212,7 +212,7 @@ std::vector<std::vector<NodePlace>> arc_polylines(const ReebScene& scene, std::s
 }
 
 vtkSmartPointer<vtkPolyData> reeb_poly_data(const ReebScene& scene) {
-  return Scene(scene).data();
+  return Rows(scene).data();
 }
 
 void write_reeb(const std::string& path, const ReebScene& scene) {

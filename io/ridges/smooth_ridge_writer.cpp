@@ -29,7 +29,7 @@ constexpr std::array kCodes = {"kind",        "colour",        "type",
 constexpr std::array kNumbers = {"index", "size"};
 
 /// What a point or cell is.
-struct Row {
+struct SmoothRow {
   std::array<int, kCodes.size()> codes{kRidgePart, -1, -1, 0, 0, 0};
   std::array<double, kNumbers.size()> numbers{};
   void add_to(Columns& columns) const {
@@ -40,22 +40,22 @@ struct Row {
 
 struct Point {
   kernel::Vec3 place;
-  Row row;
+  SmoothRow row;
 };
 
 /// Vertices first (umbilics, turning points, purple points, undecided cells), then the ridges'
 /// points; lines index into the points.
-struct Table {
+struct SmoothTable {
   std::vector<Point> points;
   std::array<std::size_t, 4> vertices{};  ///< how many of each
   std::vector<Index> first;               ///< of each ridge's points
 };
 
-Row ridge_row(const SmoothRidge& ridge, RidgeType type) {
+SmoothRow ridge_row(const SmoothRidge& ridge, RidgeType type) {
   return {{kRidgePart, static_cast<int>(ridge.colour), static_cast<int>(type), 0, 0, 0}, {}};
 }
 
-void add_vertices(const SmoothRidges& result, Table& table) {
+void add_vertices(const SmoothRidges& result, SmoothTable& table) {
   for (const auto& u : result.umbilics) {
     table.points.push_back({u.point,
                             {{u.branches[0], -1, -1, u.twice_index, u.branches[0], u.branches[1]},
@@ -73,8 +73,8 @@ void add_vertices(const SmoothRidges& result, Table& table) {
                     result.purple_points.size(), result.undecided.size()};
 }
 
-Table table_of(const SmoothRidges& result) {
-  Table table;
+SmoothTable table_of(const SmoothRidges& result) {
+  SmoothTable table;
   add_vertices(result, table);
   for (const SmoothRidge& ridge : result.ridges) {
     table.first.push_back(static_cast<Index>(table.points.size()));
@@ -121,7 +121,7 @@ void add_fields(Columns& fields, const SmoothRidges& result, const std::string& 
   fields.add("data_digest", digest);
 }
 
-vtkSmartPointer<vtkPolyData> data_of(const Table& table, const SmoothRidges& result,
+vtkSmartPointer<vtkPolyData> data_of(const SmoothTable& table, const SmoothRidges& result,
                                      const std::string& digest) {
   PolyData data;
   for (const Point& p : table.points) {
@@ -158,7 +158,8 @@ std::string headline(const SmoothRidges& result, const std::string& digest) {
 }
 
 /// The ridge's points in the table, a loop's first one again at its end.
-std::vector<std::size_t> line_of(const Table& table, const SmoothRidges& result, std::size_t r) {
+std::vector<std::size_t> line_of(const SmoothTable& table, const SmoothRidges& result,
+                                 std::size_t r) {
   std::vector<std::size_t> line;
   for (std::size_t i = 0; i < result.ridges[r].points.size(); ++i)
     line.push_back(table.first[r] + i);
@@ -166,7 +167,8 @@ std::vector<std::size_t> line_of(const Table& table, const SmoothRidges& result,
   return line;
 }
 
-std::string obj_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+std::string obj_of(const SmoothTable& table, const SmoothRidges& result,
+                   const std::string& digest) {
   Text text;
   text.add("# {}\n", headline(result, digest));
   for (const Point& p : table.points) text.add("v {} {} {}\n", p.place[0], p.place[1], p.place[2]);
@@ -189,13 +191,14 @@ std::string obj_of(const Table& table, const SmoothRidges& result, const std::st
   return text.text();
 }
 
-std::string ply_of(const Table& table, const SmoothRidges& result, const std::string& digest) {
+std::string ply_of(const SmoothTable& table, const SmoothRidges& result,
+                   const std::string& digest) {
   Text text, edges;
   std::size_t edge_count = 0;
   for (std::size_t r = 0; r < result.ridges.size(); ++r) {
     const std::vector<std::size_t> line = line_of(table, result, r);
     for (std::size_t i = 0; i + 1 < line.size(); ++i, ++edge_count) {
-      const Row& row = table.points[line[i]].row;
+      const SmoothRow& row = table.points[line[i]].row;
       edges.add("{} {} {} {}\n", line[i], line[i + 1], row.codes[1], row.codes[2]);
     }
   }
@@ -241,7 +244,7 @@ vtkSmartPointer<vtkPolyData> smooth_mesh_poly_data(const SmoothRidges& result,
 void write_smooth_ridges(const std::string& path, const SmoothRidges& result,
                          const std::string& data_digest_hex) {
   const std::string extension = lower_extension(path);
-  const Table table = table_of(result);
+  const SmoothTable table = table_of(result);
   if (extension == ".vtp")
     write_vtp(path, *data_of(table, result, data_digest_hex));
   else if (extension == ".obj")

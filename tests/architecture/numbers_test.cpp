@@ -12,11 +12,11 @@ namespace {
 
 using namespace crest::tests;
 
-using Row = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 /// The cells of a Markdown table's line.
-Row cells_of(const std::string& line) {
-  Row cells;
+Cells cells_of(const std::string& line) {
+  Cells cells;
   std::istringstream text(line.substr(1));
   for (std::string cell; std::getline(text, cell, '|');) {
     const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
@@ -26,8 +26,8 @@ Row cells_of(const std::string& line) {
 }
 
 /// All rows below the first table's head.
-std::vector<Row> rows_of(const std::string& table) {
-  std::vector<Row> rows;
+std::vector<Cells> rows_of(const std::string& table) {
+  std::vector<Cells> rows;
   bool below = false;
   for (const std::string& line : lines_of("experiments/" + table)) {
     if (has_prefix(line, "|---")) below = true;
@@ -61,7 +61,7 @@ std::string range(const std::vector<double>& values, int digits) {
 TEST_CASE("quoted numbers: right Reeb graphs") {
   int right = 0, all = 0;
   std::set<std::string> kinds;
-  for (const Row& row : rows_of("003-reeb/tables/correctness.md")) {
+  for (const Cells& row : rows_of("003-reeb/tables/correctness.md")) {
     if (row.at(2) == "2") kinds.insert(row[0] + row[1]);
     int equal = 0, of = 0;
     if (std::sscanf(row.at(3).c_str(), "%d/%d", &equal, &of) != 2) continue;
@@ -75,7 +75,7 @@ TEST_CASE("quoted numbers: right Reeb graphs") {
 
 TEST_CASE("quoted numbers: index sums of closed meshes") {
   int meshes = 0, ours = 0, finished = 0, theirs = 0;
-  for (const Row& row : rows_of("002-ridges/tables/index.md")) {
+  for (const Cells& row : rows_of("002-ridges/tables/index.md")) {
     ++meshes;
     ours += row.at(2) == row.at(4) && row.at(6) == "accepted";
     finished += !row.at(8).empty();
@@ -92,7 +92,7 @@ TEST_CASE("quoted numbers: index sums of closed meshes") {
 
 TEST_CASE("quoted numbers: noise on the ellipsoid") {
   int meshes = 0, ours = 0, same = 0, own = 0;
-  for (const Row& row : rows_of("002-ridges/tables/noise.md")) {
+  for (const Cells& row : rows_of("002-ridges/tables/noise.md")) {
     if (row.at(0) == "0") continue;
     const bool sum = row.at(4) == "2", right = sum && row.at(3) == "4, 0, 0";
     meshes += row.at(2) == "Crest --scale auto";
@@ -108,7 +108,7 @@ TEST_CASE("quoted numbers: noise on the ellipsoid") {
 
 TEST_CASE("quoted numbers: sharp edges of fandisk") {
   const auto rows = rows_of("001-features/tables/sharp_edges.md");
-  const Row &tuned = rows.at(0), &plain = rows.at(1);
+  const Cells &tuned = rows.at(0), &plain = rows.at(1);
   for (const char* document : {"README.md", "experiments/README.md"}) {
     quotes(document, tuned.at(9) + " of " + tuned.at(3) + " on a line, " + tuned.at(8) +
                          " within an edge of one");
@@ -119,7 +119,7 @@ TEST_CASE("quoted numbers: sharp edges of fandisk") {
 TEST_CASE("quoted numbers: topology kept by thinning") {
   std::size_t accepted = 0;
   const auto rows = rows_of("001-features/tables/betti.md");
-  for (const Row& row : rows)
+  for (const Cells& row : rows)
     accepted += row.at(4) == row.at(5) && row.at(6) == row.at(7) && row.at(9) == "accepted";
   quotes("experiments/README.md",
          std::to_string(accepted) + " of " + std::to_string(rows.size()) + " meshes");
@@ -127,13 +127,13 @@ TEST_CASE("quoted numbers: topology kept by thinning") {
 
 TEST_CASE("quoted numbers: VTK's time over Crest's, the checker's over the extraction's") {
   std::vector<double> ratios, quotients;
-  for (const Row& row : rows_of("peers/reeb/tables/vtk_reeb.md"))
+  for (const Cells& row : rows_of("peers/reeb/tables/vtk_reeb.md"))
     ratios.push_back(std::stod(row.at(5)));
   std::sort(ratios.begin(), ratios.end());
   const double median = 0.5 * (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]);
   for (const char* document : {"README.md", "experiments/README.md"})
     quotes(document, "median " + fixed(median, 0) + " times, " + range(ratios, 0));
-  for (const Row& row : rows_of("002-ridges/tables/smooth_table.md"))
+  for (const Cells& row : rows_of("002-ridges/tables/smooth_table.md"))
     quotients.push_back(std::stod(row.at(11).substr(row[11].find(',') + 1)));
   quotes("README.md", range(quotients, 2) + " of that");
 }
@@ -141,7 +141,7 @@ TEST_CASE("quoted numbers: VTK's time over Crest's, the checker's over the extra
 TEST_CASE("quoted numbers: wrong nodes of linear methods") {
   std::map<int, std::vector<double>> of_right, of_own;
   double right = 0;
-  for (const Row& row : rows_of("003-reeb/tables/subdivision.md")) {
+  for (const Cells& row : rows_of("003-reeb/tables/subdivision.md")) {
     const double nodes = std::stod(row.at(3)), wrong = std::stod(row.at(5));
     if (row.at(2) == "quadratic") {
       right = nodes;

@@ -8,7 +8,7 @@ using namespace crest::tests;
 
 namespace {
 
-struct Case {
+struct ExtremalCase {
   const char* arguments;
   int exit_code;
   const char* words;
@@ -213,21 +213,22 @@ TEST_CASE("crest extremal: one line and the right exit code for what cannot be d
   write_text(folder / "short.nrrd", small_volume().substr(0, 300));
   write_text(folder / "p.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
   write_text(folder / "bare.xyz", "0 0 0\n1 0 0\n");
-  for (const Case& c :
-       {Case{"v.nrrd", 2, "give one of --ridge, --valley"},
-        Case{"v.nrrd --ridge --valley", 2, "give one of"},
-        Case{"v.nrrd --ridge --radius 1", 2, "are for points"},
-        Case{"p.xyz --surface --sigma 1", 2, "are for volumes"},
-        Case{"v.nrrd --ridge --sigma -1", 2, "is less than 0"},
-        Case{"v.nrrd --ridge --sigma nan", 2, "not a finite number"},
-        Case{"p.xyz --surface --radius -1", 2, "is less than 0"},
-        Case{"v.nrrd --ridge --definition tensor", 2, "tensor"},
-        Case{"v.nrrd --ridge -o v.off", 2, "v.off"}, Case{"none.nrrd --ridge", 3, "does not exist"},
-        Case{"nan.nrrd --ridge -o n.vtp", 3, "is not a number"},
-        Case{"short.nrrd --ridge -o n.vtp", 3, "samples"},
-        Case{"bare.xyz --surface", 3, "has no normal"},
-        Case{"v.nrrd --ridge --raw 6,6,6,half", 3, "--raw"},
-        Case{"p.xyz --ridge", 3, "'.xyz' are not read"}}) {
+  for (const ExtremalCase& c :
+       {ExtremalCase{"v.nrrd", 2, "give one of --ridge, --valley"},
+        ExtremalCase{"v.nrrd --ridge --valley", 2, "give one of"},
+        ExtremalCase{"v.nrrd --ridge --radius 1", 2, "are for points"},
+        ExtremalCase{"p.xyz --surface --sigma 1", 2, "are for volumes"},
+        ExtremalCase{"v.nrrd --ridge --sigma -1", 2, "is less than 0"},
+        ExtremalCase{"v.nrrd --ridge --sigma nan", 2, "not a finite number"},
+        ExtremalCase{"p.xyz --surface --radius -1", 2, "is less than 0"},
+        ExtremalCase{"v.nrrd --ridge --definition tensor", 2, "tensor"},
+        ExtremalCase{"v.nrrd --ridge -o v.off", 2, "v.off"},
+        ExtremalCase{"none.nrrd --ridge", 3, "does not exist"},
+        ExtremalCase{"nan.nrrd --ridge -o n.vtp", 3, "is not a number"},
+        ExtremalCase{"short.nrrd --ridge -o n.vtp", 3, "samples"},
+        ExtremalCase{"bare.xyz --surface", 3, "has no normal"},
+        ExtremalCase{"v.nrrd --ridge --raw 6,6,6,half", 3, "--raw"},
+        ExtremalCase{"p.xyz --ridge", 3, "'.xyz' are not read"}}) {
     const auto run = run_crest(std::string("crest extremal ") + c.arguments, folder.path());
     INFO(c.arguments << "\n" << run.err);
     CHECK(run.exit_code == c.exit_code);
@@ -239,12 +240,12 @@ TEST_CASE("crest extremal: one line and the right exit code for what cannot be d
 
 TEST_CASE("crest sample: volumes and points take their own options alone") {
   const TemporaryFolder folder;
-  for (const Case& c :
-       {Case{"sphere-shell --vertices 100 -o s.nrrd", 2, "takes --nodes alone"},
-        Case{"ellipsoid --nodes 10 -o s.off", 2, "--nodes is for volumes"},
-        Case{"moebius-points --rotate -o s.xyz", 2, "takes --vertices, --noise and --seed"},
-        Case{"sphere-shell -o s.off", 3, "write .nrrd or .vti"},
-        Case{"moebius-points -o s.off", 3, "write .xyz or .pwn"}}) {
+  for (const ExtremalCase& c :
+       {ExtremalCase{"sphere-shell --vertices 100 -o s.nrrd", 2, "takes --nodes alone"},
+        ExtremalCase{"ellipsoid --nodes 10 -o s.off", 2, "--nodes is for volumes"},
+        ExtremalCase{"moebius-points --rotate -o s.xyz", 2, "takes --vertices, --noise and --seed"},
+        ExtremalCase{"sphere-shell -o s.off", 3, "write .nrrd or .vti"},
+        ExtremalCase{"moebius-points -o s.off", 3, "write .xyz or .pwn"}}) {
     const auto run = run_crest(std::string("crest sample ") + c.arguments, folder.path());
     INFO(c.arguments << "\n" << run.err);
     CHECK(run.exit_code == c.exit_code);

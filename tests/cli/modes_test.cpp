@@ -20,7 +20,7 @@ std::string two_tets(const std::string& last) {
          last + "\n";
 }
 
-struct Case {
+struct ModesCase {
   const char* arguments;
   int exit_code;
   const char* words;
@@ -110,14 +110,16 @@ TEST_CASE("crest modes: one line and the right exit code for what cannot be done
   write_text(folder / "nan.vtk", two_tets("nan 0 0  0 1 0  0 0 -2"));
   write_text(folder / "skew.vtk", two_tets("1 0.5 0  0 1 0  0 0 -2"));
   write_text(folder / "mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  for (const Case& c :
-       {Case{"t.vtk --mode 1", 2, "--degenerate"}, Case{"t.vtk --mode 1.5", 2, "between -1 and 1"},
-        Case{"t.vtk --mode 1/0", 2, "denominator 0"},
-        Case{"t.vtk --mode half", 2, "neither a decimal nor a fraction"},
-        Case{"t.vtk", 2, "give --mode MU, --neutral or --degenerate"},
-        Case{"t.vtk --neutral --tensor stress", 3, "stress"}, Case{"nan.vtk --neutral", 3, "4"},
-        Case{"mesh.off --neutral", 3, "mesh.off"}, Case{"none.vtu --neutral", 3, "does not exist"},
-        Case{"t.vtk --neutral -o t.png", 2, "t.png"}}) {
+  for (const ModesCase& c :
+       {ModesCase{"t.vtk --mode 1", 2, "--degenerate"},
+        ModesCase{"t.vtk --mode 1.5", 2, "between -1 and 1"},
+        ModesCase{"t.vtk --mode 1/0", 2, "denominator 0"},
+        ModesCase{"t.vtk --mode half", 2, "neither a decimal nor a fraction"},
+        ModesCase{"t.vtk", 2, "give --mode MU, --neutral or --degenerate"},
+        ModesCase{"t.vtk --neutral --tensor stress", 3, "stress"},
+        ModesCase{"nan.vtk --neutral", 3, "4"}, ModesCase{"mesh.off --neutral", 3, "mesh.off"},
+        ModesCase{"none.vtu --neutral", 3, "does not exist"},
+        ModesCase{"t.vtk --neutral -o t.png", 2, "t.png"}}) {
     const auto run = run_crest(std::string("crest modes ") + c.arguments, folder.path());
     INFO(c.arguments << "\n" << run.err);
     CHECK(run.exit_code == c.exit_code);

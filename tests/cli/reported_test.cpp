@@ -32,7 +32,7 @@ struct Counts {
 };
 constexpr Counts kEllipsoid = {642, 1280, 2, 4, 2, {1, 2}};
 
-struct Case {
+struct ReportedCase {
   const char* file;
   const char* options;
   const char* count;  ///< of cleanup
@@ -40,7 +40,7 @@ struct Case {
   Counts expected;
 };
 
-const Case kCases[] = {
+const ReportedCase kCases[] = {
     {"top_duplicate_faces.off", "", "duplicate_faces", 10, kEllipsoid},
     {"top_repeated_index.off", "", "repeated_corners", 2, kEllipsoid},
     {"off_nan_unreferenced.off", "", "unused_vertices", 5, kEllipsoid},
@@ -58,7 +58,7 @@ std::string warnings_of(const json& report) {
 
 TEST_CASE("ridges of reported files have the right counts, and their certificates the same file") {
   const TemporaryFolder folder;
-  for (const Case& c : kCases) {
+  for (const ReportedCase& c : kCases) {
     const auto file = reported(c.file);
     if (!file) return;
     INFO(c.file << " " << c.options);

@@ -18,7 +18,7 @@ std::string two_triangles(const std::string& points, const std::string& cells,
 constexpr const char* kSquare = "0 0 0  1 0 0  1 1 0  0 1 0";
 constexpr const char* kCells = "3 0 1 2\n3 0 2 3";
 
-struct Case {
+struct SkeletonCase {
   const char* name;
   std::string text;
   const char* words;
@@ -99,7 +99,7 @@ TEST_CASE("crest skeleton: winds and velocimetry") {
 
 TEST_CASE("crest skeleton: one line and exit code 3 for what it cannot take") {
   const TemporaryFolder folder;
-  const Case cases[] = {
+  const SkeletonCase cases[] = {
       {"lifted.vtk", two_triangles("0 0 0  1 0 0  1 1 1  0 1 0", kCells, "0 -1 0"), "plane"},
       {"nan.vtk", two_triangles(kSquare, kCells, "nan 0 0"), "not finite"},
       {"flipped.vtk", two_triangles(kSquare, "3 0 1 2\n3 0 3 2", "0 -1 0"), "flipped"},
@@ -109,7 +109,7 @@ TEST_CASE("crest skeleton: one line and exit code 3 for what it cannot take") {
       {"cut.json", "[{\"header\":", "JSON"},
       {"words.txt", "x y u v\n1 2 3\n1 2 3 4\n", ""},
   };
-  for (const Case& c : cases) {
+  for (const SkeletonCase& c : cases) {
     INFO(c.name);
     write_text(folder / c.name, c.text);
     const auto run =
