@@ -12,7 +12,7 @@ using namespace crest::tests;
 
 namespace {
 
-Bytes certificate_of(const MeshData& data) {
+Bytes bytes_of(const MeshData& data) {
   const ReferenceRidges ridges(data);
   return encode(*ridges.certificate(ridges.single_faces()));
 }
@@ -44,7 +44,7 @@ void check_words(const Verdict& verdict, const std::string& words) {
 TEST_CASE("a file's orientation is compared by component and said") {
   const MeshData one = ellipsoid(2, 1, 1.5, 2);
   const std::size_t n = one.faces.size();
-  const Bytes certificate = certificate_of(one);
+  const Bytes certificate = bytes_of(one);
   check_words(compare(certificate, one), "oriented as in the file");
   MeshData rotated = one;
   for (auto& f : rotated.faces) f = {f[1], f[2], f[0]};
@@ -58,7 +58,7 @@ TEST_CASE("a file's orientation is compared by component and said") {
   for (const auto& f : one.faces) two.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
   for (const auto& p : one.positions) two.positions.push_back({p[0] + 9, p[1], p[2]});
   two.monge.insert(two.monge.end(), one.monge.begin(), one.monge.end());
-  const Bytes of_two = certificate_of(two);
+  const Bytes of_two = bytes_of(two);
   check_words(compare(of_two, turned(two, n, 2 * n)), "re-oriented 1 of 2 components");
   check_words(compare(of_two, turned(two, 0, n + 3)),
               "re-oriented 1 of 2 components and 3 faces of 1 components that the file does not "
@@ -68,7 +68,7 @@ TEST_CASE("a file's orientation is compared by component and said") {
 TEST_CASE("another mesh is rejected") {
   MeshData data = ellipsoid(1, 1, 1.5, 2);
   data.positions[3][0] = 0;
-  const Bytes certificate = certificate_of(data);
+  const Bytes certificate = bytes_of(data);
   MeshData other = data;
   other.positions[3][0] = 5e-324;
   CHECK(compare(certificate, other).reason.find("vertex 3 is elsewhere") != std::string::npos);

@@ -149,7 +149,7 @@ struct Kind {
   const std::vector<std::string>& contexts = kContexts;
 };
 
-Verdict check(const RidgesSmoothCertificate& c, Arithmetic arithmetic) {
+Verdict verdict_on(const RidgesSmoothCertificate& c, Arithmetic arithmetic) {
   return verify(encode(c), {arithmetic, std::nullopt});
 }
 
@@ -183,7 +183,7 @@ RidgesSmoothCertificate ellipsoid() {
 bool rejects(const RidgesSmoothCertificate& c, Arithmetic arithmetic, bool completeness_alone,
              SecondOpinions& second) {
   if (!completeness_alone) {
-    const Verdict verdict = check(c, arithmetic);
+    const Verdict verdict = verdict_on(c, arithmetic);
     const bool also =
         arithmetic == Arithmetic::doubles &&
         second.compare(encode(c), verdict, c.surface.texts[c.surface.texts.size() / 3]);
@@ -258,7 +258,7 @@ TEST_CASE("smooth ridges: undefined parts in every context are refused and rejec
   Combinations all;
   const auto field = small_height_field();
   for (const Arithmetic a : {Arithmetic::doubles, Arithmetic::mpfr}) {
-    const Verdict verdict = check(field, a);
+    const Verdict verdict = verdict_on(field, a);
     INFO(verdict.reason);
     REQUIRE(verdict.accepted);
   }
@@ -268,7 +268,7 @@ TEST_CASE("smooth ridges: undefined parts in every context are refused and rejec
   all.run({"tube", smooth_claims()[3].certificate, joined(kConstants, kPeriodic), {2}});
 
   const auto surface = ellipsoid();
-  REQUIRE(check(surface, Arithmetic::doubles).accepted);
+  REQUIRE(verdict_on(surface, Arithmetic::doubles).accepted);
   const auto& corner = surface.vertices[surface.faces[0][0]];
   const auto at_corner = [&](Parts parts) {
     for (std::string& part : parts)
@@ -293,19 +293,20 @@ TEST_CASE("smooth ridges: what is undefined elsewhere does no harm") {
     c.surface.texts[2] += std::string(" + ") + added;
     INFO(c.surface.texts[2]);
     CHECK(refusal(c.surface).empty());
-    for (const Arithmetic a : {Arithmetic::doubles, Arithmetic::mpfr}) CHECK(check(c, a).accepted);
-    CHECK(second.compare(encode(c), check(c, Arithmetic::doubles), added));
+    for (const Arithmetic a : {Arithmetic::doubles, Arithmetic::mpfr})
+      CHECK(verdict_on(c, a).accepted);
+    CHECK(second.compare(encode(c), verdict_on(c, Arithmetic::doubles), added));
   }
   RidgesSmoothCertificate c = field;
   c.surface.texts[4] = "0.5 + 0*log(7)*(3)^0";
   CHECK(refusal(c.surface).empty());
-  CHECK(check(c, Arithmetic::doubles).accepted);
+  CHECK(verdict_on(c, Arithmetic::doubles).accepted);
 
   const auto surface = ellipsoid();
   for (const char* added : {"0*log(x+5)", "0*sqrt(x^2+y^2+z^2)", "0*sqrt(x+3)", "0/(x-3.1)"}) {
     c = surface;
     c.surface.texts[0] += std::string(" + ") + added;
-    const Verdict verdict = check(c, Arithmetic::doubles);
+    const Verdict verdict = verdict_on(c, Arithmetic::doubles);
     INFO(c.surface.texts[0] << ": " << verdict.reason);
     CHECK(verdict.accepted);
     if (added == std::string("0*log(x+5)")) CHECK(second.compare(encode(c), verdict, added));

@@ -5,6 +5,7 @@
 #include "certify/modes/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -28,12 +29,6 @@ Sums sums(const SurfaceCounts& counts) {
 std::string in_words(const Sums& s) {
   return std::to_string(s.characteristic) + "," + std::to_string(s.components) + "," +
          std::to_string(s.loops);
-}
-
-void require_accepted(const ModesCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
 }
 
 /// Neutral; + and - of 0.3, 0.6, 0.9: Euler characteristic, components, boundary loops in [-2,

@@ -11,18 +11,13 @@
 #include "tests/certify_modes/modes_samples.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 using crest::kernel::Rational;
 
 namespace {
-
-void require_accepted(const ModesCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
 
 using Plane = std::array<Rational, 2>;
 using Weights = std::array<Rational, 4>;

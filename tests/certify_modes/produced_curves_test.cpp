@@ -19,6 +19,7 @@
 #include "tests/support/environment.hpp"
 #include "tests/support/failures.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -30,12 +31,6 @@ using Certificate = ModesCurvesCertificate;
 Certificate produced(const ModesInput& input) {
   const auto curves = crest::modes::degenerate_curves(input.points, input.tets, input.tensors);
   return crest::modes::curves_certificate(input.points, input.tets, input.tensors, curves);
-}
-
-void require_accepted(const Certificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
 }
 
 /// Tensors at random on a grid; of one vertex in `zeros`, if any, zero.

@@ -9,6 +9,7 @@
 #include "certify/modes_curves/near.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -44,15 +45,6 @@ Certificate special_but(Certificate c, std::array<std::uint32_t, 3> face = {}) {
   c.special_tets = {0};
   return c;
 }
-std::string reason(const Certificate& c) {
-  return verify(encode(c)).reason;
-}
-void require_accepted(const Certificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
-
 /// diag(-1, -1, 2), and two tensors so that the conics of the three touch at v = (0, 0, 1).
 const Entries kAxis = {-1, -1, 2, 0, 0, 0}, kFirst = {0, 0, 0, 0, 1, 0},
               kSecond = {-1, 1, 0, -1, 0, 1};

@@ -8,22 +8,18 @@
 #include "certify/modes/faces.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_modes/modes_samples.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
 namespace {
 
-void require_accepted(const ModesCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
 bool accepted(const ModesCertificate& c) {
   return verify(encode(c)).accepted;
 }
 
-ModesInput one_tet(const std::array<Traceless, 4>& corners) {
+ModesInput input_of(const std::array<Traceless, 4>& corners) {
   ModesInput input;
   input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   input.tets = {{0, 1, 2, 3}};
@@ -74,7 +70,7 @@ TEST_CASE("modes: a lone vertex exactly at the level is a small sphere, for T an
 TEST_CASE("modes: a derivative that is only not negative is no witness") {
   // det < 0 but at the midpoint of edge 01, where D_w = 0, too, for w along the edge.
   const ModesInput input =
-      one_tet({{{1, -1, 0, 0, -1}, {1, -1, 0, 0, 1}, {1, -3, 0, 0, 0}, {1, -3, 1, 0, 0}}});
+      input_of({{{1, -1, 0, 0, -1}, {1, -1, 0, 0, 1}, {1, -3, 0, 0, 0}, {1, -3, 1, 0, 0}}});
   const auto c = reference_modes(input, {{0, 1}});
   require_accepted(c);
   CHECK(c.levels[0].positive.components == std::vector<Component>{{1, 1}});
@@ -95,7 +91,7 @@ TEST_CASE("modes: an edge that the level touches has two roots from below, none 
   for (const bool below : {false, true}) {
     const Traceless a = below ? Traceless{1, -1, 0, 0, -1} : Traceless{1, -1, 0, -1, 0};
     const Traceless b = below ? Traceless{1, -1, 0, 0, 1} : Traceless{1, -1, 0, 1, 0};
-    const ModesInput input = one_tet({{a, b, {1, -3, 0, 0, 0}, {2, -3, 1, 0, 0}}});
+    const ModesInput input = input_of({{a, b, {1, -3, 0, 0, 0}, {2, -3, 1, 0, 0}}});
     // Not split: the edge comes first.
     const auto c = reference_modes(input, {{0, 1}}, 0);
     require_accepted(c);
@@ -120,7 +116,7 @@ TEST_CASE("modes: an edge that the level touches has two roots from below, none 
 
 TEST_CASE("modes: two sheets that touch in a face are open, whatever the depth") {
   ModesInput input =
-      one_tet({{{1, -1, 0, 2, 1}, {1, -1, 0, -1, 1}, {1, -1, 0, -1, -2}, {-1, -1, 0, 0, 0}}});
+      input_of({{{1, -1, 0, 2, 1}, {1, -1, 0, -1, 1}, {1, -1, 0, -1, -2}, {-1, -1, 0, 0, 0}}});
   input.points.push_back({1, 1, 1});
   input.tensors.push_back(tensor({-1, -1, 0, 0, 0}));
   input.tets.push_back({0, 1, 2, 4});

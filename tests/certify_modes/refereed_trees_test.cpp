@@ -11,20 +11,12 @@
 #include "tests/certify_modes/modes_samples.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
 namespace {
-
-void require_accepted(const ModesCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
-std::string reason(const ModesCertificate& c) {
-  return verify(encode(c)).reason;
-}
 
 /// The simplex conv (-2, -1, 0), (2, -1, 0), (0, 2, 0), (0, 0, 1), w = z, and the surface z = h.
 class GraphInSimplex {

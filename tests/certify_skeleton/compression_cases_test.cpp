@@ -8,6 +8,7 @@
 #include "certify/compression/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_compression.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -15,10 +16,6 @@ using u32 = std::uint32_t;
 
 namespace {
 
-std::string reason(const CompressionCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
-}
 bool contains(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }

@@ -6,18 +6,12 @@
 #include "certify/compression/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_compression.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
-namespace {
-
-std::string reason(const CompressionCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("compression: a field is equal to itself, in all notions") {
   for (const auto& field : {lattice_field(1, 4, 12, true), lattice_field(4, 9, 36, false)}) {

@@ -7,16 +7,12 @@
 #include "certify/skeleton/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
 namespace {
-
-std::string reason(const SkeletonCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
-}
 
 std::array<double, 2> minus(const std::array<double, 2>& a, const std::array<double, 2>& b) {
   return {a[0] - b[0], a[1] - b[1]};

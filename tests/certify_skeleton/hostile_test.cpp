@@ -11,6 +11,7 @@
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -31,11 +32,6 @@ double seconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string reason(const SkeletonCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
 }
 
 }  // namespace

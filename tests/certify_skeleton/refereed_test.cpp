@@ -9,17 +9,13 @@
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 using Vec = std::array<double, 2>;
 
 namespace {
-
-std::string reason(const SkeletonCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
-}
 
 /// A closed fan around the origin; vectors at the rim.
 PlaneField closed_fan(const std::vector<Vec>& rim, const std::vector<Vec>& vectors) {
@@ -101,7 +97,7 @@ TEST_CASE("refereed 2: a zero on the boundary has no index") {
 namespace {
 
 /// A triangle, v affine in it, and two paths of straight pieces: what lemma 13 asks for.
-struct Cell {
+struct UnitCell {
   std::array<Vec, 3> corner;  ///< entered through side 0, left through `exit`
   std::array<Vec, 3> vector;
   int exit = 1;
@@ -165,18 +161,18 @@ struct Cell {
 }  // namespace
 
 TEST_CASE("refereed 3: one-way arcs through one edge do not prove the crossing") {
-  Cell cell{{{{-4, -3}, {4, -3}, {0, 5}}},
-            {{{4, 3}, {-4, 3}, {0, -5}}},
-            1,
-            {{-.1, -3},
-             {-1.3, -2.6},
-             {-2.3, -1.4},
-             {-2.2, 0},
-             {-1.5, 1.4},
-             {0, 2.2},
-             {.9, 1.9},
-             {1.55, 1.9}},
-            {{.1, -3}, {1.2, -2.5}, {1.9, -1.5}, {2.1, -.5}, {2.2, .6}}};
+  UnitCell cell{{{{-4, -3}, {4, -3}, {0, 5}}},
+                {{{4, 3}, {-4, 3}, {0, -5}}},
+                1,
+                {{-.1, -3},
+                 {-1.3, -2.6},
+                 {-2.3, -1.4},
+                 {-2.2, 0},
+                 {-1.5, 1.4},
+                 {0, 2.2},
+                 {.9, 1.9},
+                 {1.55, 1.9}},
+                {{.1, -3}, {1.2, -2.5}, {1.9, -1.5}, {2.1, -.5}, {2.2, .6}}};
   CHECK(cell.entered());
   CHECK(cell.one_way(false));
   CHECK(cell.leaves() == -1);  // it ends in the sink
@@ -204,7 +200,7 @@ TEST_CASE("item 10: what fails without a condition of the cell lemma") {
   };
   std::array<std::size_t, 4> accepted{}, wrong{};
   for (std::uint64_t i = 0; i < scaled(120000); ++i) {
-    Cell cell{{{{-4, -3}, {4, -3}, {0, 5}}}, {}, 1 + static_cast<int>(random() % 2), {}, {}};
+    UnitCell cell{{{{-4, -3}, {4, -3}, {0, 5}}}, {}, 1 + static_cast<int>(random() % 2), {}, {}};
     const Vec z{number(-2, 2), number(-2, 1)};
     const double a = number(-1, 1), b = number(-2, 2), c = number(-2, 2), d = number(-1, 1);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -6,16 +6,12 @@
 #include "certify/skeleton/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
 namespace {
-
-std::string reason(const SkeletonCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  return verdict.accepted ? "" : verdict.reason;
-}
 
 /// (n x n) unit cells around the origin.
 PlaneField centred(std::uint32_t n, const std::function<std::array<double, 2>(double, double)>& v) {

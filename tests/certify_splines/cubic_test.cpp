@@ -9,22 +9,12 @@
 #include "certify/spline_cubic/evaluate.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_splines/reference_cubic.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
 
 namespace {
-
-void require_accepted(const SplineCubicCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
-std::string reason(const SplineCubicCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  CHECK_FALSE(verdict.accepted);
-  return verdict.reason;
-}
 
 struct Place {
   Int3 cube;

@@ -11,6 +11,7 @@
 #include "tests/certify_splines/reference_cubic.hpp"
 #include "tests/certify_splines/reference_isosurface.hpp"
 #include "tests/certify_splines/reference_rays.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -33,13 +34,6 @@ SplineIsosurfaceCertificate some_surface(double scale = 1) {
   return *reference_isosurface(
       sampled_volume({5, 5, 5}, 0.3 * scale,
                      [&](double x, double y, double z) { return scale * distance_like(x, y, z); }));
-}
-
-template <class Certificate>
-void require_accepted(const Certificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
 }
 
 std::vector<Bytes> all_kinds() {

@@ -8,6 +8,7 @@
 #include "certify/verify.hpp"
 #include "tests/certify_splines/reference_isosurface.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -16,17 +17,6 @@ using spline_isosurface::LeafForm;
 using spline_isosurface::LeafKind;
 
 namespace {
-
-void require_accepted(const SplineIsosurfaceCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
-std::string reason(const SplineIsosurfaceCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  CHECK_FALSE(verdict.accepted);
-  return verdict.reason;
-}
 
 std::function<double(double, double, double)> ball(double x0, double y0, double z0) {
   return [=](double x, double y, double z) {

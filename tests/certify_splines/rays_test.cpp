@@ -8,6 +8,7 @@
 #include "certify/verify.hpp"
 #include "tests/certify_splines/reference_rays.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/verdicts.hpp"
 
 using namespace crest::certify;
 using namespace crest::tests;
@@ -24,17 +25,6 @@ SplineVolume random_volume(const std::array<std::uint32_t, 3>& nodes, double lev
 }
 double square_distance(double x, double y, double z) {
   return (x - 3) * (x - 3) + (y - 3) * (y - 3) + (z - 3) * (z - 3);
-}
-
-void require_accepted(const SplineRaysCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  INFO(verdict.reason);
-  REQUIRE(verdict.accepted);
-}
-std::string reason(const SplineRaysCertificate& c) {
-  const Verdict verdict = verify(encode(c));
-  CHECK_FALSE(verdict.accepted);
-  return verdict.reason;
 }
 
 }  // namespace
