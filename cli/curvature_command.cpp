@@ -36,7 +36,8 @@ struct CurvatureOptions {
 
 void add_options(CLI::App& app, CurvatureOptions& o) {
   app.add_option("INPUT", o.common.input, fmt::format("mesh ({})", kMeshFormats))->required();
-  app.add_option("-o,--output", o.common.output, "the mesh with its curvatures (.vtp .vtu .ply)")
+  app.add_option("-o,--output", o.common.output,
+                 "the mesh with its curvatures (.vtp .pvtp .vtu .pvtu .ply)")
       ->type_name("FILE");
   std::vector<std::string> names;
   for (const curvature::Method m : curvature::kMethods) names.push_back(curvature::name_of(m));
@@ -316,7 +317,7 @@ int run(CurvatureOptions& o) {
   return run_command(
       {"curvature",
        o.common,
-       {".vtp", ".vtu", ".ply"},
+       {".vtp", ".pvtp", ".vtu", ".pvtu", ".ply"},
        {{"--focal", o.focal, {".vtp"}}, {"--focal-picture", o.focal_picture, {".svg", ".png"}}}},
       [&](Run& run) { return work(run, o, source, surface); });
 }

@@ -266,12 +266,12 @@ std::function<int()> add_extremal(CLI::App& app) {
       app, o.common,
       "a volume or an image (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr .png "
       ".pgm), or points with normals (.xyz .pwn .ply .obj .off)",
-      "the surface or the curves (.vtp .obj .ply)");
+      "the surface or the curves (.vtp .pvtp .obj .ply)");
   app.add_flag("--critical", o.critical, "keep the merely critical part, too");
   add_volume_options(app, o);
   add_point_options(app, o);
   return [options] {
-    return run_command({"extremal", options->common, {".vtp", ".obj", ".ply"}},
+    return run_command({"extremal", options->common, {".vtp", ".pvtp", ".obj", ".ply"}},
                        [&](Run& run) { return work(run, *options); });
   };
 }

@@ -6,8 +6,9 @@ namespace crest::curvature {
 struct Workers;
 }
 namespace crest::modes {
+struct FaceWorkers;
 struct Workers;
-}
+}  // namespace crest::modes
 namespace crest::ridges {
 struct Workers;
 }
@@ -18,6 +19,7 @@ struct MeshWorkers {
   const curvature::Workers* curvature = nullptr;
   const modes::Workers* modes = nullptr;
   const ridges::Workers* ridges = nullptr;
+  const modes::FaceWorkers* faces = nullptr;  ///< of degenerate curves
 };
 inline MeshWorkers& mesh_workers() {
   static MeshWorkers workers;

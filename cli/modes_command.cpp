@@ -102,7 +102,8 @@ bool certify_curves(Run& run, const modes::ModeField& field, const modes::Degene
 bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& file, bool certify,
                 io::ModeScene& scene, std::string& summary) {
   const modes::DegenerateCurves curves = run.step("curves", "degenerate curves", [&] {
-    return modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors);
+    return modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors,
+                                    mesh_workers().faces);
   });
   run.report()["degenerate_curves"] = curves_to_json(curves, file.cell_of);
   if (const std::string warning = curves_warning(curves); !warning.empty()) run.warn(warning);
@@ -115,7 +116,7 @@ bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& f
 /// The files of the surfaces and curves.
 void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
                  io::ModeScene& scene) {
-  if (run.wanted("-o") && io::lower_extension(o.common.output) == ".vtp")
+  if (run.wanted("-o") && io::lower_extension(o.common.output).ends_with("vtp"))
     run.step("geometry", "curvatures", [&] {
       for (auto& s : scene.surfaces) modes::add_geometry(field, s);
     });
@@ -198,7 +199,7 @@ std::function<int()> add_modes(CLI::App& app) {
   ModesOptions& o = *options;
   add_common_options(app, o.common,
                      "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
-                     "surfaces (.vtp .ply .obj)");
+                     "surfaces (.vtp .pvtp .ply .obj)");
   app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
       ->type_name("NAME");
   app.add_option("--order", o.tensor.order,
@@ -227,7 +228,7 @@ std::function<int()> add_modes(CLI::App& app) {
       ->check(finite_number(0))
       ->type_name("M");
   return [options] {
-    return run_command({"modes", options->common, {".vtp", ".ply", ".obj"}},
+    return run_command({"modes", options->common, {".vtp", ".pvtp", ".ply", ".obj"}},
                        [&](Run& run) { return work(run, *options); });
   };
 }

@@ -52,19 +52,28 @@ kernel::GridPiece piece_of(const PieceJob& job, std::size_t piece) {
                 [&] { return extremal::piece_of(job.frame, job.options, job.owned[piece]); });
 }
 
-/// What a finished piece depends on, in a line.
-std::string key_of(const PieceJob& job, std::size_t piece) {
+certify::Digest digest_of(const Volume& part) {
+  return std::visit(
+      [](const auto& samples) {
+        return certify::sha256({{reinterpret_cast<const std::uint8_t*>(samples.data()),
+                                 samples.size() * sizeof(samples[0])}});
+      },
+      part.samples);
+}
+
+/// What a finished piece depends on, in a line. The samples themselves: they may stand in a file
+/// beside the one that is named, and times are kept by copies.
+std::string key_of(const PieceJob& job, const kernel::GridPiece& piece, const Volume& part) {
   const extremal::Options& o = job.options;
-  const auto time = std::filesystem::last_write_time(job.input).time_since_epoch().count();
   std::string r =
-      fmt::format("crest {} {} {} {} {} {}", CREST_VERSION, job.input,
-                  std::filesystem::file_size(job.input), time, job.source.field, job.source.raw);
+      fmt::format("crest {} records 2 {} {} {}", CREST_VERSION, fmt::join(piece.size, ","),
+                  fmt::join(job.frame.spacing, ","), certify::hex(digest_of(part)));
   r += fmt::format(" {} {} {} {} {} {} {} {} {} {}", int(o.definition), int(o.side), o.sigma,
                    o.tensor_sigma.value_or(o.sigma), o.min_value.has_value(),
                    o.min_value.value_or(0), o.min_strength, o.refine, job.meshes.extremal,
                    job.meshes.critical);
-  const GridBox& box = job.owned[piece];
-  return r + fmt::format(" {} {}\n", fmt::join(box.low, ","), fmt::join(box.high, ","));
+  return r +
+         fmt::format(" {} {}\n", fmt::join(piece.owned.low, ","), fmt::join(piece.owned.high, ","));
 }
 
 std::string file_of(const PieceJob& job, std::size_t piece) {
@@ -74,13 +83,11 @@ std::string file_of(const PieceJob& job, std::size_t piece) {
       .string();
 }
 
-std::optional<Records> finished_piece(const PieceJob& job, std::size_t piece) {
-  const std::string path = file_of(job, piece);
+std::optional<Records> finished_piece(const std::string& path, const std::string& key) {
   if (!std::filesystem::exists(path)) return {};
-  const io::FileBytes file = io::load(path);
-  const std::string_view bytes = file;
-  const std::string key = key_of(job, piece);
   try {
+    const io::FileBytes file = io::load(path);
+    const std::string_view bytes = file;
     if (bytes.starts_with(key)) {
       const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
       const std::span<const std::uint8_t> rest(from + key.size(), bytes.size() - key.size());
@@ -90,14 +97,13 @@ std::optional<Records> finished_piece(const PieceJob& job, std::size_t piece) {
         throw std::runtime_error("another digest");
       return extremal::records_from(records);
     }
-  } catch (const std::runtime_error&) {
+  } catch (const std::runtime_error&) {  // or an empty file, which cannot be loaded
     throw kernel::InputError(path + ": piece: is damaged; delete it");
   }
   throw kernel::InputError(path + ": piece: is of another run; choose another folder");
 }
 
-void keep_piece(const PieceJob& job, std::size_t piece, const Records& records) {
-  const std::string key = key_of(job, piece);
+void keep_piece(const std::string& path, const std::string& key, const Records& records) {
   const auto bytes = extremal::to_bytes(records);
   std::string file = key;
   const auto append = [&](std::span<const std::uint8_t> more) {
@@ -105,7 +111,9 @@ void keep_piece(const PieceJob& job, std::size_t piece, const Records& records) 
   };
   append(certify::sha256({bytes}));
   append(bytes);
-  io::write_atomically(file_of(job, piece), file);
+  io::PendingFiles at_once;  // the run's own files appear at its end, if it comes to that
+  io::write_atomically(path, file);
+  at_once.commit();
 }
 
 PieceEngine this_process() {
@@ -152,13 +160,17 @@ extremal::VolumeFrame frame_of(const kernel::SampledGrid& grid) {
 }
 
 Records piece_records(const PieceJob& job, const io::VolumeBoxes& boxes, std::size_t piece) {
-  if (!job.restart.empty())
-    if (auto found = finished_piece(job, piece)) return std::move(*found);
   const auto p = piece_of(job, piece);
   const Volume part = volume_in(boxes, p.all);
-  Records r =
-      naming(job.input, [&] { return extremal::records_of(part, p, job.options, job.meshes); });
-  if (!job.restart.empty()) keep_piece(job, piece, r);
+  const auto work = [&] {
+    return naming(job.input,
+                  [&] { return extremal::records_of(part, p, job.options, job.meshes); });
+  };
+  if (job.restart.empty()) return work();
+  const std::string path = file_of(job, piece), key = key_of(job, p, part);
+  if (auto found = finished_piece(path, key)) return std::move(*found);
+  Records r = work();
+  keep_piece(path, key, r);
   return r;
 }
 

@@ -273,7 +273,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
 int run_ridges(RidgesOptions& o) {
   set_scale(o);
   o.filter.min_level = o.salient ? 2 : o.significant ? 1 : 0;
-  return run_command({"ridges", o.common, {".vtp", ".obj", ".ply"}},
+  return run_command({"ridges", o.common, {".vtp", ".pvtp", ".obj", ".ply"}},
                      [&](Run& run) { return work(run, o); });
 }
 
@@ -281,7 +281,7 @@ std::function<int()> add_ridges(CLI::App& app) {
   auto options = std::make_shared<RidgesOptions>();
   add_common_options(app, options->common,
                      fmt::format("mesh ({}), unless --surface or --param is given", kMeshFormats),
-                     "ridges and umbilics as polylines (.vtp .obj .ply)");
+                     "ridges and umbilics as polylines (.vtp .pvtp .obj .ply)");
   app.get_option("INPUT")->required(false);
   add_ridges_options(app, *options);
   add_clean_options(app, options->common.clean, true);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crest-mpi: `mpirun -np N crest-mpi COMMAND ...` is `crest COMMAND ...`, with the same bytes.
 #include <signal.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 
 // DIY's headers forget the first two.
@@ -43,6 +46,31 @@ bool is_smooth(int argc, char** argv) {
   });
 }
 
+/// Of the command line, whose other words concern rank 0 alone, which also says if they are wrong.
+std::size_t threads_in(int argc, char** argv) {
+  constexpr std::string_view name = "--threads";
+  std::size_t threads = 0;
+  for (int i = 1; i < argc; ++i) {
+    std::string_view word = argv[i];
+    if (!word.starts_with(name)) continue;
+    word.remove_prefix(name.size());
+    if (word.starts_with('='))
+      word.remove_prefix(1);
+    else if (word.empty() && i + 1 < argc)
+      word = argv[i + 1];
+    std::from_chars(word.data(), word.data() + word.size(), threads);
+  }
+  return threads;
+}
+
+void serve(std::size_t threads) {
+  std::optional<tbb::global_control> limit;
+  if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  auto skills = crest::distributed::volume_skills();
+  skills.merge(crest::distributed::mesh_skills());
+  crest::distributed::serve(skills);
+}
+
 int run(int argc, char** argv) {
   const std::string_view command = argc < 2 ? "" : argv[1];
   if (command != "curvature" && command != "extremal" && command != "modes" && command != "ridges")
@@ -72,9 +100,7 @@ int main(int argc, char** argv) {
       std::printf("processes: %d, which sent one another %zu bytes\n", world.size(),
                   crest::distributed::bytes_exchanged());
   } else {
-    auto skills = crest::distributed::volume_skills();
-    skills.merge(crest::distributed::mesh_skills());
-    crest::distributed::serve(skills);
+    serve(threads_in(argc, argv));
   }
   diy::mpi::broadcast(world, code, 0);
   return code;

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DIY's headers forget the first two.
-// clang-format off
-#include <stdexcept>
-#include <string>
-#include <vtk_diy2.h>
-#include VTK_DIY2(diy/serialization.hpp)
-// clang-format on
-
 #include "algorithms/curvature/pieces.hpp"
 #include "algorithms/modes/pieces.hpp"
 #include "algorithms/ridges/pieces.hpp"
 #include "cli/mesh_workers.hpp"
+#include "distributed/messages.hpp"
 #include "distributed/systems.hpp"
 
 namespace crest::distributed {
-namespace {
 
 // What a message consists of, in one place for both ways.
 template <class Use>
@@ -93,49 +85,13 @@ void for_members(modes::TetRecords& records, const Use& use) {
   use(records.tests);
 }
 
-template <class Message>
-Bytes bytes_of(Message message) {
-  diy::MemoryBuffer buffer;
-  for_members(message, [&](const auto& member) { diy::save(buffer, member); });
-  return std::move(buffer.buffer);
-}
-
-template <class Message>
-Message message_in(Bytes bytes) {
-  Message r;
-  diy::MemoryBuffer buffer;
-  buffer.buffer = std::move(bytes);
-  for_members(r, [&](auto& member) { diy::load(buffer, member); });
-  return r;
-}
-
-template <class Job>
-void work(std::size_t, Bytes own, Bytes& answer) {
-  answer = bytes_of(work_on(message_in<Job>(std::move(own))));
-}
-
-template <class Job>
-Skill skill() {
-  return {[](const Bytes&) {}, work<Job>};
-}
-
-template <class Job, class Answer>
-auto by_ranks(Task task) {
-  return [task](std::size_t jobs, const std::function<Job(std::size_t)>& job) {
-    std::vector<Answer> r(jobs);
-    ask({task, {}, jobs, [&](std::size_t i) { return bytes_of(job(i)); }, work<Job>},
-        [&](std::size_t i, Bytes bytes) { r[i] = message_in<Answer>(std::move(bytes)); });
-    return r;
-  };
-}
-
-}  // namespace
-
 std::map<Task, Skill> mesh_skills() {
-  return {{Task::curvatures, skill<curvature::Job>()},
-          {Task::ridge_fits, skill<ridges::FitJob>()},
-          {Task::ridge_decisions, skill<ridges::DecisionJob>()},
-          {Task::tet_tests, skill<modes::TetJob>()}};
+  std::map<Task, Skill> r = face_skills();
+  r.merge(std::map<Task, Skill>{{Task::curvatures, skill<curvature::Job>()},
+                                {Task::ridge_fits, skill<ridges::FitJob>()},
+                                {Task::ridge_decisions, skill<ridges::DecisionJob>()},
+                                {Task::tet_tests, skill<modes::TetJob>()}});
+  return r;
 }
 
 void use_ranks_for_meshes() {
@@ -147,7 +103,7 @@ void use_ranks_for_meshes() {
   static const ridges::Workers of_ridges = {
       pieces, by_ranks<ridges::FitJob, ridges::FitRecords>(Task::ridge_fits),
       by_ranks<ridges::DecisionJob, ridges::Decisions>(Task::ridge_decisions)};
-  cli::mesh_workers() = {&of_curvature, &of_modes, &of_ridges};
+  cli::mesh_workers() = {&of_curvature, &of_modes, &of_ridges, &workers_on_faces()};
 }
 
 }  // namespace crest::distributed

@@ -19,7 +19,8 @@ enum class Task : int {
   curvatures,
   ridge_fits,
   ridge_decisions,
-  tet_tests
+  tet_tests,
+  face_tests
 };
 
 /// Work on a piece: its own message in, the answer out.

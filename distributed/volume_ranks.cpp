@@ -21,25 +21,16 @@ using extremal::AtPlace;
 using extremal::Records;
 using kernel::Vec3;
 
-void save(diy::BinaryBuffer& to, const PieceJob& job) {
-  diy::save(to, job.input);
-  diy::save(to, job.source.field);
-  diy::save(to, job.source.raw);
-  diy::save(to, job.frame);
-  diy::save(to, job.options);
-  diy::save(to, job.meshes);
-  diy::save(to, job.owned);
-  diy::save(to, job.restart);
-}
-void load(diy::BinaryBuffer& from, PieceJob& job) {
-  diy::load(from, job.input);
-  diy::load(from, job.source.field);
-  diy::load(from, job.source.raw);
-  diy::load(from, job.frame);
-  diy::load(from, job.options);
-  diy::load(from, job.meshes);
-  diy::load(from, job.owned);
-  diy::load(from, job.restart);
+template <class Job, class Use>
+void for_members(Job& job, const Use& use) {
+  use(job.input);
+  use(job.source.field);
+  use(job.source.raw);
+  use(job.frame);
+  use(job.options);
+  use(job.meshes);
+  use(job.owned);
+  use(job.restart);
 }
 
 template <class T>
@@ -68,7 +59,7 @@ void values_to(const PieceJob& job, const io::VolumeBoxes& boxes, std::size_t pi
 
 Records all_records(const PieceJob& job, const io::VolumeBoxes& boxes) {
   diy::MemoryBuffer common;
-  save(common, job);
+  for_members(job, [&](const auto& member) { diy::save(common, member); });
   std::vector<Records> all(job.owned.size());
   ask({Task::volume_records, std::move(common.buffer), job.owned.size(),
        [](std::size_t) { return Bytes(); },
@@ -115,7 +106,7 @@ std::map<Task, Skill> volume_skills() {
   const auto start = [state](const Bytes& common) {
     diy::MemoryBuffer buffer;
     buffer.buffer = common;
-    load(buffer, state->job);
+    for_members(state->job, [&](auto& member) { diy::load(buffer, member); });
     state->boxes = std::make_unique<io::VolumeBoxes>(state->job.input, state->job.source);
   };
   const auto records = [state](std::size_t piece, const Bytes&, Bytes& to) {

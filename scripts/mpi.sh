@@ -60,6 +60,28 @@ for count in 1 2 4; do
   same "modes, $count processes"
 done
 
+"$crest" modes solid.vtu --degenerate -o one.vtp --certificate one.crest --quiet || [ $? = 1 ]
+for count in 1 2 4; do
+  ranks $count modes solid.vtu --degenerate -o many.vtp --certificate many.crest || [ $? = 1 ]
+  same "degenerate curves, $count processes"
+done
+
+# Messages of several parts (1 MiB), and more processes than vertices or nodes along an axis.
+"$crest" sample ellipsoid --vertices 100000 --noise 0.05 -o large.off --quiet
+"$crest" curvature large.off -o one.vtp --quiet
+ranks 2 curvature large.off -o many.vtp
+cmp one.vtp many.vtp || fail "large messages: other bytes"
+echo "curvature of 100 000 vertices, 2 processes: the same bytes"
+rm many.vtp
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2\n' >triangle.off
+"$crest" ridges triangle.off -o one.vtp --certificate one.crest --quiet
+ranks 8 ridges triangle.off -o many.vtp --certificate many.crest
+same "a triangle, 8 processes"
+"$crest" sample sphere-shell --nodes 4 -o tiny.nrrd --quiet
+"$crest" extremal tiny.nrrd --ridge -o one.vtp --certificate one.crest --quiet
+ranks 8 extremal tiny.nrrd --ridge -o many.vtp --certificate many.crest
+same "4 x 4 x 4 nodes, 8 processes"
+
 # Damaged input: the line of crest, exit code 3, nothing written.
 damaged() {  # WHAT COMMAND FILE ARGUMENTS
   what=$1
@@ -73,6 +95,11 @@ head -c -100 sheet.nrrd >short.nrrd
 damaged "a truncated volume" extremal short.nrrd --ridge
 sed '1000s/.*/1 nan 2/' mesh.off >nan.off
 damaged "a mesh with a bad coordinate" ridges nan.off
+head -c -4 sheet.nrrd >bad.nrrd
+printf '\377\377\377\377' >>bad.nrrd
+mkdir kept
+damaged "a voxel that is no number, the last of 27 blocks" extremal bad.nrrd --ridge --blocks 27 --restart kept
+[ "$(ls kept | wc -l)" -gt 0 ] || fail "no finished block was kept"
 head -c 5000 solid.vtu >short.vtu
 damaged "a truncated solid" modes short.vtu --neutral
 code=0
@@ -81,7 +108,6 @@ ranks 2 ridges --surface 'x^2+y^2+z^2-1' --box '-2,2' -o bad.vtp 2>words || code
 echo "a smooth surface: $(cat words)"
 
 # Of a mesh: a process is killed while it works; nothing is left.
-"$crest" sample ellipsoid --vertices 100000 --noise 0.05 -o large.off --quiet
 ranks 2 ridges large.off --scale auto -o many.vtp --certificate many.crest 2>words & run=$!
 until victim=$(pgrep -n -f "^$mpi ridges large.off"); do sleep 0.1; done
 sleep 2

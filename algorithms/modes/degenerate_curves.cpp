@@ -8,7 +8,7 @@
 
 #include "algorithms/modes/degenerate_arcs.hpp"
 #include "algorithms/modes/degenerate_exact.hpp"
-#include "algorithms/modes/degenerate_face.hpp"
+#include "algorithms/modes/degenerate_faces.hpp"
 #include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
@@ -26,13 +26,6 @@ void in_parallel(std::size_t n, const F& f) {
   kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
   });
-}
-
-/// The face opposite corner k, ascending.
-FaceCorners face_of(const TetCorners& tet, std::size_t k) {
-  FaceCorners f{tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
-  std::sort(f.begin(), f.end());
-  return f;
 }
 
 using Interior = std::vector<std::array<double, 4>>;
@@ -114,7 +107,7 @@ class Tracer {
 };
 
 /// Faces of excluded tets have no points.
-void drop_excluded(std::span<const TetCorners> tets, const std::vector<char>& excluded,
+void drop_excluded(std::span<const TetCorners> tets, const std::vector<std::uint8_t>& excluded,
                    const std::vector<FaceCorners>& faces, std::vector<FaceRoots>& roots) {
   for (std::size_t t = 0; t < tets.size(); ++t) {
     if (!excluded[t]) continue;
@@ -125,20 +118,6 @@ void drop_excluded(std::span<const TetCorners> tets, const std::vector<char>& ex
         roots[static_cast<std::size_t>(at - faces.begin())] = {{}, 0, FaceStage::cone, {}};
     }
   }
-}
-
-/// 1: a cone excludes degenerate tensors.
-std::vector<char> tets_without_degenerate(std::span<const TetCorners> tets,
-                                          std::span<const Tensor> tensors) {
-  std::vector<Direction> u(tensors.size());
-  in_parallel(u.size(), [&](std::size_t i) { u[i] = direction(tensors[i]); });
-  std::vector<char> excluded(tets.size());
-  in_parallel(tets.size(), [&](std::size_t t) {
-    const TetCorners& c = tets[t];
-    const std::array<Direction, 4> corners{u[c[0]], u[c[1]], u[c[2]], u[c[3]]};
-    excluded[t] = cone_excludes(corners);
-  });
-  return excluded;
 }
 
 /// The edges of these faces that are degenerate all along, ascending.
@@ -159,19 +138,20 @@ std::vector<std::array<std::uint32_t, 2>> degenerate_edges(const std::vector<Spe
 class Extraction {
  public:
   Extraction(std::span<const Vec3> points, std::span<const TetCorners> tets,
-             std::span<const Tensor> tensors)
-      : points_(points),
-        tets_(tets),
-        tensors_(tensors),
-        excluded_(tets_without_degenerate(tets, tensors)) {
+             std::span<const Tensor> tensors, const FaceWorkers* workers)
+      : points_(points), tets_(tets), tensors_(tensors) {
+    FaceTests tests = test_faces(points, tets, tensors, workers);
+    excluded_ = std::move(tests.excluded);
+    faces_ = std::move(tests.faces);
+    roots_ = std::move(tests.roots);
     for (std::uint32_t t = 0; t < tets_.size(); ++t)
       if (!excluded_[t]) active_.push_back(t);
     result_.counts.rejected_tets = tets_.size() - active_.size();
   }
 
   DegenerateCurves run() {
-    find_faces();
-    solve_faces();
+    number_faces();
+    take_roots();
     result_.degenerate_edges = degenerate_edges(result_.special_faces, tensors_);
     join_in_tets();
     Tracer(points_, tets_, result_, interiors_, at_special_).trace();
@@ -179,27 +159,18 @@ class Extraction {
   }
 
  private:
-  void find_faces() {
-    std::vector<FaceCorners> all(4 * active_.size());
-    in_parallel(active_.size(), [&](std::size_t i) {
-      for (std::size_t k = 0; k < 4; ++k) all[4 * i + k] = face_of(tets_[active_[i]], k);
-    });
-    faces_ = all;
-    std::sort(faces_.begin(), faces_.end());
-    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+  void number_faces() {
     faces_of_tet_.resize(active_.size());
-    in_parallel(all.size(), [&](std::size_t i) {
-      const auto place = std::lower_bound(faces_.begin(), faces_.end(), all[i]);
-      faces_of_tet_[i / 4][i % 4] = static_cast<std::uint32_t>(place - faces_.begin());
+    in_parallel(active_.size(), [&](std::size_t i) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const FaceCorners face = face_of(tets_[active_[i]], k);
+        const auto place = std::lower_bound(faces_.begin(), faces_.end(), face);
+        faces_of_tet_[i][k] = static_cast<std::uint32_t>(place - faces_.begin());
+      }
     });
   }
 
-  void solve_faces() {
-    roots_.resize(faces_.size());
-    in_parallel(faces_.size(), [&](std::size_t i) {
-      const FaceCorners& f = faces_[i];
-      roots_[i] = face_roots({&tensors_[f[0]], &tensors_[f[1]], &tensors_[f[2]]});
-    });
+  void take_roots() {
     drop_excluded_faces();
     first_point_.resize(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -282,7 +253,7 @@ class Extraction {
   std::span<const TetCorners> tets_;
   std::span<const Tensor> tensors_;
   DegenerateCurves result_;
-  std::vector<char> excluded_;
+  std::vector<std::uint8_t> excluded_;
   std::vector<std::uint32_t> active_;
   std::vector<FaceCorners> faces_;
   std::vector<std::array<std::uint32_t, 4>> faces_of_tet_;
@@ -295,8 +266,8 @@ class Extraction {
 }  // namespace
 
 DegenerateCurves degenerate_curves(std::span<const Vec3> points, std::span<const TetCorners> tets,
-                                   std::span<const Tensor> tensors) {
-  return Extraction(points, tets, tensors).run();
+                                   std::span<const Tensor> tensors, const FaceWorkers* workers) {
+  return Extraction(points, tets, tensors, workers).run();
 }
 
 }  // namespace crest::modes

@@ -10,7 +10,10 @@
 
 namespace crest::modes {
 
+struct FaceWorkers;
+
 /// All degenerate curves. Positions place the polylines and decide nothing.
+/// workers: whose processes test tetrahedra and faces (degenerate_faces.hpp); null: this one.
 /// Requires: finite tensors and points; corners of a tet distinct; a face in two tets at most.
 /// Guarantees: where no special face or tet, nor an undecided one, is named, the degenerate points
 /// are
@@ -20,6 +23,7 @@ namespace crest::modes {
 /// decide.
 DegenerateCurves degenerate_curves(std::span<const kernel::Vec3> points,
                                    std::span<const TetCorners> tets,
-                                   std::span<const Tensor> tensors);
+                                   std::span<const Tensor> tensors,
+                                   const FaceWorkers* workers = nullptr);
 
 }  // namespace crest::modes

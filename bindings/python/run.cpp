@@ -43,6 +43,21 @@ void count_worker(int change) {
   workers().fewer.notify_all();
 }
 
+/// A thread at work, counted as long as it is. Throws: std::system_error where there is none.
+template <class Work>
+std::thread worker(Work work) {
+  count_worker(1);
+  try {
+    return std::thread([work = std::move(work)] {
+      work();
+      count_worker(-1);
+    });
+  } catch (...) {
+    count_worker(-1);
+    throw;
+  }
+}
+
 Output work(System system, const Arguments& arguments, int threads, Job& job) {
   // Other libraries of the process may have set flush-to-zero or a rounding mode.
   std::fesetenv(FE_DFL_ENV);
@@ -69,8 +84,7 @@ bool Progress::stopped() const {
 
 Output run(System system, Arguments arguments, int threads, const Listener& listen) {
   const auto job = std::make_shared<Job>();
-  count_worker(1);
-  std::thread thread([job, system, threads, arguments = std::move(arguments)] {
+  std::thread thread = worker([job, system, threads, arguments = std::move(arguments)] {
     try {
       job->output = work(system, arguments, threads, *job);
     } catch (...) {
@@ -81,7 +95,6 @@ Output run(System system, Arguments arguments, int threads, const Listener& list
       job->done = true;
       job->changed.notify_all();
     }
-    count_worker(-1);
   });
   try {
     for (bool done = false; !done;) {

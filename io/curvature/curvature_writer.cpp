@@ -22,6 +22,7 @@
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
+#include "io/write/vtk_pieces.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -213,17 +214,20 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
   const std::string extension = lower_extension(path);
   if (extension == ".vtp") {
     write_vtp(path, *curvature_poly_data(mesh, result, corners));
-  } else if (extension == ".vtu") {
+  } else if (extension == ".pvtp") {
+    write_pvtp(path, *curvature_poly_data(mesh, result, corners));
+  } else if (extension == ".vtu" || extension == ".pvtu") {
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(vtk_points(mesh.points()));
     grid->SetCells(VTK_TRIANGLE, vtk_triangles(mesh.faces()));
     add_point_data(*grid->GetPointData(), result);
     add_cell_data(*grid->GetCellData(), corners);
-    write_vtu(path, *grid);
+    extension == ".vtu" ? write_vtu(path, *grid) : write_pvtu(path, *grid);
   } else if (extension == ".ply") {
     write_ply(path, mesh, result);
   } else {
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .vtu .ply");
+    throw kernel::InputError(path +
+                             ": file: has an unknown extension; write .vtp .pvtp .vtu .pvtu .ply");
   }
 }
 

@@ -14,7 +14,8 @@ class vtkPolyData;
 
 namespace crest::io {
 
-/// Writes .vtp, .vtu or .ply, by the extension in any case.
+/// Writes .vtp, .vtu, these in pieces (io/write/vtk_pieces.hpp) or .ply, by the extension in any
+/// case.
 ///   points: k1, k2, K, H, asymmetry, d1, d2, Normals.
 ///   cells, if corners is not empty (.vtp and .vtu): corner_k1, corner_k2, corner_K, corner_H,
 ///     corner_asymmetry with 3 components, one a corner of the face, corner_d1 and corner_d2

@@ -10,6 +10,7 @@
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
+#include "io/write/vtk_pieces.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -89,9 +90,11 @@ vtkSmartPointer<vtkPolyData> extremal_poly_data(const Result& r, const std::stri
 void write_extremal(const std::string& path, const Result& result, const std::string& data_digest) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp") return write_vtp(path, *extremal_poly_data(result, data_digest));
+  if (extension == ".pvtp") return write_pvtp(path, *extremal_poly_data(result, data_digest));
   if (extension == ".obj") return write_atomically(path, obj(result));
   if (extension == ".ply") return write_atomically(path, ply(result));
-  throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .obj or .ply");
+  throw kernel::InputError(path +
+                           ": file: has an unknown extension; write .vtp, .pvtp, .obj or .ply");
 }
 
 }  // namespace crest::io

@@ -13,6 +13,7 @@
 #include "io/write/formats.hpp"
 #include "io/write/mesh_writer.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/vtk_pieces.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -204,8 +205,10 @@ SceneSurface mode_surface(const ModeScene& scene, const modes::ModeSurface& s) {
 void write_modes(const std::string& path, const ModeScene& scene) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp") return write_vtp(path, *mode_poly_data(scene));
+  if (extension == ".pvtp") return write_pvtp(path, *mode_poly_data(scene));
   if (extension != ".ply" && extension != ".obj")
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp, .ply or .obj");
+    throw kernel::InputError(path +
+                             ": file: has an unknown extension; write .vtp, .pvtp, .ply or .obj");
   const Joined all(scene);
   write_mesh(path, all.points, all.triangles);
 }

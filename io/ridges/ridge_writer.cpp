@@ -11,6 +11,7 @@
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
+#include "io/write/vtk_pieces.hpp"
 #include "kernel/geometry/input_error.hpp"
 
 namespace crest::io {
@@ -205,12 +206,14 @@ void write_ridges(const std::string& path, const kernel::TriangleMesh& mesh,
   const Table table = table_of(mesh, fit, graph);
   if (extension == ".vtp")
     write_vtp(path, *data_of(table, graph, data_digest_hex, fit));
+  else if (extension == ".pvtp")
+    write_pvtp(path, *data_of(table, graph, data_digest_hex, fit));
   else if (extension == ".obj")
     write_atomically(path, obj_of(table, graph, data_digest_hex));
   else if (extension == ".ply")
     write_atomically(path, ply_of(table, data_digest_hex));
   else
-    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .obj .ply");
+    throw kernel::InputError(path + ": file: has an unknown extension; write .vtp .pvtp .obj .ply");
 }
 
 }  // namespace crest::io

@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace crest::io {
 
-/// Writes .vtp, .obj or .ply, by the extension in any case.
+/// Writes .vtp, .pvtp (io/write/vtk_pieces.hpp), .obj or .ply, by the extension in any case.
 ///
 /// .vtp (ParaView opens it without a filter): one vertex cell an umbilic, then one polyline a
 /// ridge: lead-in, crossings, lead-out; a loop ends with the point it starts with. Every array is

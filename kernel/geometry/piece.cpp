@@ -3,13 +3,17 @@
 
 namespace crest::kernel {
 
-GridSize parts_of(const GridSize& size, Index count) {
-  GridSize best{1, 1, 1};
+namespace {
+
+/// `count` boxes with the least surface; none (0, 0, 0) if no such numbers of parts fit.
+GridSize best_parts(const GridSize& size, Index count) {
+  GridSize best{};
   double least = 0;
-  for (Index x = 1; x <= count; ++x)
-    for (Index y = 1; x * y <= count; ++y) {
-      const Index z = count / (x * y);
-      if (x * y * z != count || x > size[0] || y > size[1] || z > size[2]) continue;
+  for (Index x = 1; x <= std::min(count, size[0]); ++x) {
+    if (count % x != 0) continue;
+    for (Index y = 1; y <= std::min(count / x, size[1]); ++y) {
+      const Index z = count / x / y;
+      if (count / x % y != 0 || z > size[2]) continue;
       const double a = double(size[0]) / x, b = double(size[1]) / y, c = double(size[2]) / z;
       // Ties: fewer cuts along x, along which samples lie next to each other in files.
       const double surface = a * b + b * c + c * a;
@@ -18,7 +22,18 @@ GridSize parts_of(const GridSize& size, Index count) {
         best = {x, y, z};
       }
     }
-  return least > 0 || count <= 1 ? best : parts_of(size, count - 1);
+  }
+  return best;
+}
+
+}  // namespace
+
+GridSize parts_of(const GridSize& size, Index count) {
+  const std::uint64_t nodes = GridBox{{}, size}.nodes();
+  count = static_cast<Index>(std::min<std::uint64_t>(count, nodes));
+  for (; count > 1; --count)
+    if (const GridSize r = best_parts(size, count); r[0] > 0) return r;
+  return {1, 1, 1};
 }
 
 std::vector<GridBox> cut_grid(const GridSize& size, const GridSize& parts) {

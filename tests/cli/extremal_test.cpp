@@ -268,13 +268,60 @@ TEST_CASE("crest extremal: blocks and restarts give the same bytes, damaged piec
 
   const auto piece = std::filesystem::directory_iterator(folder / "pieces")->path();
   const std::string good = read_text(piece);
+  std::vector<std::string> damaged = {"", good.substr(0, good.find('\n') + 20)};
   for (const std::size_t at : {good.find('\n') + 1, good.size() / 2, good.size() - 1}) {
-    std::string damaged = good;
-    damaged[at] = static_cast<char>(damaged[at] ^ 1);
-    write_text(piece, damaged);
+    damaged.push_back(good);
+    damaged.back()[at] = static_cast<char>(good[at] ^ 1);
+  }
+  for (const std::string& bytes : damaged) {
+    write_text(piece, bytes);
     const auto run = run_crest("crest extremal " + blocks + "damaged.crest", folder.path());
     CHECK(run.exit_code == 3);
     CHECK(run.err.find("is damaged; delete it") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(folder / "damaged.crest"));
   }
+}
+
+TEST_CASE(
+    "crest extremal: blocks finished before a failure are kept, those of other samples refused") {
+  const TemporaryFolder folder;
+  sample("sphere-shell --nodes 48 -o s.nrrd", folder);
+  extremal("s.nrrd --ridge --min-value 0.4 --quiet --certificate whole.crest", folder);
+  const std::string good = read_text(folder / "s.nrrd");
+  const std::size_t header = good.find("\n\n") + 1;
+  write_text(folder / "t.nhdr", good.substr(0, header) + "data file: t.raw\n");
+  const std::string samples = good.substr(header + 1);
+  const auto write_samples = [&](std::string bytes) { write_text(folder / "t.raw", bytes); };
+  const auto run_blocks = [&] {
+    return run_crest(
+        "crest extremal t.nhdr --ridge --min-value 0.4 --quiet --blocks 8 --restart pieces "
+        "--certificate blocks.crest",
+        folder.path());
+  };
+  const auto kept = [&] {
+    return std::distance(std::filesystem::directory_iterator(folder / "pieces"), {});
+  };
+  std::filesystem::create_directory(folder / "pieces");
+  std::string bad = samples;
+  bad.replace(bad.size() - 8, 8, 8, '\xff');  // no number
+  write_text(folder / "u.nrrd", good.substr(0, header + 1) + bad);
+  const auto failed = run_crest(
+      "crest extremal u.nrrd --ridge --min-value 0.4 --quiet --blocks 8 --restart pieces -o u.vtp",
+      folder.path());
+  INFO(failed.err);
+  CHECK(failed.exit_code == 3);
+  CHECK(is_one_line(failed.err));
+  CHECK(kept() == 7);  // all but the last
+  CHECK_FALSE(std::filesystem::exists(folder / "u.vtp"));
+
+  write_samples(samples);
+  CHECK(run_blocks().exit_code == 0);
+  CHECK(read_text(folder / "blocks.crest") == read_text(folder / "whole.crest"));
+  CHECK(kept() == 8);
+  std::string other = samples;
+  other[other.size() - 2] = static_cast<char>(other[other.size() - 2] ^ 1);
+  write_samples(other);  // the header's file is what it was
+  const auto refused = run_blocks();
+  CHECK(refused.exit_code == 3);
+  CHECK(refused.err.find("is of another run") != std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "algorithms/sampling/mesh_surface.hpp"
+#include "tests/support/ragged_mesh.hpp"
 
 using namespace crest;
 using namespace crest::curvature;
@@ -76,4 +77,24 @@ TEST_CASE("curvature pieces: a jet whose rings reach the rim is asked for again"
   CHECK(left.front() > 0);
   CHECK(left.back() == 0);
   CHECK(same_bits(numbers_of(joined), numbers_of(estimate(mesh, o))));
+}
+
+TEST_CASE("curvature pieces: a vertex each, of ragged parts without inner vertices") {
+  tests::Random random(43);
+  for (const Index n : {1U, 4U, 10U}) {
+    const TriangleMesh mesh = tests::ragged_mesh(n, random);
+    for (const Method method : kMethods) {
+      Options o;
+      o.method = method;
+      o.rings = 2;
+      if (method == Method::np) o.normals = area_weighted_normals(mesh);
+      INFO(mesh.vertex_count() << " vertices, " << name_of(method));
+      const Workers workers = workers_here(2 * mesh.vertex_count());
+      const Result whole = estimate(mesh, o), joined = estimate(mesh, o, &workers);
+      CHECK(same_bits(numbers_of(joined), numbers_of(whole)));
+      CHECK(joined.lowered == whole.lowered);
+      CHECK(joined.complex == whole.complex);
+      CHECK(joined.undetermined == whole.undetermined);
+    }
+  }
 }

@@ -168,3 +168,42 @@ TEST_CASE("extremal pieces: curves of images, too") {
     check_same(whole, of_pieces(image, {},
                                 kernel::cut_grid(image.size, kernel::parts_of(image.size, count))));
 }
+
+TEST_CASE("extremal pieces: slabs of a node, few nodes along an axis, spacings that differ") {
+  tests::Random random(20261201);
+  for (unsigned trial = 0; trial < 12 * tests::multiplier(); ++trial) {
+    Volume volume;
+    for (std::size_t k = 0; k < 3; ++k) {
+      volume.size[k] = static_cast<kernel::Index>(4 + random() % 10);
+      volume.spacing[k] = 0.5 * static_cast<double>(1 + random() % 3);
+    }
+    volume.size[random() % 3] += 20;  // more than both halos
+    std::vector<float> samples(volume.size[0] * volume.size[1] * volume.size[2]);
+    for (float& x : samples) x = static_cast<float>(random() % 256);
+    volume.samples = std::move(samples);
+    Options options;
+    options.definition =
+        trial % 2 == 0 ? extremal::Definition::structure : extremal::Definition::hessian;
+    options.sigma = std::array{0.0, 0.7, 1.5}[random() % 3];
+    options.refine = static_cast<int>(random() % 3 == 0 ? random() % 3 : 0);
+    options.critical = random() % 2 == 0;
+    if (random() % 2 == 0) options.min_value = 100;
+    INFO("trial " << trial << ", " << volume.size[0] << " x " << volume.size[1] << " x "
+                  << volume.size[2] << ", sigma " << options.sigma << ", refined "
+                  << options.refine);
+    const Outcome whole = of_whole(volume, options);
+    check_same(whole, of_pieces(volume, options, random_boxes(volume.size, 6, random)));
+    const std::size_t longest = static_cast<std::size_t>(
+        std::max_element(volume.size.begin(), volume.size.end()) - volume.size.begin());
+    kernel::GridSize parts{1, 1, 1};
+    parts[longest] = volume.size[longest];  // a node each
+    check_same(whole, of_pieces(volume, options, kernel::cut_grid(volume.size, parts)));
+  }
+}
+
+TEST_CASE("extremal pieces: far more parts asked for than there are nodes") {
+  CHECK(kernel::parts_of({3, 4, 5}, 1 << 20) == kernel::GridSize{3, 4, 5});
+  const auto [x, y, z] = kernel::parts_of({24, 24, 24}, 13823);
+  CHECK(x * y * z == 23 * 24 * 24);
+  CHECK(kernel::parts_of({7, 1, 1}, 8) == kernel::GridSize{7, 1, 1});
+}

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/closed_surfaces.hpp"
+#include "tests/support/ragged_mesh.hpp"
 #include "tests/support/random.hpp"
 
 using namespace crest;
@@ -101,4 +102,16 @@ TEST_CASE("mesh pieces: scattered owners, whose parts have vertices with several
     check_part(mesh, part, owned, 1);
   }
   CHECK(closed > 20);  // faces had to be added
+}
+
+TEST_CASE("mesh pieces: a vertex each, of ragged parts without inner vertices") {
+  tests::Random random(41);
+  for (const Index n : {1U, 3U, 7U}) {
+    const TriangleMesh mesh = tests::ragged_mesh(n, random);
+    const auto cut = kernel::cut_points(mesh.points(), 2 * mesh.vertex_count());
+    CHECK(cut.size() == mesh.vertex_count());
+    for (const auto& owned : cut)
+      for (const Index rings : {1U, 2U, 4U})
+        check_part(mesh, kernel::mesh_part(mesh, owned, rings), owned, rings);
+  }
 }

@@ -104,3 +104,12 @@ TEST_CASE("mode pieces: each tetrahedron is in one piece, and what its record sa
   CHECK(r.counts.rejected_bound + r.counts.cones == tets);
   CHECK(r.surfaces[0].triangles.empty());
 }
+
+TEST_CASE("mode pieces: a tetrahedron each, and more workers than there are") {
+  const auto field = integers(3, 5);
+  const Extracted whole = extracted(field, {1, 2}, {}, nullptr);
+  for (const std::size_t pieces : {field.mesh.tets().size(), 2 * field.mesh.tets().size()}) {
+    const modes::Workers workers = modes::workers_here(static_cast<Index>(pieces));
+    check_same(extracted(field, {1, 2}, {}, &workers), whole);
+  }
+}

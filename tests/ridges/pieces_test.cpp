@@ -11,6 +11,7 @@
 #include "algorithms/ridges/auto_scale.hpp"
 #include "algorithms/ridges/certificate.hpp"
 #include "tests/ridges/ridge_cases.hpp"
+#include "tests/support/ragged_mesh.hpp"
 
 using namespace crest;
 using kernel::Index;
@@ -84,11 +85,12 @@ TriangleMesh shuffled(const std::string& name, const std::vector<double>& parame
   return {std::move(points), std::move(s.faces)};
 }
 
-void check_alike(const TriangleMesh& mesh, const ridges::FitOptions& options) {
+void check_alike(const TriangleMesh& mesh, const ridges::FitOptions& options,
+                 std::initializer_list<Index> counts_of_pieces = {2, 7, 64}) {
   const ridges::FitResult whole = ridges::fit_monge_forms(mesh, options);
   ridges::PredicateReport report;
   const auto graph = ridges::extract_certified(mesh, whole.forms, {}, &report);
-  for (const Index pieces : {2U, 7U, 64U}) {
+  for (const Index pieces : counts_of_pieces) {
     INFO(mesh.vertex_count() << " vertices, " << pieces << " pieces");
     const ridges::Workers workers = ridges::workers_here(pieces);
     const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options, &workers);
@@ -182,4 +184,16 @@ TEST_CASE("ridge pieces: a support that the rim cuts short is left, not fitted t
     if (rings < 5) CHECK(left > 0);
   }
   CHECK(left == 0);
+}
+
+TEST_CASE("ridge pieces: a vertex each, of ragged parts without inner vertices") {
+  tests::Random random(42);
+  for (const Index n : {1U, 4U, 12U}) {
+    const TriangleMesh mesh = tests::ragged_mesh(n, random);
+    ridges::FitOptions options;
+    check_alike(mesh, options, {3, 2 * mesh.vertex_count()});
+    options.errors = true;
+    options.scale = 1.5;
+    check_alike(mesh, options, {mesh.vertex_count()});
+  }
 }
