@@ -25,6 +25,6 @@ chroot "$root" sh -euc '
   crest-verify e.crest --input e.off
   crest-verify-ridges-mesh e.crest
   test -s e.vtp && test -s e.png
-  apt-get purge -y -qq crest >/dev/null
+  apt-get purge -y -qq -o Dpkg::Use-Pty=0 crest >/dev/null
   test ! -e /usr/bin/crest'
 echo "installed, run and removed in a bare Debian 12"
