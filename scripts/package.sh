@@ -17,7 +17,7 @@ debootstrap --variant=minbase bookworm "$root" >/dev/null
 cp "$deb" "$root/crest.deb"
 chroot "$root" sh -euc '
   export DEBIAN_FRONTEND=noninteractive LC_ALL=C
-  apt-get install -y -qq --no-install-recommends /crest.deb >/dev/null
+  apt-get install -y -qq -o Dpkg::Use-Pty=0 --no-install-recommends /crest.deb >/dev/null
   cd /tmp
   crest --version
   crest sample ellipsoid --vertices 1500 -o e.off --quiet
@@ -25,6 +25,6 @@ chroot "$root" sh -euc '
   crest-verify e.crest --input e.off
   crest-verify-ridges-mesh e.crest
   test -s e.vtp && test -s e.png
-  apt-get purge -y -qq crest >/dev/null
+  apt-get purge -y -qq -o Dpkg::Use-Pty=0 crest >/dev/null
   test ! -e /usr/bin/crest'
 echo "installed, run and removed in a bare Debian 12"

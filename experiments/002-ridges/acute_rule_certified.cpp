@@ -169,6 +169,12 @@ void run(const Options& o) {
     for (const std::string& name : o.surfaces)
       if (surface.name == name)
         for (const int faces : o.faces) row(surface, faces);
+  fmt::print(
+      "\nTriangles: of the even triangulation, and after the bisections that certify it. "
+      "Undecided: the chain of an "
+      "edge\nmeets an umbilic's patch. Chain: the edge is bisected at least once. Failures: the "
+      "sign of d1(p).d1(q) "
+      "is not that of\nthe proven orientation by continuity along the chain.\n");
 }
 
 }  // namespace
