@@ -13,13 +13,12 @@ log=$build/nearest.log
 mkdir -p "$build"
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCREST_WITH_VTK=OFF \
   -DCMAKE_CXX_FLAGS=-DCGAL_ALWAYS_ROUND_TO_NEAREST >"$log" || { tail -n 20 "$log" >&2; exit 1; }
-cmake --build "$build" --target "${@/#/test_}" >>"$log" || { tail -n 40 "$log" >&2; exit 1; }
-
 echo "| tests | processor time, s | cases and assertions | result |"
 echo "|---|---|---|---|"
 failed=0
 TIMEFORMAT="%U %S"
-for folder in "$@"; do
+for folder in "$@"; do  # built one after another: whoever stops it has the rows so far
+  cmake --build "$build" --target "test_$folder" >>"$log" || { tail -n 40 "$log" >&2; exit 1; }
   result=passed
   { time "$build/tests/test_$folder" >"$log.$folder" 2>&1; } 2>"$log.time" || result=failed
   if [ $result = failed ]; then

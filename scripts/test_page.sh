@@ -4,16 +4,18 @@
 # picks, keys, the certificate, screenshots against the stored ones. Skipped where there is no
 # Chromium, node or npm registry. Options:
 #   --update   store the screenshots anew
+#   --large    turn a surface of a million triangles instead, and print what a frame costs
 #   --keep F   leave pages and screenshots in folder F
 set -eu
 cd "$(dirname "$0")/.."
 build=${CREST_BUILD:-build}
-update="" keep=""
+update="" keep="" large=""
 while [ $# -gt 0 ]; do
   case $1 in
     --update) update=--update ;;
+    --large) large=--large ;;
     --keep) shift; keep=$1 ;;
-    *) echo "usage: scripts/test_page.sh [--update] [--keep FOLDER]" >&2; exit 2 ;;
+    *) echo "usage: scripts/test_page.sh [--update] [--large] [--keep FOLDER]" >&2; exit 2 ;;
   esac
   shift
 done
@@ -40,6 +42,12 @@ fi
 crest=$PWD/$build/cli/crest
 pages=${keep:-$folder/pages}
 mkdir -p "$pages"
+if [ -n "$large" ]; then
+  $crest sample torus --vertices 500000 -o "$folder/torus.ply" --quiet
+  $crest curvature "$folder/torus.ply" --page "$pages/million.html" --quiet
+  NODE_PATH=$tools/node_modules node tests/page/browser.cjs --browser "$browser" --pages "$pages" $large
+  exit
+fi
 $crest sample ellipsoid --parameters 1,1.5,2 --rotate --vertices 1200 -o "$folder/ellipsoid.off" --quiet
 $crest ridges "$folder/ellipsoid.off" --all --certificate "$folder/ridges.crest" \
   --page "$pages/ridges.html" --quiet

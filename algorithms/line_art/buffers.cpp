@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "kernel/geometry/parallel.hpp"
 
@@ -172,6 +173,17 @@ std::vector<std::vector<Index>> by_strip(const kernel::TriangleMesh& mesh, const
   return strips;
 }
 
+/// By parts: a large page has gigabytes.
+template <class T>
+void fill(std::vector<T>& list, std::size_t count, const std::type_identity_t<T>& value) {
+  constexpr std::size_t kPart = std::size_t{1} << 20;
+  list.reserve(count);
+  while (list.size() < count) {
+    kernel::stop_point();
+    list.insert(list.end(), std::min(kPart, count - list.size()), value);
+  }
+}
+
 /// Marks the links between centres of neighbouring pixels that a barrier crosses.
 void close_links(const Barriers& barriers, Buffers& b) {
   const auto mark = [&](std::size_t along, const Vec2& from, const Vec2& to) {
@@ -196,6 +208,7 @@ void close_links(const Barriers& barriers, Buffers& b) {
     }
   };
   for (const Barrier& barrier : barriers.all()) {
+    kernel::stop_point();
     mark(0, barrier.from, barrier.to);
     mark(1, barrier.from, barrier.to);
   }
@@ -209,14 +222,14 @@ Buffers fill_buffers(const Model& model, const View& view, const Barriers& barri
   b.width = static_cast<int>(std::ceil(view.page[0] / b.pixel));
   b.height = static_cast<int>(std::ceil(view.page[1] / b.pixel));
   const std::size_t n = static_cast<std::size_t>(b.width) * static_cast<std::size_t>(b.height);
-  b.face.assign(n, kNone);
-  b.near.assign(n, -std::numeric_limits<float>::infinity());
-  b.luminance.assign(n, 1);
-  b.curvature.assign(n, 0);
-  b.normal.assign(n, {0, 0, 0});
-  b.rib.assign(n, {0, 0});
-  b.backbone.assign(n, {0, 0});
-  b.closed.assign(n, 0);
+  fill(b.face, n, kNone);
+  fill(b.near, n, -std::numeric_limits<float>::infinity());
+  fill(b.luminance, n, 1);
+  fill(b.curvature, n, 0);
+  fill(b.normal, n, {0, 0, 0});
+  fill(b.rib, n, {0, 0});
+  fill(b.backbone, n, {0, 0});
+  fill(b.closed, n, 0);
   const CornerNormals normals(model.mesh, crease);
   // Pixels of a strip are one thread's: faces meet them in their own order.
   const auto strips = by_strip(model.mesh, view, b);

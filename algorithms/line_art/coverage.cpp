@@ -23,15 +23,19 @@ class Growth {
       : b_(b), hatches_(hatches), owner(b.size()), reach_(reach), buckets_(kBuckets) {}
 
   void run() {
-    for (Index h = 0; h < hatches_.size(); ++h)
+    for (Index h = 0; h < hatches_.size(); ++h) {
+      kernel::stop_point();
       for (Index v = 0; v < hatches_[h].stroke.points.size(); ++v)
         if (const auto at = b_.at(hatches_[h].stroke.points[v])) offer(*at, {h, v});
-    for (std::size_t k = 0; k < buckets_.size(); ++k)
+    }
+    for (std::size_t k = 0; k < buckets_.size(); ++k) {
+      kernel::stop_point();
       for (std::size_t i = 0; i < buckets_[k].size(); ++i) {
         const auto [at, by] = buckets_[k][i];
         if (owner[at].hatch != by.hatch || owner[at].vertex != by.vertex) continue;
         spread(at, by);
       }
+    }
   }
 
  private:

@@ -231,7 +231,8 @@ std::vector<ToneCell> tone_cells(const Buffers& b, const std::vector<float>& bla
                                  double spacing) {
   const int size = std::max(1, static_cast<int>(std::lround(5 * spacing / b.pixel)));
   std::vector<ToneCell> cells;
-  for (int j = 0; j < b.height; j += size)
+  for (int j = 0; j < b.height; j += size) {
+    kernel::stop_point();
     for (int i = 0; i < b.width; i += size) {
       ToneCell cell{{i * b.pixel, j * b.pixel}, 0, 0, 0};
       double count = 0;
@@ -249,6 +250,7 @@ std::vector<ToneCell> tone_cells(const Buffers& b, const std::vector<float>& bla
       for (double* x : {&cell.black, &cell.ink, &cell.bare}) *x /= count;
       cells.push_back(cell);
     }
+  }
   return cells;
 }
 

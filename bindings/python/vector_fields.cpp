@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algorithms/vector_fields/certificate.hpp"
+#include "algorithms/vector_fields/importance.hpp"
 #include "bindings/python/systems.hpp"
 #include "certify/verify.hpp"
 #include "io/vector_fields/skeleton_writer.hpp"
@@ -28,18 +29,36 @@ std::string certify_checked(std::vector<std::uint8_t> bytes, Output& out) {
   return out.certify(std::move(bytes));
 }
 
+std::int64_t undecided_in(const Skeleton& skeleton) {
+  return std::count_if(skeleton.separatrices.begin(), skeleton.separatrices.end(),
+                       [](const Separatrix& s) { return s.end == EndKind::undecided; });
+}
+
 void fill(const PlanarField& field, const Skeleton& skeleton, const std::string& digest,
           Output& out) {
   out.geometries["geometry"] = io::geometry_of(io::skeleton_poly_data({&field, &skeleton, digest}));
-  out.values["undecided"] = static_cast<std::int64_t>(
-      std::count_if(skeleton.separatrices.begin(), skeleton.separatrices.end(),
-                    [](const Separatrix& s) { return s.end == EndKind::undecided; }));
+  out.values["undecided"] = undecided_in(skeleton);
   std::vector<Index> origins;
   for (const Separatrix& s : skeleton.separatrices) origins.push_back(s.origin);
   out.values["origin"] = array_of(origins);
   out.values["index_sum"] = std::int64_t{skeleton.index_sum};
   out.values["euler_characteristic"] = std::int64_t{skeleton.euler_characteristic};
   out.values["data_digest"] = digest;
+}
+
+Laplacian laplacian_of(const Arguments& a) {
+  return a.text("laplacian") == "cotan" ? Laplacian::cotan : Laplacian::uniform;
+}
+
+/// What weighs `least` or more, in the order of the skeleton.
+void add_weights(const Importance& importance, double least, Output& out) {
+  std::vector<double> zeros, separatrices;
+  for (const ZeroWeight& zero : importance.zeros)
+    if (zero.weight >= least) zeros.push_back(zero.weight);
+  for (const double weight : importance.separatrices)
+    if (weight >= least) separatrices.push_back(weight);
+  out.values["critical_weight"] = array_of(std::move(zeros));
+  out.values["separatrix_weight"] = array_of(std::move(separatrices));
 }
 
 }  // namespace
@@ -54,7 +73,17 @@ Output run_skeleton(const Arguments& a, const Progress& progress) {
   if (a.flag("certificate"))
     digest = progress.step("composing the certificate",
                            [&] { return certify_checked(certify::encode(record), out); });
-  fill(field, skeleton, digest, out);
+  const auto least = a.maybe_number("simplify");
+  if (!least) {
+    fill(field, skeleton, digest, out);
+    return out;
+  }
+  progress.step("weighing critical points", [&] {
+    const Importance importance = weigh(field, smoothed(field, laplacian_of(a)), skeleton);
+    fill(field, important_part(skeleton, importance, *least), digest, out);
+    add_weights(importance, *least, out);
+    out.values["undecided"] = undecided_in(skeleton);  // of those that are not shown, too
+  });
   return out;
 }
 
@@ -67,14 +96,19 @@ Output run_compress(const Arguments& a, const Progress& progress) {
                                                    : Equivalence::original;
   if (a.text("test") == "thesis") options.test = CollapseTest::thesis;
   if (a.text("priority") == "error") options.priority = CollapsePriority::error;
+  options.simplify = a.maybe_number("simplify");
+  options.laplacian = laplacian_of(a);
   certify::CompressionCertificate record;
   const Compression result =
       progress.step("collapsing edges", [&] { return compress(field, options, record); });
   Output out;
   std::string digest;
+  // Of both skeletons; where these differ, of the output's alone.
   if (result.same_skeleton && a.flag("certificate"))
-    digest = progress.step("composing the certificate",
-                           [&] { return certify_checked(certify::encode(record), out); });
+    digest = progress.step("composing the certificate", [&] {
+      return certify_checked(
+          result.importance ? certify::encode(record.output) : certify::encode(record), out);
+    });
   fill(result.field, result.after, digest, out);
   out.values["same_skeleton"] = result.same_skeleton;
   out.values["difference"] = result.difference;

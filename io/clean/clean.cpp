@@ -113,6 +113,7 @@ class Cleaning {
   }
 
   void collapse() {
+    surface_.places.clear();  // edges that are flipped mix triangles
     const std::vector<Index> flat = collapse_flat_faces(surface_, done_);
     if (surface_.faces.empty()) fail("faces", "none has an area", "export the mesh again");
     if (flat.empty()) return;

@@ -14,12 +14,14 @@ void keep_faces(Surface& surface, const std::vector<bool>& kept) {
     if (!kept[f]) continue;
     surface.faces[to] = surface.faces[f];
     surface.cell_of[to] = surface.cell_of[f];
-    if (!surface.midside.empty()) surface.midside[to] = surface.midside[f];
+    for (auto* list : {&surface.midside, &surface.places})
+      if (!list->empty()) (*list)[to] = (*list)[f];
     ++to;
   }
   surface.faces.resize(to);
   surface.cell_of.resize(to);
-  if (!surface.midside.empty()) surface.midside.resize(to);
+  for (auto* list : {&surface.midside, &surface.places})
+    if (!list->empty()) list->resize(to);
 }
 
 std::size_t drop_repeated_corners(Surface& surface) {

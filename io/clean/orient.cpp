@@ -47,12 +47,21 @@ Parts parts_of(const Neighbours& across) {
   return result;
 }
 
+namespace {
+
+void turn_face(Surface& surface, std::size_t f) {
+  std::swap(surface.faces[f][1], surface.faces[f][2]);
+  if (!surface.places.empty()) std::swap(surface.places[f][1], surface.places[f][2]);
+}
+
+}  // namespace
+
 std::size_t turn_minorities(Surface& surface, const Parts& parts) {
   std::size_t turned = 0;
   for (Index f = 0; f < surface.faces.size(); ++f) {
     const Parts::Part& part = parts.parts[parts.of[f]];
     if (parts.against[f] != (2 * part.against > part.faces ? 0 : 1)) continue;
-    std::swap(surface.faces[f][1], surface.faces[f][2]);
+    turn_face(surface, f);
     ++turned;
   }
   return turned;
@@ -77,7 +86,7 @@ std::vector<bool> inside_out(const Surface& surface, const Parts& parts) {
 
 void turn(Surface& surface, const Parts& parts, const std::vector<bool>& marked) {
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
-    if (marked[parts.of[f]]) std::swap(surface.faces[f][1], surface.faces[f][2]);
+    if (marked[parts.of[f]]) turn_face(surface, f);
 }
 
 }  // namespace crest::io

@@ -21,6 +21,9 @@ struct Surface {
   std::vector<kernel::Index> cell_of;  ///< F: the soup's cell it is of
   /// F or none: the soup's points in the middle of the sides (0 1), (1 2), (2 0), or kNone thrice.
   std::vector<std::array<kernel::Index, 3>> midside = {};
+  /// F or none: where the corners stand among the cell's (corners_of), or kNone thrice. Only of
+  /// polygons that meet a vertex more than once, where the vertices do not tell.
+  std::vector<std::array<kernel::Index, 3>> places = {};
   std::vector<kernel::Index> between =
       {};  ///< the soup's points of curved faces beside the corners
 

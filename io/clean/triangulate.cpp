@@ -89,12 +89,13 @@ class Triangulation {
       else
         add_polygon(c);
     }
-    if (!surface_.midside.empty()) surface_.midside.resize(surface_.faces.size(), kStraight);
+    if (!surface_.midside.empty()) surface_.midside.resize(surface_.faces.size(), kNowhere);
+    if (!surface_.places.empty()) surface_.places.resize(surface_.faces.size(), kNowhere);
     return std::move(surface_);
   }
 
  private:
-  static constexpr std::array<Index, 3> kStraight = {kNone, kNone, kNone};
+  static constexpr std::array<Index, 3> kNowhere = {kNone, kNone, kNone};
 
   void add(std::size_t cell, const kernel::Triangle& face) {
     if (surface_.faces.size() >= kNone / 3) fail("mesh", "has over 1.4 billion faces", "split it");
@@ -127,7 +128,7 @@ class Triangulation {
     if (corners.size() == 3) {
       add(cell, {corners[0], corners[1], corners[2]});
       if (!keeps_sides) return;
-      surface_.midside.resize(surface_.faces.size(), kStraight);
+      surface_.midside.resize(surface_.faces.size(), kNowhere);
       for (std::size_t k = 0; k < 3; ++k) surface_.midside.back()[k] = node(soup_, cell, 3 + k);
       return;
     }
@@ -138,8 +139,20 @@ class Triangulation {
       places_.push_back(soup_.points[v]);
     }
     if (!gathered_) gather_sides();
-    for (const auto& [a, b, c] : cutter_.cut(places_, corners, edges_))
+    const bool again = repeats(corners);
+    if (again) surface_.places.resize(surface_.faces.size(), kNowhere);
+    for (const auto& [a, b, c] : cutter_.cut(places_, corners, edges_)) {
       add(cell, {corners[a], corners[b], corners[c]});
+      if (again)
+        surface_.places.push_back(
+            {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+    }
+  }
+
+  bool repeats(const std::vector<Index>& corners) {
+    sorted_ = corners;
+    std::sort(sorted_.begin(), sorted_.end());
+    return std::adjacent_find(sorted_.begin(), sorted_.end()) != sorted_.end();
   }
 
   /// Of all faces, when the first polygon is met.
@@ -165,6 +178,7 @@ class Triangulation {
   EdgeSet edges_;
   bool gathered_ = false;
   std::vector<Vec3> places_;
+  std::vector<Index> sorted_;  ///< a polygon's
 };
 
 }  // namespace

@@ -22,7 +22,8 @@ class View {
     this.camera = new Camera(scene);
     this.chosen = 0;  // number of an item, from 1 on
     this.through = false;
-    this.level = 0;   // of surfaces: 0 is all of them
+    this.level = 0;   // of surfaces: 0 is all of them; the last one has fewer pixels, too
+    this.sharp = 1;   // pixels of the picture a pixel of the window, along an axis
     this.frames = [];
     this.waiting = false;
     this.resize();
@@ -31,9 +32,9 @@ class View {
     this.draw();
   }
 
-  /** The window in device pixels; the free part is what the panel leaves. */
+  /** The window in pixels of the picture; the free part is what the panel leaves. */
   resize() {
-    const {canvas} = this, scale = this.scale = Math.min(window.devicePixelRatio || 1, 2);
+    const {canvas} = this, scale = this.scale = this.sharp * Math.min(window.devicePixelRatio || 1, 2);
     const wide = canvas.clientWidth, high = canvas.clientHeight;
     canvas.width = Math.max(1, Math.round(wide * scale));
     canvas.height = Math.max(1, Math.round(high * scale));
@@ -70,7 +71,7 @@ class View {
     });
   }
 
-  /** While something moves: coarser triangles where frames take too long. */
+  /** While something moves: coarser triangles, in the end fewer pixels, where frames take too long. */
   pace(now) {
     this.frames.push(now);
     const count = this.frames.length - 1, each = (now - this.frames[0]) / count;
@@ -78,7 +79,8 @@ class View {
     if (count < 1 || (count < 3 && each < 200)) return;
     this.frames = [now];
     const most = this.surfaces.reduce((sum, s) => sum + s.levels[0].count / 3, 0);
-    if (each > 33 && most > 12000) this.level = Math.min(this.level + (each > 200 ? 2 : 1), 3);
+    const last = coarser.length;  // few triangles need no steps to it
+    if (each > 33) this.level = most > coarser.at(-1) ? Math.min(this.level + (each > 200 ? 2 : 1), last) : last;
     for (const surface of this.surfaces) surface.prepare(this.level);
   }
 
@@ -93,8 +95,10 @@ class View {
   }
 
   say(drawn, all) {
-    byId("status").textContent = drawn < all
-      ? `while it turns: ${grouped(drawn)} of ${grouped(all)} triangles` : "";
+    const less = [];
+    if (drawn < all) less.push(`${grouped(drawn)} of ${grouped(all)} triangles`);
+    if (this.sharp < 1) less.push("a quarter of the pixels");
+    byId("status").textContent = less.length > 0 ? `while it turns: ${less.join(", ")}` : "";
   }
 
   setCommon(program) {
@@ -169,7 +173,11 @@ class View {
   }
 
   draw() {
-    const {gl} = this;
+    const {gl} = this, sharp = this.moving && this.level >= coarser.length ? 0.5 : 1;
+    if (sharp !== this.sharp) {
+      this.sharp = sharp;
+      this.resize();
+    }
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, this.window.width, this.window.height);
     gl.clearColor(0, 0, 0, 0);
@@ -263,6 +271,7 @@ class View {
 
   /** The picture with its ground, as a file. */
   save() {
+    this.move(false);
     this.draw();
     const sheet = make("canvas"), pen = sheet.getContext("2d");
     [sheet.width, sheet.height] = [this.canvas.width, this.canvas.height];

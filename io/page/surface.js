@@ -42,6 +42,9 @@ function vertexNormals(points, faces) {
   return normals;
 }
 
+/** Triangles of each level, about; the first has all. */
+const coarser = [Infinity, 150000, 40000, 12000];
+
 /** The faces left when the vertices in each cell of a grid become one: at most about `most`. */
 function coarsened(points, faces, most) {
   const none = 0xffffffff, stand = new Uint32Array(points.length / 3);
@@ -142,8 +145,9 @@ class Surface {
 
   /** Makes the level if it is not there yet; returns how many triangles it has. */
   prepare(level) {
+    level = Math.min(level, coarser.length - 1);
     while (this.levels.length <= level) {
-      const most = [0, 150000, 40000, 12000][this.levels.length];
+      const most = coarser[this.levels.length];
       const last = this.levels[this.levels.length - 1];
       if (last.count <= 3 * most) {
         this.levels.push(last);

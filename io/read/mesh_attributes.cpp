@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read/mesh_attributes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -65,7 +63,7 @@ NumberType type_of(const Field& field, const std::vector<std::uint64_t>& words) 
   return hold(*field.type, words) ? *field.type : wide;
 }
 
-/// The field's numbers at the places whose sources are given; kNone: none there.
+/// The field's numbers at the places whose sources are given; beyond its end: none there.
 Attribute taken(const Field& field, Site site, const std::vector<Index>& source) {
   Attribute a{field.name, site, NumberType::f64, static_cast<std::uint32_t>(field.components)};
   const std::size_t tuples = field.size() / a.components;
@@ -81,8 +79,7 @@ Attribute taken(const Field& field, Site site, const std::vector<Index>& source)
   return a;
 }
 
-/// The soup's corner at each of the triangles' corners; kNone where its polygon meets the vertex
-/// more than once: the triangles do not say which time.
+/// The soup's corner at each of the triangles' corners. Only polygons have numbers at corners.
 std::vector<Index> corner_sources(const Soup& soup, const Surface& surface) {
   std::vector<std::size_t> begin;
   for (std::size_t c = 0, nodes = 0; c < soup.cells.size(); ++c) {
@@ -93,13 +90,12 @@ std::vector<Index> corner_sources(const Soup& soup, const Surface& surface) {
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     const Index cell = surface.cell_of[f];
     const auto nodes = soup.cells.nodes(cell);
-    for (const Index v : surface.faces[f]) {
-      const Cells::Node node{surface.point_of[v]};
-      const auto at = std::find(nodes.begin(), nodes.end(), node);
-      const bool once = std::count(nodes.begin(), nodes.end(), node) == 1;
-      source.push_back(
-          once ? static_cast<Index>(begin[cell] + static_cast<std::size_t>(at - nodes.begin()))
-               : kernel::kNone);
+    const bool placed = !surface.places.empty() && surface.places[f][0] != kernel::kNone;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Cells::Node node{surface.point_of[surface.faces[f][k]]};
+      const auto at = placed ? surface.places[f][k]
+                             : std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+      source.push_back(static_cast<Index>(begin[cell] + static_cast<std::size_t>(at)));
     }
   }
   return source;
@@ -144,12 +140,7 @@ std::vector<Attribute> attributes_of(const Soup& soup, const Surface& surface,
   take(soup.cell_fields, Site::faces, surface.cell_of);
   if (soup.corner_fields.empty()) return attributes;
   const std::size_t first = attributes.size();
-  const std::vector<Index> source = corner_sources(soup, surface);
-  take(soup.corner_fields, Site::corners, source);
-  if (const auto twice = std::count(source.begin(), source.end(), kernel::kNone))
-    for (const Field& field : soup.corner_fields)
-      left_out.push_back(fmt::format("{} (at {} corners of polygons that meet a vertex twice)",
-                                     field.name, twice));
+  take(soup.corner_fields, Site::corners, corner_sources(soup, surface));
   for (std::size_t i = first; i < attributes.size(); ++i)
     attributes[i] = at_vertices(std::move(attributes[i]), surface);
   return attributes;

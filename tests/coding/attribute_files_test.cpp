@@ -201,25 +201,27 @@ TEST_CASE("attribute files: OBJ's weights before colours, indices that name noth
   CHECK(warnings("3/1/7")[0].find("left out Normals at 1 corners") == 0);
 }
 
-TEST_CASE("attribute files: corners of a polygon that meets a vertex twice have no numbers") {
+TEST_CASE("attribute files: corners of a polygon that meets a vertex twice keep their numbers") {
+  // A square around a square hole, cut along its diagonal from vertex 0 to vertex 4.
   const TemporaryFolder folder;
   std::string text = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n";
   for (int i = 1; i <= 10; ++i) text += "vt " + std::to_string(i) + "\n";
   text += "f 1/1 2/2 3/3 4/4 1/5 5/6 8/7 7/8 6/9 5/10\n";
   const io::SurfaceFile file = written_and_read(folder, "a.obj", text);
   const Attribute a = named(file, "TCoords");
-  REQUIRE(a.site == Site::vertices);  // on which the triangles' corners agree
-  const std::vector<double> wanted = {0, 2, 3, 4, 0, 9, 8, 7};  // 0: met twice
-  for (std::size_t v = 0; v < wanted.size(); ++v) {
-    CHECK(a.has(v) == (wanted[v] != 0));
-    CHECK(std::bit_cast<double>(a.words[v]) == wanted[v]);
+  REQUIRE(a.site == Site::corners);
+  CHECK(a.missing.empty());
+  CHECK(file.warnings == std::vector<std::string>{"split 1 polygon into triangles"});
+  REQUIRE(file.faces.size() == 8);
+  const double below[] = {1, 2, 3, 4, 10, 9, 8, 7}, above[] = {5, 2, 3, 4, 6, 9, 8, 7};
+  for (std::size_t f = 0; f < file.faces.size(); ++f) {
+    double side = 0;  // of the diagonal on which the triangle is
+    for (const auto v : file.faces[f]) side += file.points[v][1] - file.points[v][0];
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(std::bit_cast<double>(a.words[3 * f + k]) ==
+            (side < 0 ? below : above)[file.faces[f][k]]);
   }
-  std::size_t twice = 0;
-  for (const auto& face : file.faces)
-    for (const auto v : face) twice += v == 0 || v == 4 ? 1 : 0;
-  REQUIRE(file.warnings.size() >= 1);
-  CHECK(file.warnings.back() == "left out the fields TCoords (at " + std::to_string(twice) +
-                                    " corners of polygons that meet a vertex twice)");
+  CHECK(same_corners(file, again(folder, "b.obj", file), "TCoords"));
 }
 
 TEST_CASE("attribute files: names of a VTP that PLY cannot have") {

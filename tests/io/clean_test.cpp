@@ -2,14 +2,17 @@
 // Each rule of the cleaning on soups by hand: what becomes of them, what is counted, what is said.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "io/clean/triangulate.hpp"
 #include "tests/io/clean_soups.hpp"
 
 using namespace crest::tests;
 using crest::io::CleanOptions;
 using crest::io::words;
+using crest::kernel::kNone;
 
 namespace {
 
@@ -105,6 +108,34 @@ TEST_CASE("quadrilaterals, pixels, polygons and strips become triangles of their
   const Cleaned curved = cleaned(quadratic, {}, Purpose::function);
   CHECK(curved.surface.midside == std::vector<std::array<Index, 3>>{{3, 4, 5}});
   CHECK(words(curved.done).empty());
+}
+
+TEST_CASE("of a polygon that meets a vertex twice each triangle knows its corners", "[io]") {
+  // A square around a square hole, cut from 0 to 4; what surrounds it comes first, turned round.
+  std::vector<Vec3> points;
+  for (const auto& [low, high] : {std::pair{0., 3.}, {1., 2.}, {-1., 4.}})
+    points.insert(points.end(), {{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}});
+  std::vector<Face> faces = {{0, 1, 1}};
+  for (const int i : {0, 1, 2, 3}) faces.push_back({i, (i + 1) % 4, 8 + (i + 1) % 4, 8 + i});
+  faces.push_back({0, 1, 2, 3, 0, 4, 7, 6, 5, 4});
+  const Soup soup = soup_of(points, faces);
+  const Surface surface = cleaned(soup, {}, Purpose::connectivity).surface;
+  REQUIRE(surface.faces.size() == 16);
+  REQUIRE(surface.places.size() == 16);
+  std::vector<std::size_t> met(10, 0);
+  for (Index f = 0; f < 16; ++f) {
+    const std::vector<Index> corners = crest::io::corners_of(soup, surface.cell_of[f]);
+    CHECK((surface.places[f][0] == kNone) == (f < 8));
+    for (std::size_t k = 0; f >= 8 && k < 3; ++k) {
+      const Index at = surface.places[f][k];
+      REQUIRE(at < 10);
+      CHECK(corners[at] == surface.faces[f][k]);
+      ++met[at];
+    }
+  }
+  CHECK(std::count(met.begin(), met.end(), 0) == 0);
+  CHECK(cleaned(soup, {}, Purpose::connectivity).done.turned_faces == 8);
+  CHECK(cleaned(soup_of(points, {{0, 1, 2, 3}})).surface.places.empty());
 }
 
 TEST_CASE("faces of higher order are taken by their corners", "[io]") {

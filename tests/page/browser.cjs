@@ -8,7 +8,7 @@ const {chromium} = require("playwright-core");
 const options = {};
 for (let i = 2; i < process.argv.length; ++i) {
   const name = process.argv[i].slice(2);
-  options[name] = name === "update" ? true : process.argv[++i];
+  options[name] = ["update", "large"].includes(name) ? true : process.argv[++i];
 }
 
 let failures = 0, checks = 0;
@@ -220,12 +220,17 @@ async function features(browser) {
     view.level = 3;
     view.draw();
     const said = document.getElementById("status").textContent, drawn = view.surfaces[0].prepare(3);
+    view.level = 4;
+    view.draw();
+    const blurred = {wide: view.canvas.width, said: document.getElementById("status").textContent};
     view.move(false);
     view.draw();
-    return {all, drawn, said, after: document.getElementById("status").textContent};
+    return {all, drawn, said, blurred, wide: view.canvas.width, after: document.getElementById("status").textContent};
   });
   check(coarse.all > 20000 && coarse.drawn <= 12000 && coarse.drawn > 2000, `coarse: ${JSON.stringify(coarse)}`);
-  check(coarse.said.includes("triangles") && coarse.after === "", "a coarse surface is said, while it moves only");
+  check(2 * coarse.blurred.wide === coarse.wide && coarse.blurred.said.includes("pixels"),
+    `fewer pixels: ${JSON.stringify(coarse)}`);
+  check(coarse.said.includes("triangles") && !coarse.said.includes("pixels") && coarse.after === "", "a coarse surface is said, while it moves only");
   await page.context().close();
 }
 
@@ -248,11 +253,65 @@ async function reebOnPhone(browser) {
   await page.context().close();
 }
 
+/** Seconds of the processor that the browser's processes have had. */
+function processorTime() {
+  const children = new Map(), times = new Map();
+  for (const id of fs.readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    try {
+      const fields = fs.readFileSync(`/proc/${id}/stat`, "utf8").split(") ").at(-1).split(" ");
+      times.set(id, (Number(fields[11]) + Number(fields[12])) / 100);
+      children.set(fields[1], [...(children.get(fields[1]) ?? []), id]);
+    } catch (error) {}  // has ended
+  }
+  const below = (id) => (children.get(id) ?? []).reduce((sum, child) => sum + times.get(child) + below(child), 0);
+  return below(String(process.pid));
+}
+
+/** Turns a surface of a million triangles: what is drawn, what is said, and what a frame costs. */
+async function million(browser) {
+  const page = await open(browser, "million");
+  const all = await page.evaluate(() => crestPage.surfaces[0].levels[0].count / 3);
+  check(all > 990000, `a million triangles: ${all}`);
+  console.log("| said while it turns | script, ms a frame | processor time, s a frame | frames a second by the clock |");
+  console.log("|---|---|---|---|");
+  const turn = (level, frames) => page.evaluate(([level, frames]) => new Promise((done) => {
+    const view = crestPage, times = [], script = [];
+    view.move(true);
+    const step = (now) => {
+      const start = performance.now();
+      if (level === null) view.pace(now);
+      else view.level = level;
+      view.camera.turn(0.03, 0.01);
+      view.draw();
+      script.push(performance.now() - start);
+      times.push(now);
+      if (times.length <= frames) return requestAnimationFrame(step);
+      const said = document.getElementById("status").textContent;
+      view.move(false);
+      const rate = 1000 * frames / (times.at(-1) - times[0]);
+      done({said, rate, level: view.level, script: script.sort((a, b) => a - b)[frames >> 1]});
+    };
+    requestAnimationFrame(step);
+  }), [level, frames]);
+  for (const [level, frames] of [[0, 3], [1, 10], [2, 30], [3, 60], [4, 60]]) {
+    await turn(level, 1);  // the level is made
+    await settled(page);
+    const before = processorTime(), {said, rate, script} = await turn(level, frames);
+    console.log(`| ${said || `all ${all} triangles`} | ${script.toFixed(1)} | ` +
+      `${((processorTime() - before) / frames).toFixed(3)} | ${rate.toFixed(1)} |`);
+  }
+  await page.evaluate(() => crestPage.level = 0);
+  const paced = await turn(null, 40);
+  console.log(`by itself: level ${paced.level}, ${paced.said || "all triangles"}`);
+  check(paced.level === 0 || paced.said.includes("triangles"), "what is left out is said");
+  await page.context().close();
+}
+
 (async () => {
   const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars"];
   if (process.getuid() === 0) args.push("--no-sandbox");
   const browser = await chromium.launch({executablePath: options.browser, args});
-  for (const part of [ridges, features, reebOnPhone]) {
+  for (const part of options.large ? [million] : [ridges, features, reebOnPhone]) {
     try {
       await part(browser);
     } catch (error) {

@@ -217,10 +217,14 @@ class Skeleton(Result):
     the precision that decided.
     orbits: list of (k, 2) float64, closed ones. orbit_attracting: bool.
     undecided: int, separatrices without a proven end. index_sum, euler_characteristic: int.
+    With simplify, what weighs as much or more is shown: critical_weight, separatrix_weight: float64,
+    from 0 to 1, not certified; empty otherwise.
     """
 
     def __init__(self, raw: dict[str, Any]):
         super().__init__(raw)
+        self.critical_weight: np.ndarray = raw.get("critical_weight", np.zeros(0))
+        self.separatrix_weight: np.ndarray = raw.get("separatrix_weight", np.zeros(0))
         g = self.geometry
         cell = {name: g.cell_data.get(name, np.zeros(0, np.int32))
                 for name in ("type", "kind", "index", "end", "target", "bits")}
@@ -256,12 +260,23 @@ def _plane(V: Any, F: Any, vectors: Any) -> dict[str, Any]:
             "vectors": check.same_rows(vectors, "vectors", 2, len(points), "vertex")}
 
 
-def skeleton(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, certificate: bool = True,
+def _weights(simplify: float | None, laplacian: str) -> dict[str, Any]:
+    if simplify is None and laplacian != "uniform":
+        raise InputError("laplacian: goes with simplify")
+    return {"simplify": check.maybe_number(simplify, "simplify", 0, 1),
+            "laplacian": check.word(laplacian, "laplacian", ("uniform", "cotan"))}
+
+
+def skeleton(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, simplify: float | None = None,
+             laplacian: str = "uniform", certificate: bool = True,
              threads: int = 0, progress: Progress = None) -> Skeleton:
     """Zeros, switch points, separatrices and closed orbits of a plane vector field, certified
     (`crest skeleton`).
 
     V, vectors: (n, 2) numbers. F: (m, 3) integers from 0, counter-clockwise.
+    simplify: a number from 0 to 1, shows what weighs as much or more: the time at which it vanishes
+    as the field goes over to a smoothed one, by laplacian, "uniform" or "cotan". The certificate is
+    that of the whole skeleton, weights are not certified.
     threads, progress, errors: as for ridges().
 
     >>> import crest
@@ -269,8 +284,11 @@ def skeleton(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, certificate: boo
     >>> skeleton = crest.skeleton(*field)
     >>> len(skeleton.critical_points) > 0, skeleton.certified
     (True, True)
+    >>> crest.skeleton(*field, simplify=0.1).critical_weight.min() >= 0.1
+    True
     """
-    arguments = _plane(V, F, vectors) | {"certificate": bool(certificate)}
+    arguments = _plane(V, F, vectors) | _weights(simplify, laplacian) | {
+        "certificate": bool(certificate)}
     return Skeleton(run("skeleton", arguments, threads, progress))
 
 
@@ -293,13 +311,16 @@ class CompressedField(Skeleton):
 
 
 def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str = "original",
-             test: str = "retrace", priority: str = "length", certificate: bool = True,
+             test: str = "retrace", priority: str = "length", simplify: float | None = None,
+             laplacian: str = "uniform", certificate: bool = True,
              threads: int = 0, progress: Progress = None) -> CompressedField:
     """A plane vector field on fewer triangles whose skeleton is proven to be the same
     (`crest compress`).
 
     equivalence: "strong" keeps all triangles that the skeleton meets, "original" those of zeros,
     "relaxed" their classes. test: "retrace" or "thesis". priority: "length" or "error".
+    simplify, laplacian: as for skeleton(); critical points that weigh less may move and vanish in
+    pairs, and the certificate is of the output's skeleton alone. Not with equivalence or test.
     V, F, vectors: as for skeleton(); threads, progress, errors: as for ridges().
 
     >>> import crest
@@ -308,7 +329,9 @@ def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str
     >>> small.same_skeleton, len(small.F) < len(field.F)
     (True, True)
     """
-    arguments = _plane(V, F, vectors) | {
+    if simplify is not None and (equivalence, test) != ("original", "retrace"):
+        raise InputError("simplify: goes with neither equivalence nor test")
+    arguments = _plane(V, F, vectors) | _weights(simplify, laplacian) | {
         "equivalence": check.word(equivalence, "equivalence", ("strong", "original", "relaxed")),
         "test": check.word(test, "test", ("retrace", "thesis")),
         "priority": check.word(priority, "priority", ("length", "error")),

@@ -142,6 +142,15 @@ def test_plane_fields():
         for call in (crest.skeleton, crest.compress):
             with pytest.raises(crest.InputError):
                 call(*given)
+    good = points, faces, [[1, 0]] * 3
+    for given in ({"simplify": 1.5}, {"simplify": -0.1}, {"simplify": np.nan}, {"laplacian": "cotan"},
+                  {"simplify": 0.5, "laplacian": "mean"}):
+        for call in (crest.skeleton, crest.compress):
+            with pytest.raises(crest.InputError):
+                call(*good, **given)
+    for other in ({"equivalence": "relaxed"}, {"test": "thesis"}):
+        with pytest.raises(crest.InputError):
+            crest.compress(*good, simplify=0.5, **other)
 
 
 def test_files(tmp_path):
