@@ -30,9 +30,9 @@ struct EdgeZero {
   double at, low, high;  ///< from the end below: at, and what holds it
 };
 
-/// b0 < 0 <= b2, exactly but for `error`.
-EdgeZero zero_of(double b0, double b1, double b2, double error) {
-  const double f0 = -b0, f1 = -b1, f2 = -b2;
+/// b0 < 0 <= b2, exactly but for the error.
+EdgeZero zero_of(const AlongEdge& along) {
+  const double f0 = -along.b0, f1 = -along.b1, f2 = -along.b2;
   const double h = f0 - f1, q = f0 - 2 * f1 + f2, root = std::sqrt(std::max(0.0, h * h - q * f0));
   EdgeZero zero;
   const double at = h > 0 ? f0 / (h + root) : (h - root) / q;
@@ -41,7 +41,7 @@ EdgeZero zero_of(double b0, double b1, double b2, double error) {
     const double r = 1 - s, c1 = r * f0 + s * f1;
     return r * c1 + s * (r * f1 + s * f2);
   };
-  const double slack = error + 0x1p-48 * (std::fabs(f0) + std::fabs(f1) + std::fabs(f2));
+  const double slack = along.error + 0x1p-48 * (std::fabs(f0) + std::fabs(f1) + std::fabs(f2));
   // Wider until both sides are certain: there f is positive all the way from 0, and not positive.
   for (double wide = 0x1p-52;; wide *= 4) {
     zero.low = std::max(0.0, zero.at - wide);
@@ -361,8 +361,8 @@ Index Mesher::vertex(const Leaf& leaf, std::size_t i, std::size_t k, bool i_belo
 Index Mesher::make_vertex(const Leaf& leaf, std::size_t n, std::size_t p) {
   if (mesh_.points.size() == kNone)
     throw kernel::InputError("isosurface: has more than 4294967294 vertices; cut the volume");
-  const EdgeZero zero = zero_of(test_.at(leaf.net, n, n), test_.at(leaf.net, n, p),
-                                test_.at(leaf.net, p, p), leaf.net.error);
+  const EdgeZero zero =
+      zero_of(test_.along(leaf.net, leaf.cube, leaf.tetrahedron, &leaf.corners, n, p));
   const bool forward = precedes(leaf.corners[n], leaf.corners[p]);
   const FinePoint &from = leaf.corners[forward ? n : p], &to = leaf.corners[forward ? p : n];
   double s = zero.at, low = zero.low, high = zero.high;
@@ -386,10 +386,6 @@ Index Mesher::make_vertex(const Leaf& leaf, std::size_t n, std::size_t p) {
 Isosurface extract_isosurface(const QuadraticSpline& spline, double c, int max_depth) {
   if (spline.cube_count() > 0xffffffffU / kTetrahedra)
     throw kernel::InputError("samples: are more than 178 million cubes; cut the volume");
-  // Products with such a one would round to 0.
-  if (c != 0 && std::fabs(c) < 0x1p-900 * spline.largest_sample())
-    throw kernel::InputError(
-        "isovalue: is not 0 but below 2^-900 of the largest sample; take 0 or a larger one");
   return Mesher(spline, c).run(max_depth);
 }
 

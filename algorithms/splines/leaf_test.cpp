@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/splines/active_cubes.hpp"
 #include "kernel/arithmetic/approximate.hpp"
@@ -68,13 +69,20 @@ std::array<Rational, 10> exact_net(const QuadraticSpline& spline, double level, 
 struct Filter {
   double error, product_error;
   bool unsure = false;
-  Sign operator()(double x, double bound) {
+  template <class T>
+  Sign operator()(T x, double bound) {
     // Not: sure. So NaN is not.
     unsure |= !(std::fabs(x) > bound) || !(std::fabs(x) < HUGE_VAL);
     return kernel::sign_of(x);
   }
-  Sign linear(double x) { return (*this)(x, error); }
-  Sign product(double x) { return (*this)(x, product_error); }
+  template <class T>
+  Sign linear(T x) {
+    return (*this)(x, error);
+  }
+  template <class T>
+  Sign product(T x) {
+    return (*this)(x, product_error);
+  }
 };
 struct Exact {
   static constexpr bool unsure = false;
@@ -194,12 +202,31 @@ Edges<T> edges_of(const FineCorners& corners) {
   return x;
 }
 
-Edges<Rational> exact_edges(const FineCorners* corners) {
-  if (corners) return edges_of<Rational>(*corners);
-  Edges<Rational> x;
+template <class T>
+Edges<T> edges_of(const FineCorners* corners) {
+  if (corners) return edges_of<T>(*corners);
+  Edges<T> x;
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 3; ++k) x[i][k] = kTetrahedronShape[i][k];
+    for (std::size_t k = 0; k < 3; ++k) x[i][k] = T(kTetrahedronShape[i][k]);
   return x;
+}
+
+/// Half the distance from 1 to the next long double.
+constexpr double kFine = std::numeric_limits<long double>::epsilon() / 2;
+
+/// Coefficients are off by less than 45 roundings of what is at most the largest sample, extended
+/// ones and the level's difference included: a_c by 12, their means by 27, extended samples by 8.
+constexpr double kRoundings = 128;
+
+double largest_of(const auto& b) {
+  double largest = 0;
+  for (const auto& x : b) largest = std::max(largest, static_cast<double>(std::fabs(x)));
+  return largest;
+}
+
+/// Products have factors of at most 2^8 from a shape whose edges are at most 1 along each axis.
+double product_error(double error, double unit, double largest) {
+  return 0x1p13 * (error + 2 * unit * largest) * largest;
 }
 
 }  // namespace
@@ -208,13 +235,13 @@ LeafTest::LeafTest(const QuadraticSpline& spline, double c)
     : spline_(spline),
       level_(c),
       scaled_level_(c),
-      error_(spline.exact() ? 0 : 0x1p-40 * spline.largest_sample()) {
+      error_(spline.exact() ? 0 : kRoundings * kUnitRoundoff * spline.largest_sample()) {
   const double largest = std::max(spline.largest_sample(), std::fabs(c));
   if (largest != 0 && !(largest > 0x1p-400 && largest < 0x1p400)) {
     // What vanishes is below the error, too.
     scale_ = scale_to_one(largest);
     scaled_level_ *= scale_;
-    error_ = 0x1p-40 * (scale_ * largest);
+    error_ = kRoundings * kUnitRoundoff * (scale_ * largest);
     return;
   }
   const double steps = c / spline.step();
@@ -226,11 +253,7 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
                       const FineCorners* corners) const {
   QuadraticNet<double> root = tetrahedron_net(a, t);
   LeafNet leaf;
-  leaf.largest = 0;
-  for (double& x : root.c) {
-    x -= scaled_level_;
-    leaf.largest = std::max(leaf.largest, std::fabs(x));
-  }
+  for (double& x : root.c) x -= scaled_level_;
   leaf.error = error_;
   int bits = bits_;
   if (corners) {
@@ -240,14 +263,33 @@ LeafNet LeafTest::net(const CubeCoefficients<double>& a, const Cube& cube, std::
     for (const FinePoint& p : *corners)
       for (const std::int64_t x : p) all |= static_cast<std::uint64_t>(x);
     bits += 2 * (kFineBits - std::countr_zero(all) + 1);
-    if (bits_ == 0 || bits > 51) leaf.error += 16 * kUnitRoundoff * leaf.largest;
+    if (bits_ == 0 || bits > 51) leaf.error += 16 * kUnitRoundoff * largest_of(root.c);
   } else {
     leaf.b = root.c;  // a difference of doubles has its exact sign
   }
   // Of two coefficients, and edges that are multiples of 1/2 and at most 1: four bits behind the
   // point, sums below 2^9.
+  leaf.largest = largest_of(leaf.b);
   leaf.exact_products = bits_ > 0 && 2 * bits + 13 <= 53;
   return leaf;
+}
+
+FineNet LeafTest::fine_net(const Cube& cube, std::size_t t, const FineCorners* corners) const {
+  auto f = spline_.stencil<long double>(cube);
+  for (long double& x : f) x *= scale_;
+  auto root = tetrahedron_net(cube_coefficients(f), t);
+  for (long double& x : root.c) x -= scaled_level_;
+  FineNet net;
+  net.error = kRoundings * kFine * scale_ * spline_.largest_sample();
+  // What the level loses by being scaled.
+  if (scale_ != 1) net.error += 0x1p-1000;
+  if (corners) {
+    net.b = blossoms(root, cube, t, *corners);
+    net.error += 16 * kFine * largest_of(root.c);
+  } else {
+    std::copy(root.c.begin(), root.c.end(), net.b.begin());
+  }
+  return net;
 }
 
 CubeSigns LeafTest::signs(const CubeCoefficients<double>& a) const {
@@ -269,10 +311,6 @@ CubeSigns LeafTest::signs(const CubeCoefficients<double>& a) const {
   return signs;
 }
 
-double LeafTest::at(const LeafNet& net, std::size_t i, std::size_t k) {
-  return net.b[kPair[i][k]];
-}
-
 bool LeafTest::empty(const LeafNet& net) const {
   bool below = true, other = true;
   for (const double x : net.b) {
@@ -285,24 +323,57 @@ bool LeafTest::empty(const LeafNet& net) const {
 bool LeafTest::settled(const LeafNet& net, const Cube& cube, std::size_t t,
                        const FineCorners* corners) const {
   if (empty(net)) return true;
-  // Products have factors of at most 2^8 from a shape whose edges are at most 1 along each axis.
-  const double rounded = net.error + 2 * kUnitRoundoff * net.largest;
-  Filter filter{net.error, 0x1p13 * rounded * net.largest};
+  Filter filter{net.error, product_error(net.error, kUnitRoundoff, net.largest)};
   // Signs are exact, zeros too.
   if (net.error == 0) filter.error = -1;
   if (net.exact_products) filter.product_error = -1;
   const bool answer = corners ? is_settled(net.b, edges_of<double>(*corners), filter)
                               : tetrahedron_is_settled(net.b, filter);
   if (!filter.unsure) return answer;
+  if (net.error > 0) {
+    const auto [b, error] = fine_net(cube, t, corners);
+    Filter fine{error, product_error(error, kFine, largest_of(b))};
+    const bool fine_answer = is_settled(b, edges_of<long double>(corners), fine);
+    if (!fine.unsure) return fine_answer;
+  }
   Exact exact;
-  return is_settled(exact_net(spline_, level_, cube, t, corners), exact_edges(corners), exact);
+  return is_settled(exact_net(spline_, level_, cube, t, corners), edges_of<Rational>(corners),
+                    exact);
 }
 
 Sign LeafTest::sign(const LeafNet& net, const Cube& cube, std::size_t t, const FineCorners* corners,
                     std::size_t corner) const {
-  const double x = net.b[kPair[corner][corner]];
-  if (net.error == 0 || std::fabs(x) > net.error) return kernel::sign_of(x);
-  return kernel::sign_of(exact_net(spline_, level_, cube, t, corners)[kPair[corner][corner]]);
+  const std::size_t i = kPair[corner][corner];
+  if (net.error == 0 || std::fabs(net.b[i]) > net.error) return kernel::sign_of(net.b[i]);
+  const auto fine = fine_net(cube, t, corners);
+  if (std::fabs(fine.b[i]) > fine.error) return kernel::sign_of(fine.b[i]);
+  return kernel::sign_of(exact_net(spline_, level_, cube, t, corners)[i]);
+}
+
+AlongEdge LeafTest::along(const LeafNet& net, const Cube& cube, std::size_t t,
+                          const FineCorners* corners, std::size_t below, std::size_t other) const {
+  const std::array<std::size_t, 3> pairs = {kPair[below][below], kPair[below][other],
+                                            kPair[other][other]};
+  const AlongEdge near = {net.b[pairs[0]], net.b[pairs[1]], net.b[pairs[2]], net.error};
+  if (net.error == 0 || (near.b0 < -net.error && near.b2 > net.error)) return near;
+  const auto exact = exact_net(spline_, level_, cube, t, corners);
+  Rational largest = 0;
+  for (const std::size_t i : pairs) largest = std::max(largest, Rational(abs(exact[i])));
+  // By a power of two, so that what doubles hold stays as it is.
+  const int power =
+      static_cast<int>(msb(denominator(largest))) - static_cast<int>(msb(numerator(largest)));
+  const Rational scale = power >= 0 ? Rational(numerator(Rational(1)) << power)
+                                    : 1 / Rational(numerator(Rational(1)) << -power);
+  bool rounded = false;
+  const auto scaled = [&](std::size_t i) {
+    const Rational x = scale * exact[i];
+    const auto y = static_cast<double>(x);
+    rounded |= x != Rational(y);
+    return y;
+  };
+  AlongEdge along = {scaled(pairs[0]), scaled(pairs[1]), scaled(pairs[2]), 0};
+  if (rounded) along.error = 4 * kUnitRoundoff;
+  return along;
 }
 
 }  // namespace crest::splines

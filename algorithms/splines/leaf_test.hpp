@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Is a leaf of the bisection empty or simple (isosurface.hpp): doubles with one bound, then
-// rationals.
+// Is a leaf of the bisection empty or simple (isosurface.hpp): doubles with one bound, long doubles
+// with another, then rationals.
 #include "algorithms/splines/bisection.hpp"
 #include "kernel/arithmetic/sign.hpp"
 
@@ -21,6 +21,17 @@ struct LeafNet {
   std::array<double, 10> b;
   double error, largest;
   bool exact_products = false;  ///< what the test computes in doubles is not rounded at all
+};
+
+/// The same in long doubles, for what doubles do not decide, before rationals.
+struct FineNet {
+  std::array<long double, 10> b;
+  double error;
+};
+
+/// The coefficients along an edge, times a positive number, with a bound of their errors.
+struct AlongEdge {
+  double b0, b1, b2, error;
 };
 
 /// A bit for each slot of a cube's coefficients.
@@ -64,8 +75,6 @@ class LeafTest {
     return holds(signs.below) || holds(signs.other);
   }
 
-  /// The coefficient of two corners.
-  static double at(const LeafNet& net, std::size_t i, std::size_t k);
   bool empty(const LeafNet& net) const;
   /// Empty or simple.
   bool settled(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
@@ -73,8 +82,14 @@ class LeafTest {
   /// The sign of s - c at a corner.
   kernel::Sign sign(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
                     const FineCorners* corners, std::size_t corner) const;
+  /// From a corner below the level to one that is not; by rationals where doubles do not tell that
+  /// they are: there a few small samples among large ones may leave them no digit.
+  AlongEdge along(const LeafNet& net, const Cube& cube, std::size_t tetrahedron,
+                  const FineCorners* corners, std::size_t below, std::size_t other) const;
 
  private:
+  FineNet fine_net(const Cube& cube, std::size_t tetrahedron, const FineCorners* corners) const;
+
   const QuadraticSpline& spline_;
   double level_;
   double scale_ = 1, scaled_level_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 9.6 to 9.9: cubic splines of signed distances to meshes at random points, exactly C1. A
-// cubic spline is drawn as the quadratic one of its values on a grid. Distances are VTK's.
+// Figure 9.1: a domain of cubes. Figures 9.6 to 9.9: cubic splines of signed distances to meshes at
+// random points, exactly C1. A cubic spline is drawn as the quadratic one of its values on a grid.
+// Distances are VTK's.
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkImplicitPolyDataDistance.h>
@@ -8,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include "algorithms/splines/cubic_evaluate.hpp"
 #include "algorithms/splines/cubic_fit.hpp"
 #include "algorithms/splines/local_fit.hpp"
 #include "experiments/001-splines/panels.hpp"
@@ -95,29 +95,12 @@ class Shape {
   vtkNew<vtkImplicitPolyDataDistance> distance_;
 };
 
-/// The spline's values at nodes `spacing` apart.
-QuadraticSpline on_grid(const CubicModel& model, double spacing) {
-  const Vec3 &low = model.domain.low, &high = model.domain.high;
-  kernel::SampledGrid grid;
-  for (std::size_t k = 0; k < 3; ++k) {
-    grid.size[k] = static_cast<std::size_t>((high[k] - low[k]) / spacing) + 1;
-    grid.spacing[k] = (high[k] - low[k]) / static_cast<double>(grid.size[k] - 1);
-    grid.origin[k] = low[k];
-  }
-  std::vector<Vec3> points;
-  for (std::size_t k = 0; k < grid.size[2]; ++k)
-    for (std::size_t j = 0; j < grid.size[1]; ++j)
-      for (std::size_t i = 0; i < grid.size[0]; ++i) {
-        const std::array<std::size_t, 3> at = {i, j, k};
-        Vec3 p;
-        for (std::size_t d = 0; d < 3; ++d)
-          p[d] = std::min(low[d] + static_cast<double>(at[d]) * grid.spacing[d], high[d]);
-        points.push_back(p);
-      }
-  std::vector<double> values;
-  for (const auto& at : splines::evaluate(model, points)) values.push_back(at.value);
-  grid.samples = std::move(values);
-  return QuadraticSpline(std::move(grid));
+/// To be drawn from values about `spacing` apart.
+QuadraticSpline drawable(const CubicModel& model, double spacing) {
+  std::array<std::size_t, 3> size;
+  for (std::size_t k = 0; k < 3; ++k)
+    size[k] = static_cast<std::size_t>((model.domain.high[k] - model.domain.low[k]) / spacing) + 1;
+  return on_grid(model, size);
 }
 
 Pinhole view_of(const Shape& shape, const Vec3& from, int size, double zoom) {
@@ -128,6 +111,75 @@ Pinhole view_of(const Shape& shape, const Vec3& from, int size, double zoom) {
   camera.angle = 24 / zoom;
   return camera;
 }
+
+/// The cubes, `longest` along the longest side, whose centre is inside a shape or less than half a
+/// diagonal off it.
+class CubeDomain {
+ public:
+  CubeDomain(const Shape& shape, double longest) {
+    box_.low = shape.low();
+    box_.high = shape.high();
+    box_.cubes = *shape.options(longest).cubes;
+    const Vec3 density = box_.density();
+    const Vec3 h = {1 / density[0], 1 / density[1], 1 / density[2]};
+    splines::for_each_place(box_.cubes, [&](const splines::Place& q) {
+      Vec3 centre = box_.low;
+      for (std::size_t k = 0; k < 3; ++k) centre[k] += (q[k] + 0.5) * h[k];
+      inside_.push_back(shape.distance(centre) < 0.5 * kernel::norm(h));
+    });
+  }
+  /// Black cubes dark.
+  void draw(Panels& panels, const Pinhole& camera) const {
+    const auto rays = camera.rays();
+    std::vector<Hit> hits(rays.size());
+    std::vector<Vec3> tints(rays.size(), Vec3{1, 1, 1});
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (trace(rays[i], hits[i])) tints[i] = {0.25, 0.25, 0.25};
+    panels.add(camera, hits, tints,
+               fmt::format("{} of {} cubes", std::count(inside_.begin(), inside_.end(), true),
+                           inside_.size()));
+  }
+
+ private:
+  /// From cube to cube up to the first of the domain; whether that is black.
+  bool trace(const splines::Ray& ray, Hit& hit) const {
+    const Vec3 density = box_.density();
+    Vec3 o, d;
+    double from = 0, to = HUGE_VAL;
+    std::size_t axis = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      o[k] = (ray.origin[k] - box_.low[k]) * density[k];
+      d[k] = ray.direction[k] * density[k];
+      const double a = -o[k] / d[k], b = (box_.cubes[k] - o[k]) / d[k];
+      if (std::min(a, b) > from) axis = k;
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    splines::Place q;
+    for (std::size_t k = 0; k < 3; ++k)
+      q[k] = std::clamp(static_cast<int>(std::floor(o[k] + from * d[k])), 0,
+                        static_cast<int>(box_.cubes[k]) - 1);
+    for (double t = from; t < to && box_.has_cube(q);) {
+      if (inside_[box_.cube(q)]) {
+        hit.hit = true;
+        hit.place = ray.origin + t * ray.direction;
+        hit.gradient[axis] = d[axis] > 0 ? -1 : 1;
+        return splines::is_black(q);
+      }
+      t = HUGE_VAL;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double next = (q[k] + (d[k] > 0 ? 1 : 0) - o[k]) / d[k];
+        if (next < t) axis = k;
+        t = std::min(t, next);
+      }
+      q[axis] += d[axis] > 0 ? 1 : -1;
+    }
+    return false;
+  }
+
+  splines::Domain box_;
+  std::vector<bool> inside_;
+};
 
 struct Work {
   std::filesystem::path meshes = "../shared/data/meshes", folder = ".";
@@ -146,16 +198,17 @@ struct Work {
   }
   void add(Panels& panels, const QuadraticSpline& spline, const Pinhole& camera, double level,
            const std::string& words) const {
-    const auto rays = camera.rays();
-    std::vector<Hit> hits(rays.size());
-    splines::RayCaster(spline, level).cast(rays, hits);
-    panels.add(camera, hits, {}, words);
+    panels.add(camera, hits_of(spline, level, camera), {}, words);
   }
 
   void head() const {
     const Shape shape(meshes / "max-planck_decimated.obj", true);
+    Panels cubes(2, size);
+    for (const double longest : {12.0, 24.0})
+      CubeDomain(shape, longest).draw(cubes, view_of(shape, {0.5, -0.8, 0.2}, size, 1));
+    cubes.write(folder / "figure-9.1.png");
     const CubicModel model = fit("head", shape, shape.samples(head_samples), 97);
-    const QuadraticSpline spline = on_grid(model, 1);
+    const QuadraticSpline spline = drawable(model, 1);
     Panels zero(3, size), offsets(3, size);
     add(zero, spline, view_of(shape, {0.5, -0.8, 0.2}, size, 1), 0, "zero set");
     add(zero, spline, view_of(shape, {-0.9, -0.4, 0.3}, size, 1), 0, "zero set");
@@ -190,8 +243,8 @@ struct Work {
     Panels panels(3, size);
     panels.add(camera, traced(shape, camera), {}, "the mesh");
     const CubicModel fine = fit("part", shape, s, 64), coarse = fit("part", shape, s, 42);
-    add(panels, on_grid(fine, 1), camera, 0, "64 cubes along it");
-    add(panels, on_grid(coarse, 1), camera, 0, "42 cubes along it");
+    add(panels, drawable(fine, 1), camera, 0, "64 cubes along it");
+    add(panels, drawable(coarse, 1), camera, 0, "42 cubes along it");
     panels.write(folder / "figure-9.8.png");
     local(shape, s, fine);
   }
@@ -296,7 +349,7 @@ void Work::local(const Shape& shape, const Samples& s, const CubicModel& model) 
 int main(int argc, char** argv) {
   using namespace crest::experiments;
   Work work;
-  Program program("Figures 9.6 to 9.9");
+  Program program("Figures 9.1 and 9.6 to 9.9");
   program.option("--meshes", work.meshes, "their folder (../shared/data/meshes)");
   program.option("--pictures", work.folder, "where pictures go (.)");
   program.option("--size", work.size, "of a panel, in pixels (320)");

@@ -22,21 +22,6 @@ using kernel::operator-;
 using splines::QuadraticSpline;
 using splines::ValueAndGradient;
 
-/// On [-half, half]^3 in floats.
-kernel::SampledGrid volume(int n, Function f, double half) {
-  kernel::SampledGrid grid;
-  std::vector<float> samples;
-  const auto at = [&](int i) { return half * (2.0 * i / (n - 1) - 1); };
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) samples.push_back(static_cast<float>(f({at(x), at(y), at(z)})));
-  grid.samples = std::move(samples);
-  grid.size.fill(static_cast<std::size_t>(n));
-  grid.spacing.fill(2 * half / (n - 1));
-  grid.origin.fill(-half);
-  return grid;
-}
-
 double radius_of(const Vec3& p) {
   return kernel::norm(p);
 }
@@ -68,12 +53,7 @@ constexpr Scene kSphere{radius_of, 0.4, 0.5};
 /// What a panel shows of `model`, or of the spline itself if there is none.
 std::vector<Hit> hits_of(const QuadraticSpline& spline, const Scene& scene, const Pinhole& camera,
                          Model model) {
-  if (model == nullptr) {
-    const auto rays = camera.rays();
-    std::vector<Hit> hits(rays.size());
-    splines::RayCaster(spline, scene.level).cast(rays, hits);
-    return hits;
-  }
+  if (model == nullptr) return experiments::hits_of(spline, scene.level, camera);
   const double distance = kernel::distance(camera.eye, Vec3{}), reach = 2 * scene.half;
   return hits_by_steps(camera, field_of(spline, model), scene.level,
                        std::max(0.0, distance - reach), distance + reach,
@@ -106,7 +86,7 @@ struct Work {
 
   /// Values of Marschner and Lobb's function on a model's surface, less the level.
   void value_panel(Panels& panels, int n, const Named& model, double red, double zoom) const {
-    const QuadraticSpline spline(volume(n, kLobb.f, kLobb.half));
+    const QuadraticSpline spline(volume_of(kLobb.f, n, kLobb.half));
     const Pinhole camera = view_of(spline, size, zoom);
     const auto hits = hits_of(spline, kLobb, camera, model.model);
     double largest = 0;
@@ -120,7 +100,7 @@ struct Work {
                zoom > 1 ? "part" : "all", largest, red);
   }
   void gradient_panel(Panels& panels, int n, const Named& model) const {
-    const QuadraticSpline spline(volume(n, kSphere.f, kSphere.half));
+    const QuadraticSpline spline(volume_of(kSphere.f, n, kSphere.half));
     const Pinhole camera = view_of(spline, size, 1.6);
     const auto hits = hits_of(spline, kSphere, camera, model.model);
     double sum = 0, largest = 0, count = 0;

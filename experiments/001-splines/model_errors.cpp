@@ -20,21 +20,6 @@ using kernel::operator+;
 using kernel::operator-;
 using splines::ValueAndGradient;
 
-/// On [-1, 1]^3 in floats.
-kernel::SampledGrid volume(int n, Function f) {
-  kernel::SampledGrid grid;
-  std::vector<float> samples;
-  const auto at = [n](int i) { return 2.0 * i / (n - 1) - 1; };
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) samples.push_back(static_cast<float>(f({at(x), at(y), at(z)})));
-  grid.samples = samples;
-  grid.size.fill(static_cast<std::size_t>(n));
-  grid.spacing.fill(2.0 / (n - 1));
-  grid.origin.fill(-1);
-  return grid;
-}
-
 double radius_of(const Vec3& p) {
   return std::hypot(p[0], p[1], p[2]);
 }
@@ -84,7 +69,7 @@ std::vector<Vec3> visible_points(const splines::QuadraticSpline& spline, Functio
 }
 
 void compare(const char* title, int n, Function f, double c, int size) {
-  const splines::QuadraticSpline spline(volume(n, f));
+  const splines::QuadraticSpline spline(volume_of(f, n));
   double largest = 0;
   const auto points = visible_points(spline, f, c, size, largest);
   fmt::print(

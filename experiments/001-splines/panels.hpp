@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "algorithms/splines/cubic_evaluate.hpp"
 #include "algorithms/splines/pinhole.hpp"
 #include "algorithms/splines/value_and_gradient.hpp"
 #include "io/picture/lettering.hpp"
@@ -69,6 +70,39 @@ class Panels {
   int size_, width_, next_ = 0;
   io::Canvas canvas_;
 };
+
+/// What the camera sees of {spline = level}.
+inline std::vector<Hit> hits_of(const splines::QuadraticSpline& spline, double level,
+                                const Pinhole& camera) {
+  const auto rays = camera.rays();
+  std::vector<Hit> hits(rays.size());
+  splines::RayCaster(spline, level).cast(rays, hits);
+  return hits;
+}
+
+/// The values of a cubic spline at so many nodes along each axis of its box, to be drawn.
+inline splines::QuadraticSpline on_grid(const splines::CubicModel& model,
+                                        const std::array<std::size_t, 3>& size) {
+  const Vec3 &low = model.domain.low, &high = model.domain.high;
+  kernel::SampledGrid grid;
+  grid.size = size;
+  grid.origin = low;
+  for (std::size_t k = 0; k < 3; ++k)
+    grid.spacing[k] = (high[k] - low[k]) / static_cast<double>(size[k] - 1);
+  std::vector<Vec3> points;
+  for (std::size_t z = 0; z < size[2]; ++z)
+    for (std::size_t y = 0; y < size[1]; ++y)
+      for (std::size_t x = 0; x < size[0]; ++x) {
+        Vec3 p = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+        for (std::size_t k = 0; k < 3; ++k)
+          p[k] = std::min(low[k] + p[k] * grid.spacing[k], high[k]);
+        points.push_back(p);
+      }
+  std::vector<double> values;
+  for (const auto& at : splines::evaluate(model, points)) values.push_back(at.value);
+  grid.samples = std::move(values);
+  return splines::QuadraticSpline(std::move(grid));
+}
 
 /// Value and gradient in the world; the value is NaN outside.
 using Field = std::function<splines::ValueAndGradient(const Vec3&)>;

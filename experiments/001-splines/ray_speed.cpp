@@ -30,21 +30,6 @@ double timed(int repeat, const Work& work) {
   return seconds[seconds.size() / 2];
 }
 
-kernel::SampledGrid marschner_lobb_volume(int n) {
-  kernel::SampledGrid grid;
-  std::vector<float> samples;
-  const auto at = [n](int i) { return 2.0 * i / (n - 1) - 1; };
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x)
-        samples.push_back(static_cast<float>(marschner_lobb({at(x), at(y), at(z)})));
-  grid.samples = samples;
-  grid.size.fill(static_cast<std::size_t>(n));
-  grid.spacing.fill(2.0 / (n - 1));
-  grid.origin.fill(-1);
-  return grid;
-}
-
 struct Arguments {
   int nodes = 256, size = 512, repeat = 3;
   double isovalue = 0.5;
@@ -53,7 +38,7 @@ struct Arguments {
 };
 
 void measure(const Arguments& a) {
-  const splines::QuadraticSpline spline(a.volume.empty() ? marschner_lobb_volume(a.nodes)
+  const splines::QuadraticSpline spline(a.volume.empty() ? volume_of(marschner_lobb, a.nodes)
                                                          : io::read_volume(a.volume).grid);
   const auto cubes = static_cast<double>(spline.cube_count());
   std::optional<splines::RayCaster> caster;

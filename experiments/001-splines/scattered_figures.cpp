@@ -4,7 +4,6 @@
 // values on a grid.
 #include <fmt/format.h>
 
-#include "algorithms/splines/cubic_evaluate.hpp"
 #include "algorithms/splines/cubic_fit.hpp"
 #include "experiments/001-splines/panels.hpp"
 #include "experiments/001-splines/test_functions.hpp"
@@ -21,30 +20,12 @@ struct Choice {
   int width = 240;
 };
 
-splines::QuadraticSpline on_grid(const splines::CubicModel& model, std::size_t nodes) {
-  kernel::SampledGrid grid;
-  const double h = 1 / static_cast<double>(nodes - 1);
-  grid.size = {nodes, nodes, nodes};
-  grid.spacing = {h, h, h};
-  std::vector<Vec3> points;
-  for (std::size_t k = 0; k < nodes; ++k)
-    for (std::size_t j = 0; j < nodes; ++j)
-      for (std::size_t i = 0; i < nodes; ++i)
-        points.push_back(
-            {static_cast<double>(i) * h, static_cast<double>(j) * h, static_cast<double>(k) * h});
-  std::vector<double> values;
-  for (const auto& at : splines::evaluate(model, points)) values.push_back(at.value);
-  grid.samples = std::move(values);
-  return splines::QuadraticSpline(std::move(grid));
-}
-
 /// Red is an error of `red`.
 void draw(Panels& panels, const splines::CubicModel& model, const splines::QuadraticSpline& spline,
           double isovalue, double red, const Choice& choice) {
   const Pinhole camera = splines::automatic_view(spline, choice.width);
-  const auto rays = camera.rays();
-  std::vector<Hit> hits(rays.size());
-  const auto counts = splines::RayCaster(spline, isovalue).cast(rays, hits);
+  const auto hits = hits_of(spline, isovalue, camera);
+  const auto count = std::count_if(hits.begin(), hits.end(), [](const Hit& h) { return h.hit; });
   double sum = 0, largest = 0;
   const auto tints = error_tints(hits, red, [&](const Hit& hit) {
     const double s = splines::evaluate(model, hit.place).value;
@@ -55,8 +36,8 @@ void draw(Panels& panels, const splines::CubicModel& model, const splines::Quadr
     return e;
   });
   panels.add(camera, hits, tints, fmt::format("{}", isovalue));
-  fmt::print("| {} | {} | {:.2e} | {:.2e} | {} |\n", isovalue, counts.hits,
-             sum / static_cast<double>(counts.hits), largest, red);
+  fmt::print("| {} | {} | {:.2e} | {:.2e} | {} |\n", isovalue, count,
+             sum / static_cast<double>(count), largest, red);
 }
 
 int work(const Choice& choice) {
@@ -68,7 +49,8 @@ int work(const Choice& choice) {
   fmt::print(
       "| isovalue | rays that hit | mean error there | max | red |\n|---|---|---|---|---|\n");
   const auto model = splines::fit_cubic(s.points, s.values, options).model;
-  const auto exact = on_grid(model, choice.nodes);
+  const std::array<std::size_t, 3> nodes = {choice.nodes, choice.nodes, choice.nodes};
+  const auto exact = on_grid(model, nodes);
   Panels plain(6, choice.width), noise(3, choice.width);
   for (const double isovalue : {-0.1, 0.0, 0.1, 0.3, 0.5, 0.8})
     draw(plain, model, exact, isovalue, 2e-5, choice);
@@ -78,7 +60,7 @@ int work(const Choice& choice) {
     std::vector<double> noisy = s.values;
     for (double& x : noisy) x += (2 * uniform() - 1) * percent / 100 * 1.52;
     const auto rough = splines::fit_cubic(s.points, noisy, options).model;
-    draw(noise, rough, on_grid(rough, choice.nodes), 0.3, 0.02, choice);
+    draw(noise, rough, on_grid(rough, nodes), 0.3, 0.02, choice);
   }
   noise.write(choice.folder / "figure-9.5.png");
   return 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernel/arithmetic/vec3.hpp"
+#include "kernel/geometry/sampled_grid.hpp"
 
 namespace crest::experiments {
 
@@ -48,6 +49,21 @@ inline double marschner_lobb(const Vec3& p) {
   const double pi = std::numbers::pi, alpha = 0.25;
   const double r = std::cos(12 * pi * std::cos(pi * std::sqrt(x * x + y * y) / 2));
   return (1 - std::sin(pi * z / 2) + alpha * (1 + r)) / (2 * (1 + alpha));
+}
+
+/// A function's values in floats, n along each axis of [-half, half]^3.
+inline kernel::SampledGrid volume_of(Function f, int n, double half = 1) {
+  kernel::SampledGrid grid;
+  std::vector<float> samples;
+  const auto at = [&](int i) { return half * (2.0 * i / (n - 1) - 1); };
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) samples.push_back(static_cast<float>(f({at(x), at(y), at(z)})));
+  grid.samples = std::move(samples);
+  grid.size.fill(static_cast<std::size_t>(n));
+  grid.spacing.fill(2 * half / (n - 1));
+  grid.origin.fill(-half);
+  return grid;
 }
 
 /// Uniform numbers of [0, 1).

@@ -52,8 +52,8 @@ void add_triangles(const std::vector<std::uint32_t>& nodes, Cells::Node first, C
 
 class RowReader {
  public:
-  RowReader(std::string_view text, const TriangleRows& rows, Soup& soup)
-      : text_(text), rows_(rows), soup_(soup), parts_(text_parts(text, rows.begin)) {}
+  RowReader(std::string_view text, const TriangleRows& rows, Soup& soup, std::size_t part_size)
+      : text_(text), rows_(rows), soup_(soup), parts_(text_parts(text, rows.begin, part_size)) {}
 
   bool read() {
     count_lines();
@@ -173,13 +173,14 @@ std::vector<TextPart> text_parts(std::string_view text, std::size_t begin, std::
   return parts;
 }
 
-bool read_triangle_rows(std::string_view text, const TriangleRows& rows, Soup& soup) {
-  return RowReader(text, rows, soup).read();
+bool read_triangle_rows(std::string_view text, const TriangleRows& rows, Soup& soup,
+                        std::size_t part_size) {
+  return RowReader(text, rows, soup, part_size).read();
 }
 
-bool read_obj_triangles(std::string_view text, Soup& soup) {
+bool read_obj_triangles(std::string_view text, Soup& soup, std::size_t part_size) {
   // From behind a byte order mark.
-  const std::vector<TextPart> parts = text_parts(text, TextScan(text, '#').position());
+  const auto parts = text_parts(text, TextScan(text, '#').position(), part_size);
   std::vector<ObjPart> read(parts.size());
   if (!all_parts(parts.size(), [&](std::size_t p) { return read[p].read(text, parts[p]); }))
     return false;

@@ -21,9 +21,12 @@ struct TextPart {
   std::size_t begin, end;
 };
 
+/// Bytes of a part.
+inline constexpr std::size_t kTextPart = std::size_t{1} << 20;
+
 /// The text from `begin` on, cut behind line feeds about every `size` bytes.
 std::vector<TextPart> text_parts(std::string_view text, std::size_t begin,
-                                 std::size_t size = std::size_t{1} << 20);
+                                 std::size_t size = kTextPart);
 
 /// A vertex a line, then a triangle a line.
 struct TriangleRows {
@@ -35,10 +38,11 @@ struct TriangleRows {
 
 /// Reads lines "x y z" and "3 a b c" into a soup without points and cells. False, and nothing read,
 /// unless there are as many lines, none of them blank, with finite numbers and indices of vertices.
-bool read_triangle_rows(std::string_view text, const TriangleRows& rows, Soup& soup);
+bool read_triangle_rows(std::string_view text, const TriangleRows& rows, Soup& soup,
+                        std::size_t part_size = kTextPart);
 
 /// Reads the vertices and faces of an OBJ file that has only triangles with indices counted from
 /// the file's start, and no line that is continued. False, and nothing read, otherwise.
-bool read_obj_triangles(std::string_view text, Soup& soup);
+bool read_obj_triangles(std::string_view text, Soup& soup, std::size_t part_size = kTextPart);
 
 }  // namespace crest::io

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 
 #include "tests/io/bytes.hpp"
 #include "tests/io/soups.hpp"
@@ -184,4 +186,101 @@ TEST_CASE("rows that the bytes are too few for are not made room for", "[io]") {
   rows.vertices = 3;
   rows.faces = 1;
   CHECK(read_triangle_rows(least, rows, soup));
+}
+
+namespace {
+
+/// A small text of vertices and triangles as other programs write them, and worse: some rows may be
+/// none. `vertex`, `face`: what starts a line.
+std::string odd_text(Random& random, int vertices, int faces, const std::string& vertex,
+                     const std::string& face, int first) {
+  const auto pick = [&](std::initializer_list<const char*> list) {
+    return std::string(list.begin()[random() % list.size()]);
+  };
+  const std::uint64_t rare = std::array{5, 40, 1000}[random() % 3];
+  const auto rarely = [&] { return random() % rare == 0; };
+  const auto number = [&] {
+    return rarely() ? pick({"1.#QNAN", "1e400", "1,5", "x", "1.5D+00"})
+                    : pick({"0", "1", "-2.5", "+3", "1e-3", ".5", "7.", "123456789012345678", "-0",
+                            "0.1000000000000000055511151231257827021181583404541015625"});
+  };
+  const auto blank = [&] {
+    return rarely() ? pick({"\t", "\v", "\f", " \t "}) : pick({" ", "  "});
+  };
+  const auto line_end = [&] {
+    return rarely() ? pick({"\r", "# 1 2\n", " # n\r\n", "\n\n", "\n\r"})
+                    : pick({"\n", "\r\n", " \n"});
+  };
+  const auto more = [&] { return rarely() ? blank() + number() : ""; };
+  std::string text;
+  for (int v = 0; v < vertices; ++v)
+    text += vertex + number() + blank() + number() + blank() + number() + more() + line_end();
+  for (int f = 0; f < faces; ++f) {
+    text += face;
+    for (int k = 0; k < 3; ++k) {
+      const int most = rarely() ? vertices + 1 : vertices;
+      text += blank() + std::to_string(first + static_cast<int>(random() % std::uint64_t(most)));
+      if (first == 1) text += pick({"", "", "/1", "//2", "/", "/x/3"});
+    }
+    text += more() + line_end();
+  }
+  if (rarely()) text += pick({"\n", "\n\n\n", "1 2 3\n", "3 0 0 0\n0 1 2\n"});
+  if (rarely()) text.pop_back();
+  if (rarely()) text[random() % text.size()] = pick({" ", "\n", "\r", "#", "3", "-"})[0];
+  return text;
+}
+
+/// The reader of the format, one line after the other; nothing where it refuses.
+std::optional<Soup> read_in_order(const std::string& name, const std::string& text) {
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  try {
+    return soup_of(name, text);
+  } catch (const crest::kernel::InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("parts smaller than a line, wherever cuts are, give what the readers give", "[io]") {
+  Random random(17);
+  std::size_t read = 0, left = 0;
+  const auto check = [&](const std::string& name, const std::string& text, const auto& read_parts) {
+    const auto expected = read_in_order(name, text);
+    for (const std::size_t size : {1, 2, 5, 13, 40, 1000}) {
+      Soup soup;
+      const bool done = read_parts(size, soup);
+      ++(done ? read : left);
+      INFO(name << ", parts of " << size << ":\n" << text);
+      if (done) REQUIRE((expected && same(soup, *expected)));
+    }
+  };
+  // As many line feeds as rows, but a row more.
+  const std::string returned = "OFF\n3 1 0\n0 0 0\r1 1 1\n2 2 2\n3 0 1 2\n3 0 0 0\n";
+  check("a.off", returned, [&](std::size_t size, Soup& soup) {
+    return read_triangle_rows(returned, {size_of_header(returned), 3, 1, {}, {}, '#'}, soup, size);
+  });
+  for (std::uint64_t i = 0; i < scaled(400); ++i) {
+    const int vertices = 1 + static_cast<int>(random() % 6),
+              faces = 1 + static_cast<int>(random() % 6);
+    const std::string obj = odd_text(random, vertices, faces, "v ", "f", 1);
+    check("a.obj", obj,
+          [&](std::size_t size, Soup& soup) { return read_obj_triangles(obj, soup, size); });
+    const std::string head = fmt::format("OFF\n{} {} 0\n", vertices, faces);
+    const std::string off = head + odd_text(random, vertices, faces, "", "3", 0);
+    const auto v = static_cast<std::size_t>(vertices), f = static_cast<std::size_t>(faces);
+    check("a.off", off, [&](std::size_t size, Soup& soup) {
+      return read_triangle_rows(off, {head.size(), v, f, {}, {}, '#'}, soup, size);
+    });
+    const std::string ply_head = fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        vertices, faces);
+    const std::string ply = ply_head + odd_text(random, vertices, faces, "", "3", 0);
+    check("a.ply", ply, [&](std::size_t size, Soup& soup) {
+      return read_triangle_rows(ply, {ply_head.size(), v, f, 0, 0}, soup, size);
+    });
+  }
+  CHECK(read > 500);
+  CHECK(left > 500);
 }

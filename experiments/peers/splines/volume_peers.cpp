@@ -34,16 +34,6 @@ namespace {
 
 constexpr double kLevel = 0.5;
 
-std::vector<float> lobb_samples(int n) {
-  std::vector<float> samples;
-  const auto at = [n](int i) { return 2.0 * i / (n - 1) - 1; };
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x)
-        samples.push_back(static_cast<float>(marschner_lobb({at(x), at(y), at(z)})));
-  return samples;
-}
-
 /// One step of one system: processor seconds of each run, and what it made.
 struct Row {
   std::vector<double> seconds;
@@ -55,14 +45,11 @@ using Made = std::pair<std::size_t, std::size_t>;
 
 class Comparison {
  public:
-  Comparison(int nodes, int size) : nodes_(nodes), samples_(lobb_samples(nodes)) {
-    kernel::SampledGrid grid;
-    grid.samples = samples_;
-    grid.size.fill(static_cast<std::size_t>(nodes));
-    grid.spacing.fill(2.0 / (nodes - 1));
-    grid.origin.fill(-1);
-    spline_.emplace(std::move(grid));
-    rays_ = splines::automatic_view(*spline_, size).rays();
+  Comparison(int nodes, int size)
+      : nodes_(nodes),
+        spline_(volume_of(marschner_lobb, nodes)),
+        samples_(std::get<std::vector<float>>(spline_.grid().samples)) {
+    rays_ = splines::automatic_view(spline_, size).rays();
     image_->SetDimensions(nodes, nodes, nodes);
     image_->SetOrigin(-1, -1, -1);
     const double h = 2.0 / (nodes - 1);
@@ -102,8 +89,8 @@ class Comparison {
   void crest() {
     std::optional<splines::RayCaster> caster;
     measure("1 Crest, hull of every cube", [&] {
-      caster.emplace(*spline_, kLevel);
-      return Made{spline_->cube_count(), 0};
+      caster.emplace(spline_, kLevel);
+      return Made{spline_.cube_count(), 0};
     });
     measure("2 Crest, rays, first hits proven", [&] {
       std::vector<splines::Hit> hits(rays_.size());
@@ -111,7 +98,7 @@ class Comparison {
       return Made{rays_.size(), counts.hits};
     });
     measure("3 Crest, mesh of proven topology, triangles", [&] {
-      return Made{splines::extract_isosurface(*spline_, kLevel, 30).triangles.size(), 0};
+      return Made{splines::extract_isosurface(spline_, kLevel, 30).triangles.size(), 0};
     });
   }
   void vtk() {
@@ -198,8 +185,8 @@ class Comparison {
 #endif
 
   int nodes_;
-  std::vector<float> samples_;
-  std::optional<splines::QuadraticSpline> spline_;
+  splines::QuadraticSpline spline_;
+  const std::vector<float>& samples_;  ///< its own
   std::vector<splines::Ray> rays_;
   vtkNew<vtkImageData> image_;
   std::map<std::string, Row> rows_;
