@@ -82,7 +82,8 @@ std::vector<std::string> extremal_warnings(const Result& r) {
   const extremal::Counts& c = r.counts;
   if (r.polygons() == 0)
     warnings.push_back(
-        "there is no extremal surface: the data are constant, or the thresholds leave nothing");
+        "there is no extremal surface: the data are constant or their squares too small for "
+        "binary32, or the thresholds leave nothing");
   if (c.undecided_edges > 0)
     warnings.push_back(
         fmt::format("{} of {} edges of the grid are not decided; the report lists them",

@@ -122,7 +122,7 @@ class Derivatives {
 class RegularTest {
  public:
   RegularTest(const Fields& fields, const Node& v, const Vec3& w, double gap, double theta,
-              double gradient_size)
+              const CellNets& nets)
       : fields_(fields),
         made_(fields, v),
         w_(w),
@@ -131,7 +131,8 @@ class RegularTest {
         hessian_(made_.hessian()) {
     const auto& spacing = fields.grid().spacing;
     least_ = std::min({spacing[0], spacing[1], spacing[2]});
-    slack_ = 4 * kSlack * gradient_size;
+    slack_ = 4 * kSlack * nets.gradient_size;
+    tensor_slack_ = kSlack * nets.tensor_size;
     // Index units to diag(d) Hess: each column over its spacing.
     const Vec3& d = fields.grid().spacing;
     double square = 0;
@@ -222,7 +223,8 @@ class RegularTest {
         norm[i] = square_norm(dt, i);
       }
       r[static_cast<std::size_t>(k)] =
-          (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm))) / gap_;
+          (std::sqrt(largest(across)) + 2 * theta_ * std::sqrt(largest(norm)) + tensor_slack_) /
+          gap_;
     }
     return r;
   }
@@ -230,7 +232,7 @@ class RegularTest {
   const Fields& fields_;
   Derivatives made_;
   Vec3 w_;
-  double gap_, theta_, size_ = 0, least_, slack_;
+  double gap_, theta_, size_ = 0, least_, slack_, tensor_slack_;
   std::array<Controls, 6> hessian_;
   std::array<Controls, 3> h_;
   Vec3 row_size_{};  ///< of diag(d) Hess s
@@ -259,10 +261,12 @@ CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, 
   r.direction = shortened(guess);
   const Vec3 w = unit(r.direction);
   const ConeBounds cone = cone_bounds(nets.tensor, w);
-  const double gap = cone.gap * (1 - kMargin) - kSlack * nets.tensor_size;
+  // The checker's bound of an image's roundings is relative to its entry zz.
+  const double slack = (fields.grid().dimension() == 2 ? 16 : 1) * kSlack;
+  const double gap = cone.gap * (1 - kMargin) - slack * nets.tensor_size;
   if (!(gap > 0)) return r;
   r.state = CellState::cone;
-  const double theta = 0.5 * std::atan(2 * cone.across / gap);
+  const double theta = 0.5 * std::atan(2 * (cone.across + slack * nets.tensor_size) / gap);
   const GradientBounds g = gradient_bounds(nets.gradient, w);
   const double sine = std::sin(theta) * g.across * (1 + kMargin) + kSlack * nets.gradient_size,
                cosine = std::cos(theta) * (1 - kMargin);
@@ -270,7 +274,7 @@ CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, 
     r.state = CellState::empty;
     return r;
   }
-  const RegularTest test(fields, v, w, gap, theta, nets.gradient_size);
+  const RegularTest test(fields, v, w, gap, theta, nets);
   if (!test.regular(g, r)) return r;
   r.state = test.extremal() ? CellState::regular_extremal : CellState::regular;
   return r;

@@ -18,6 +18,14 @@ using Short3 = std::array<std::int16_t, 3>;
 /// A unit vector near n: closed form, then one inverse iteration. For T = c I any unit vector.
 inline kernel::Vec3 dominant_direction(const kernel::Symmetric3<double>& t) {
   using kernel::operator*;
+  // Of an image: beside an entry zz that is far below, a gap in the plane would be rounded away.
+  if (t[4] == 0 && t[5] == 0 && t[2] < -(std::fabs(t[0]) + std::fabs(t[1]) + std::fabs(t[3]))) {
+    const double half = (t[0] - t[1]) / 2, r = std::hypot(half, t[3]);
+    if (!(r > 0)) return {1, 0, 0};
+    const kernel::Vec3 v =
+        half > 0 ? kernel::Vec3{half + r, t[3], 0} : kernel::Vec3{t[3], r - half, 0};
+    return (1 / std::hypot(v[0], v[1])) * v;
+  }
   const double mean = (t[0] + t[1] + t[2]) / 3;
   const double x = t[0] - mean, y = t[1] - mean, z = t[2] - mean;
   const double square = (x * x + y * y + z * z + 2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5])) / 6;

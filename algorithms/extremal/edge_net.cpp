@@ -149,6 +149,10 @@ EdgeNet edge_net(const Fields& fields, const Node& v, std::size_t axis) {
     ++orders[kAxes[n][1]];
     r.hessian[n] = net_of(l, axis, orders, fields.sign() / (d[kAxes[n][0]] * d[kAxes[n][1]]));
   }
+  if (fields.grid().dimension() == 2) {  // across it nothing changes; the errors of sums would
+    r.gradient[2] = {};
+    r.hessian[2] = r.hessian[4] = r.hessian[5] = {};
+  }
   r.tensor = r.hessian;
   r.tensor_size = r.hessian_size;
   if (fields.structure()) {
@@ -176,6 +180,7 @@ EdgeBounds edge_bounds(const EdgeNet& net, const Vec3& w) {
     across = std::max(across, std::hypot(kernel::dot(u, tw), kernel::dot(v, tw)));
   }
   gap = gap * (1 - kEdgeMargin) - kEdgeSlack * net.tensor_size;
+  across += kEdgeSlack * net.tensor_size;
   return {gap, gap > 0 ? 0.5 * std::atan(2 * across / gap) : HUGE_VAL};
 }
 

@@ -22,7 +22,7 @@ namespace crest::extremal {
 /// Samples at the nodes of a grid, the first index fastest. An image has size[2] = 1.
 struct Volume {
   std::array<kernel::Index, 3> size{};
-  kernel::Vec3 spacing{1, 1, 1};  ///< positive; an image's third is not used
+  kernel::Vec3 spacing{1, 1, 1};  ///< 2^-60 to 2^60; an image's third is not used
   kernel::Vec3 origin{0, 0, 0};
   std::variant<std::vector<float>, std::vector<double>> samples;
 

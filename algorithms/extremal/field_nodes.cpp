@@ -80,6 +80,8 @@ Fields::AtNode Fields::at_node(const Node& v) const {
   const auto l = near_node<double>(grid_, scalars_, v);
   const Vec3& d = grid_.spacing;
   const double least = std::min({d[0], d[1], d[2]}), scalar = largest(l);
+  // Wider than these roundings: what is certain here must be so by the checker's bounds.
+  const double error = grid_.dimension() == 2 ? 0x1p-38 : 0x1p-42;
   AtNode r;
   r.gradient = node_gradient(l, d, sign_);
   r.gradient_error = 0x1p-48 * scalar / least;
@@ -91,10 +93,10 @@ Fields::AtNode Fields::at_node(const Node& v) const {
       size = std::max(size, largest(c));
       r.tensor[entry(i)] = node_value(c, 0, 0, 0) / 216;
     }
-    r.tensor_error = 0x1p-48 * size;
+    r.tensor_error = error * size;
   } else {
     r.tensor = node_hessian(l, d, sign_);
-    r.tensor_error = 0x1p-46 * scalar / (least * least);
+    r.tensor_error = error * scalar / (least * least);
   }
   if (grid_.dimension() == 2) r.tensor[2] = below(r.tensor);
   r.tensor_size = 0;

@@ -69,6 +69,10 @@ void check_volume(const Volume& v) {
     if (!(v.spacing[k] > 0 && std::isfinite(v.spacing[k])))
       throw kernel::InputError("spacing along axis " + std::to_string(k) +
                                ": not a positive number; correct the header");
+    // Beyond, second derivatives leave the range of floats, and everything would seem flat.
+    if (!(v.spacing[k] >= 0x1p-60 && v.spacing[k] <= 0x1p60))
+      throw kernel::InputError("spacing along axis " + std::to_string(k) +
+                               ": not from 2^-60 to 2^60; choose another unit of length");
     if (!std::isfinite(v.origin[k]))
       throw kernel::InputError("origin along axis " + std::to_string(k) +
                                ": not a number; correct the header");

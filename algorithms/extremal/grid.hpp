@@ -31,7 +31,8 @@ class Grid {
         stride{1, size[0], std::size_t{size[0]} * size[1]},
         spacing(spacing),
         origin(origin) {
-    if (size[2] == 1) this->spacing[2] = 1;
+    // Nothing changes along it, so any will do; bounds of roundings are relative to the least.
+    if (size[2] == 1) this->spacing[2] = spacing[0] < spacing[1] ? spacing[0] : spacing[1];
   }
 
   int dimension() const { return size[2] == 1 ? 2 : 3; }

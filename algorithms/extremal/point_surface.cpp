@@ -125,6 +125,9 @@ Result extract(const OrientedPoints& given, const PointOptions& options,
   const double h = options.radius ? *options.radius : default_radius(points.points);
   if (!(h > 0 && std::isfinite(h)))
     throw kernel::InputError("radius: not a positive number; give --radius");
+  // The inverse of its square's square is asked for.
+  if (!(h >= 0x1p-200 && h <= 0x1p200))
+    throw kernel::InputError("radius: not from 2^-200 to 2^200; choose another unit of length");
   Result r;
   r.h = h;
   r.counts.points_dropped = given.points.size() - points.points.size();

@@ -39,7 +39,8 @@ class Reader {
     std::uint64_t count = 0;
     (*this)(count);
     static_assert(std::is_trivially_copyable_v<T>);
-    if (count > rest_.size()) throw std::runtime_error("records: they end too early");
+    // By division: a product of 64 bits may wrap round.
+    if (count > rest_.size() / sizeof(T)) throw std::runtime_error("records: they end too early");
     list.resize(count);
     if (count > 0) std::memcpy(list.data(), take(count * sizeof(T)), count * sizeof(T));
   }

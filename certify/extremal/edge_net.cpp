@@ -14,7 +14,9 @@ struct Block {
   double at[4][3][3];
   double most = 0;
 
-  Block(const Fields& fields, const Buffer<float>& coefficients, u32 node, unsigned axis) {
+  /// Of as many along it is the largest size.
+  Block(const Fields& fields, const Buffer<float>& coefficients, u32 node, unsigned axis,
+        u32 counted) {
     const Grid& grid = fields.grid;
     const Place p = grid.place(node);
     const unsigned b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -28,7 +30,7 @@ struct Block {
           const double x =
               static_cast<double>(coefficients[offset(axis, i) + offset(b, j) + offset(c, k)]);
           at[i][j][k] = x;
-          most = std::max(most, std::fabs(x));
+          if (i < counted) most = std::max(most, std::fabs(x));
         }
   }
 
@@ -60,12 +62,10 @@ void scale(std::array<Number, 4>& controls, const Number& factor) {
   for (Number& x : controls) x *= factor;
 }
 
-}  // namespace
-
 template <class Number>
-EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis) {
+EdgeNet<Number> make_net(const Fields& fields, u32 node, unsigned axis, u32 counted) {
   EdgeNet<Number> net;
-  const Block l(fields, fields.l, node, axis);
+  const Block l(fields, fields.l, node, axis, counted);
   const Number sign(fields.valley ? 1 : -1);
   const auto inverse = [&](unsigned k) { return Number(1) / Number(fields.spacing[k]); };
   const double inverse_most = *std::ranges::max_element(fields.inverse_spacing);
@@ -96,7 +96,7 @@ EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis) {
   for (unsigned i = 0; i < 6 && !fields.hessian; ++i) {
     net.t[i].fill(Number(0));
     if (fields.t[i].empty()) continue;
-    const Block t(fields, fields.t[i], node, axis);
+    const Block t(fields, fields.t[i], node, axis, counted);
     most = std::max(most, t.most);
     net.t[i] = t.net<Number>(0, 0, 0);
   }
@@ -108,7 +108,19 @@ EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis) {
   return net;
 }
 
+}  // namespace
+
+template <class Number>
+EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis) {
+  return make_net<Number>(fields, node, axis, 4);
+}
+template <class Number>
+EdgeNet<Number> node_net(const Fields& fields, u32 node) {
+  return make_net<Number>(fields, node, 0, 3);
+}
+
 template EdgeNet<double> edge_net(const Fields&, u32, unsigned);
-template EdgeNet<kernel::Rational> edge_net(const Fields&, u32, unsigned);
+template EdgeNet<double> node_net(const Fields&, u32);
+template EdgeNet<kernel::Rational> node_net(const Fields&, u32);
 
 }  // namespace crest::certify::extremal

@@ -23,6 +23,10 @@ struct EdgeNet {
 /// is read.
 template <class Number>
 EdgeNet<Number> edge_net(const Fields& fields, u32 node, unsigned axis);
+/// The same along x, of which the first control alone may be read: sizes are of what that is made
+/// from.
+template <class Number>
+EdgeNet<Number> node_net(const Fields& fields, u32 node);
 
 /// de Casteljau at the middle: the controls of the lower half, of the upper half.
 template <class Number>

@@ -38,10 +38,10 @@ std::array<Number, 6> first_controls(const std::array<std::array<Number, 4>, 6>&
 }
 
 NodeSign node_sign(const Fields& fields, u32 node) {
-  const auto net = edge_net<double>(fields, node, 0);
+  const auto net = node_net<double>(fields, node);
   const Direction direction = direction_at(doubles<1>(net.t, net.t_size));
   const int sign = perturbed_sign(direction, doubles<1>(net.v, net.v_size), [&] {
-    const auto exact = edge_net<Rational>(fields, node, 0);
+    const auto exact = node_net<Rational>(fields, node);
     return ExactPoint{first_controls(exact.t), {exact.v[0][0], exact.v[1][0], exact.v[2][0]}};
   });
   return {direction.frame.w, direction.cone.chord, static_cast<std::int8_t>(sign)};

@@ -90,6 +90,12 @@ struct Quadratic {
 }  // namespace
 
 Vec likely_direction(const Matrix& t) {
+  // Of an image: beside its entry zz a gap in the plane would be rounded away.
+  if (t[4] == 0 && t[5] == 0 && t[2] < -(std::fabs(t[0]) + std::fabs(t[1]) + std::fabs(t[3]))) {
+    const double half = (t[0] - t[1]) / 2, r = std::hypot(half, t[3]);
+    if (!(r > 0)) return {1, 0, 0};
+    return normalised(half > 0 ? Vec{half + r, t[3], 0} : Vec{t[3], r - half, 0});
+  }
   const double mean = (t[0] + t[1] + t[2]) / 3;
   Matrix b = t;
   for (size_t k = 0; k < 3; ++k) b[k] -= mean;
@@ -183,6 +189,9 @@ int perturbed_sign(const Direction& direction, const Vectors<1>& v,
   };
   if (const int sign = sign_of(point.v)) return sign;
   for (size_t k = 0; k < 3; ++k) {
+    Vectors<1> unit{{}, 1};
+    unit.at[k][0] = 1;
+    if (const int sign = sign_on(direction.cone, direction.frame, unit)) return sign;
     ExactVector axis{0, 0, 0};
     axis[k] = 1;
     if (const int sign = sign_of(axis)) return sign;

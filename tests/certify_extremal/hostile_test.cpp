@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "certify/container/compose.hpp"
 #include "certify/container/container.hpp"
 #include "tests/certify_extremal/extremal_samples.hpp"
 
@@ -16,6 +17,41 @@ namespace {
 const ExtremalCertificate& small() {
   static const auto c = reference_extremal(with_level(sampled({8, 7, 1}, sphere(0.6, 0.5)), 0.4));
   return c;
+}
+const ExtremalCertificate& small_volume() {
+  static const auto c = reference_extremal(with_level(sampled({7, 7, 7}, sphere(0.6, 0.5)), 0.4));
+  return c;
+}
+/// The claim section as version 2 had it: whole directions, codes alone.
+Bytes as_version_2(const ExtremalCertificate& c, std::uint32_t version) {
+  const Bytes now = encode(c);
+  const auto container = open_container(now);
+  // What follows the leaves is as it was.
+  const std::size_t d = c.data.dimension, offsets = 2 * (d - 1);
+  const std::size_t head = 4 + 8 * c.cells.size(),
+                    since = head + 4 + c.codes.size() +
+                            offsets * (c.directions.size() + c.gradients.size()) + 4 +
+                            4 * c.edges.size() + 4 + c.trees.size() + offsets * c.leaves.size();
+  const auto rows = [&](ByteWriter& out, const std::vector<ExtremalDirection>& list) {
+    for (const auto& row : list)
+      for (std::size_t k = 0; k < d; ++k) out.integer(row[k]);
+  };
+  return compose(
+      {kExtremal, version}, container.data.size(),
+      [&](ByteWriter& out) { out.bytes(container.data); },
+      [&](ByteWriter& out) {
+        out.bytes(container.claims.first(head));
+        out.count(c.codes.size());
+        out.bytes(c.codes);
+        rows(out, c.directions);
+        rows(out, c.gradients);
+        out.count(c.edges.size());
+        out.numbers(c.edges);
+        out.count(c.trees.size());
+        out.bytes(c.trees);
+        rows(out, c.leaves);
+        out.bytes(container.claims.subspan(since));
+      });
 }
 /// Rejected for that reason.
 void require_rejected(const Bytes& bytes, const std::string& reason) {
@@ -41,6 +77,37 @@ TEST_CASE("extremal: sections that end anywhere are refused") {
       cut[kLengthsOffset + 8 + i] = static_cast<std::uint8_t>(length >> (8 * i));
     rebind(cut);
     REQUIRE_FALSE(verify(cut).accepted);
+  }
+}
+
+TEST_CASE("extremal: data sections that end anywhere are refused") {
+  for (const ExtremalCertificate* c : {&small(), &small_volume()}) {
+    const Bytes bytes = encode(*c);
+    const auto container = open_container(bytes);
+    for (std::size_t length = 0; length < container.data.size(); ++length) {
+      Bytes cut = compose(
+          {kExtremal, kExtremalVersion}, length,
+          [&](ByteWriter& out) { out.bytes(container.data.first(length)); },
+          [&](ByteWriter& out) { out.bytes(container.claims); });
+      REQUIRE_FALSE(verify(cut).accepted);
+    }
+  }
+}
+
+TEST_CASE("extremal: versions are not taken for one another") {
+  for (const ExtremalCertificate* c : {&small(), &small_volume()}) {
+    const Bytes bytes = encode(*c);
+    REQUIRE(verify(bytes).accepted);
+    REQUIRE(open_container(bytes).version == kExtremalVersion);
+    for (const std::uint32_t version : {0U, 1U, 2U, 4U, 256U + 3U, 65536U + 3U, ~0U}) {
+      Bytes other = bytes;
+      for (std::size_t i = 0; i < 4; ++i)
+        other[kMagic.size() + i] = static_cast<std::uint8_t>(version >> (8 * i));
+      rebind(other);
+      require_rejected(other, "version " + std::to_string(version) + " of extremal is not known");
+      require_rejected(as_version_2(*c, version), "is not known");
+    }
+    CHECK_FALSE(verify(as_version_2(*c, kExtremalVersion)).accepted);
   }
 }
 
@@ -228,4 +295,23 @@ TEST_CASE("extremal: wide smoothing costs what it must") {
   ExtremalCertificate c;
   c.data = with_level(wider, 1);
   require_rejected(c, "1025 weights");
+}
+
+TEST_CASE("extremal: cells that are not listed are compared exactly, whatever the exponents") {
+  // L is (3 + 4 3 + tiny) / 6 at the border: below the level by far less than doubles see. The
+  // first fits into whole numbers, the last does not.
+  for (const float tiny : {0x1p-40F, 0x1p-60F, 0x1p-120F})
+    for (const float sign : {-1.0F, 0.0F, 1.0F}) {
+      std::vector<float> samples;
+      for (int i = 0; i < 64; ++i) samples.push_back(i % 2 == 0 ? 3 : sign == 0 ? 0 : sign * tiny);
+      ExtremalCertificate c;
+      c.data = with_level(make_data({8, 8, 1}, samples, {1, 1, 1}, 0), 2.5);
+      INFO(sign * tiny);
+      if (sign < 0)
+        require_accepted(c);
+      else
+        require_rejected(c, "it is not listed, but L may reach the least value");
+      c.data.min_value = std::nextafter(2.5, 3.0);
+      CHECK(is_accepted(c) == (sign <= 0 || tiny < 0x1p-50F));
+    }
 }

@@ -34,6 +34,12 @@ std::vector<ExtremalCertificate> make_originals() {
   second.tensor_weights = {{{1}, {1}, {1}}};
   second.min_strength = 0.01;
   add(second);
+  // Cells of any shape; whole numbers, the level among them.
+  add(with_level(sampled({8, 7, 6}, sphere(0.6, 0.5), 1, {1, 0.25, 3}), 0.3));
+  std::vector<float> whole;
+  Random random(kSeed);
+  for (int i = 0; i < 132; ++i) whole.push_back(static_cast<float>(random() % 4));
+  add(with_level(make_data({12, 11, 1}, whole, {0x1p20, 0x1p21, 1}, 0.7), 1));
   // Four corners of a square: junctions, ambiguous squares.
   add(sampled({10, 10, 1}, [](double x, double y, double) {
     return std::sin(7 * x + 2 * y) + 0.7 * std::cos(5 * y - 3 * x);

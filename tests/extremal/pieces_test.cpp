@@ -2,10 +2,16 @@
 // Volumes cut into pieces: joined, they are the whole, byte for byte.
 #include "algorithms/extremal/pieces.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstring>
+#include <fstream>
 #include <numeric>
 
+#include "algorithms/extremal/record_bytes.hpp"
 #include "certify/extremal/encode.hpp"
 #include "tests/extremal/reference_sheets.hpp"
 #include "tests/support/random.hpp"
@@ -17,6 +23,23 @@ using extremal::Volume;
 using kernel::GridBox;
 
 namespace {
+
+/// This process may not take more memory than it has and so many bytes.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::size_t more) {
+    getrlimit(RLIMIT_AS, &before_);
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit limit = before_;
+    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit() { setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
 
 struct Outcome {
   Result result;
@@ -169,6 +192,7 @@ TEST_CASE("extremal pieces: curves of images, too") {
                                 kernel::cut_grid(image.size, kernel::parts_of(image.size, count))));
 }
 
+<<<<<<< HEAD
 TEST_CASE("extremal pieces: slabs of a node, few nodes along an axis, spacings that differ") {
   tests::Random random(20261201);
   for (unsigned trial = 0; trial < 12 * tests::multiplier(); ++trial) {
@@ -207,3 +231,17 @@ TEST_CASE("extremal pieces: far more parts asked for than there are nodes") {
   CHECK(x * y * z == 23 * 24 * 24);
   CHECK(kernel::parts_of({7, 1, 1}, 8) == kernel::GridSize{7, 1, 1});
 }
+=======
+TEST_CASE("extremal pieces: lengths in records ask for no more memory than there are bytes") {
+  const std::size_t free = std::size_t{1} << 25;
+  std::vector<std::uint8_t> bytes(free + 8);
+  // As many runs of cells, of eight bytes, as bytes follow; and where the product wraps round.
+  for (const std::uint64_t count : {std::uint64_t{free}, std::uint64_t{free} / 8 + 1,
+                                    ~std::uint64_t{0} / 8 + 2, ~std::uint64_t{0}}) {
+    std::memcpy(bytes.data(), &count, 8);
+    const MemoryLimit limit(free);
+    INFO(count);
+    CHECK_THROWS_AS(extremal::records_from(bytes), std::runtime_error);
+  }
+}
+>>>>>>> claim8

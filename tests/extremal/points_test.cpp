@@ -166,6 +166,8 @@ TEST_CASE("extremal points: bad input is named, zero normals are dropped") {
   p.normals = {{0, 0, 1}, {0, 0, 1}};
   CHECK(message(p, {}).find("fewer than 11 points") == 0);
   CHECK(message(p, options(-1, 5)).find("radius") == 0);
+  for (const double radius : {0x1p-201, 0x1p201, 5e-324, 1e308})
+    CHECK(message(p, options(radius, 5)).find("radius: not from 2^-200") == 0);
   CHECK(message(p, options(1, 25)).find("depth") == 0);
   p.points[1][2] = NAN;
   CHECK(message(p, {}).find("point 1") == 0);
