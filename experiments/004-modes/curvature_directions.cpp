@@ -34,7 +34,7 @@ struct Part {
   std::vector<Vec3> directions;
 };
 
-/// From the triangles alone, as a file of them would be read: faces without an area are collapsed.
+/// From the triangles alone, as a file of them would be read with --weld 0 --split.
 /// sign: of the mode; triangles are anticlockwise seen from higher ones.
 template <class Triangles>
 Part estimated(const std::vector<Vec3>& points, const Triangles& triangles, int sign) {
@@ -42,7 +42,7 @@ Part estimated(const std::vector<Vec3>& points, const Triangles& triangles, int 
   soup.points = points;
   for (const auto& [a, b, c] : triangles)
     soup.cells.add(io::CellType::triangle, std::array<io::Cells::Node, 3>{a, b, c});
-  const kernel::TriangleMesh mesh = io::mesh_of_soup(soup, {.clean = {.split = true}}).mesh;
+  const kernel::TriangleMesh mesh = io::mesh_of_soup(soup, {.clean = {.weld = 0.0, .split = true}}).mesh;
   Part part{sign, mesh.points(), mesh.faces(), {}};
   for (const auto& c : curvature::estimate(mesh, {}).vertices)
     part.directions.push_back(sign > 0 ? c.d1 : c.d2);
@@ -230,8 +230,8 @@ class Figure {
     }
     const io::Camera camera = whole(width);
     show("marching tets", marching, camera, folder / "figure-2-marching.png");
-    show("Crest, from the triangles", own, camera, folder / "figure-2.png");
-    show("Crest, from the mode's Hessian", exact, camera, folder / "figure-2-hessian.png");
+    show("Crest, from the triangles", own, camera, folder / "figure-2-triangles.png");
+    show("Crest, from the mode's Hessian", exact, camera, folder / "figure-2.png");
     const Quantiles q = quantiles(apart);
     fmt::print("\ntriangles and Hessian: {:.1f} degrees apart at half of the vertices, {:.1f} at 90 %\n",
                q.half, q.ninety);
