@@ -73,7 +73,10 @@ class Growth {
   std::vector<std::vector<Claim>> buckets_;
 };
 
-constexpr int kFine = 4;   // samples along a pixel
+constexpr int kFine = 4;  // samples along a pixel
+// Where samples stand in their squares, in kFine-ths: all differ along a pixel's rows and columns,
+// so that a stroke along an axis is measured as finely as a slanting one.
+constexpr int kPlace[kFine] = {0, 2, 3, 1};
 constexpr int kRows = 32;  // of pixels in a strip
 
 /// The rows of one strip of the page in samples, in black and white.
@@ -84,8 +87,8 @@ class Strip {
       : b_(b),
         first_(kFine * first),
         width_(kFine * b.width),
-        rows_(static_cast<std::size_t>(kFine * (last - first))),
-        black_(rows_.size() * static_cast<std::size_t>(width_), 0) {}
+        rows_(static_cast<std::size_t>(kFine * kFine * (last - first))),
+        black_(rows_.size() / kFine * static_cast<std::size_t>(width_), 0) {}
 
   /// Paints the inside of a closed line, by winding numbers.
   void fill(const std::vector<Vec2>& polygon, bool black) {
@@ -116,11 +119,11 @@ class Strip {
   }
 
  private:
-  /// Where it passes the middles of rows. In samples.
+  /// Where it passes the rows of samples, kFine in a square. In squares.
   void add_side(const Vec2& a, const Vec2& b) {
     const auto row = [&](double y) {
-      return static_cast<std::size_t>(
-          std::clamp(std::ceil(y - 0.5) - first_, 0.0, static_cast<double>(rows_.size())));
+      return static_cast<std::size_t>(std::clamp(std::ceil(kFine * (y - first_) - 0.5), 0.0,
+                                                 static_cast<double>(rows_.size())));
     };
     const auto [from, to] = std::minmax({row(a[1]), row(b[1])});
     if (from == to) return;
@@ -129,16 +132,21 @@ class Strip {
     const double slope = (b[0] - a[0]) / (b[1] - a[1]);
     const int sense = a[1] < b[1] ? 1 : -1;
     for (std::size_t j = from; j < to; ++j)
-      rows_[j].emplace_back(a[0] + slope * (static_cast<double>(j) + first_ + 0.5 - a[1]), sense);
+      rows_[j].emplace_back(a[0] + slope * ((static_cast<double>(j) + 0.5) / kFine + first_ - a[1]),
+                            sense);
   }
-  /// Samples whose middles are between two places.
+  /// Samples of a row between two places: those of every kFine-th column.
   void paint(std::size_t row, double from, double to, bool black) {
-    const auto column = [&](double x) {
-      return static_cast<std::ptrdiff_t>(
-          std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(width_)));
+    const std::size_t squares = row / kFine;
+    const int phase = kPlace[row % kFine];
+    const double offset = (kPlace[squares % kFine] + 0.5) / kFine;
+    const auto index = [&](double x) {
+      return static_cast<std::ptrdiff_t>(std::clamp(std::ceil((x - offset - phase) / kFine), 0.0,
+                                                    static_cast<double>(width_ / kFine)));
     };
-    const auto begin = black_.begin() + static_cast<std::ptrdiff_t>(row) * width_;
-    std::fill(begin + column(from), begin + column(to), black ? 1 : 0);
+    const auto begin = black_.begin() + static_cast<std::ptrdiff_t>(squares) * width_ + phase;
+    for (std::ptrdiff_t i = index(from), end = index(to); i < end; ++i)
+      begin[kFine * i] = black ? 1 : 0;
   }
 
   const Buffers& b_;

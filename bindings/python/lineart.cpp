@@ -70,9 +70,8 @@ Output run_lineart(const Arguments& a, const Progress& progress) {
                                    {a.number("line_width")});
   });
   if (a.text("style") != "contours") {
-    drawing.one_sheet = progress.step("faces through one another", [&] {
-      return !line_art::meeting_faces(drawing.scene);
-    });
+    drawing.one_sheet = progress.step("faces through one another",
+                                      [&] { return !line_art::meeting_faces(drawing.scene); });
     add_hatches(a, points, faces, progress, drawing);
   }
   drawing.title = a.text("title");

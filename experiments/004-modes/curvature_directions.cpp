@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 2 of paper 004: the major principal directions of a block's mode surfaces as a texture (line
-// integral convolution in the picture), on the triangles of marching tets and on Crest's; there from
-// the Hessian of the mode, too. Major: where the surface bends most towards larger |mode|, so that
-// both signs of a mirrored load look alike.
+// Figure 2 of paper 004: the major principal directions of a block's mode surfaces as a texture
+// (line integral convolution in the picture), on the triangles of marching tets and on Crest's;
+// there from the Hessian of the mode, too. Major: where the surface bends most towards larger
+// |mode|, so that both signs of a mirrored load look alike.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ Part estimated(const std::vector<Vec3>& points, const Triangles& triangles, int 
   soup.points = points;
   for (const auto& [a, b, c] : triangles)
     soup.cells.add(io::CellType::triangle, std::array<io::Cells::Node, 3>{a, b, c});
-  const kernel::TriangleMesh mesh = io::mesh_of_soup(soup, {.clean = {.weld = 0.0, .split = true}}).mesh;
+  const kernel::TriangleMesh mesh =
+      io::mesh_of_soup(soup, {.clean = {.weld = 0.0, .split = true}}).mesh;
   Part part{sign, mesh.points(), mesh.faces(), {}};
   for (const auto& c : curvature::estimate(mesh, {}).vertices)
     part.directions.push_back(sign > 0 ? c.d1 : c.d2);
@@ -92,8 +93,8 @@ class Picture {
     const auto normals = io::vertex_normals(io::SurfaceView(part.points, part.faces));
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < part.points.size(); ++i)
-      corners.push_back({camera_.project(part.points[i]), on_page(normals[i]),
-                         on_page(part.directions[i])});
+      corners.push_back(
+          {camera_.project(part.points[i]), on_page(normals[i]), on_page(part.directions[i])});
     for (const auto& f : part.faces) add({corners[f[0]], corners[f[1]], corners[f[2]]}, part.sign);
   }
 
@@ -233,8 +234,9 @@ class Figure {
     show("Crest, from the triangles", own, camera, folder / "figure-2-triangles.png");
     show("Crest, from the mode's Hessian", exact, camera, folder / "figure-2.png");
     const Quantiles q = quantiles(apart);
-    fmt::print("\ntriangles and Hessian: {:.1f} degrees apart at half of the vertices, {:.1f} at 90 %\n",
-               q.half, q.ninety);
+    fmt::print(
+        "\ntriangles and Hessian: {:.1f} degrees apart at half of the vertices, {:.1f} at 90 %\n",
+        q.half, q.ninety);
   }
 
  private:
@@ -291,8 +293,7 @@ int main(int argc, char** argv) {
   program.option("--width", width, "pixels", {64, 2000});
   return program.run(argc, argv, [&] {
     const int common = std::gcd(p, 100);
-    crest::experiments::Figure(block, scale, {p / common, 100 / common})
-        .run(folder, width, parts);
+    crest::experiments::Figure(block, scale, {p / common, 100 / common}).run(folder, width, parts);
     return 0;
   });
 }

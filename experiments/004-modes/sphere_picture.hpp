@@ -12,8 +12,8 @@
 
 namespace crest::experiments {
 
-/// Field 3 of the specification's table (mu* = 0.916) at the origin, the changes of it along x, y, z:
-/// rows xx yy zz xy yz xz.
+/// Field 3 of the specification's table (mu* = 0.916) at the origin, the changes of it along x, y,
+/// z: rows xx yy zz xy yz xz.
 inline std::array<modes::Tensor, 4> field_3() {
   constexpr std::array<std::array<double, 5>, 4> f{
       {{-3, 3, 2, -4, -1}, {3, 1, 4, 3, -5}, {3, -6, 1, -2, 2}, {-3, -3, 5, 1, 2}}};

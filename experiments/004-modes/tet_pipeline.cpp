@@ -30,7 +30,8 @@ std::array<Vec3, 4> random_corners(unsigned seed) {
   while (true) {
     std::array<Vec3, 4> c;
     for (Vec3& p : c)
-      for (double& x : p) x = std::round(static_cast<double>(draw() >> 11) * 0x1p-53 * 40 - 20) / 10;
+      for (double& x : p)
+        x = std::round(static_cast<double>(draw() >> 11) * 0x1p-53 * 40 - 20) / 10;
     const double volume = dot(c[1] - c[0], kernel::cross(c[2] - c[0], c[3] - c[0])) / 6;
     if (volume > 3) return c;
   }
@@ -82,7 +83,8 @@ class Pipeline {
       euler += s.euler_characteristic;
       triangles += s.triangles.size();
       components += s.components.size();
-      for (const auto& [a, b, c] : s.triangles) area += area_of(s.points[a], s.points[b], s.points[c]);
+      for (const auto& [a, b, c] : s.triangles)
+        area += area_of(s.points[a], s.points[b], s.points[c]);
     }
     for (const auto& [a, b, c] : made_.triangles)
       own_area += area_of(made_.points[a].place, made_.points[b].place, made_.points[c].place);
@@ -92,10 +94,12 @@ class Pipeline {
       farthest = std::max(farthest, to_crest(made_.points[i].place));
     }
     fmt::print(
-        "| surface | triangles | components | Euler characteristic | area |\n|---|---|---|---|---|\n"
+        "| surface | triangles | components | Euler characteristic | area "
+        "|\n|---|---|---|---|---|\n"
         "| Crest | {} | {} | {} | {:.4f} |\n"
         "| from the sphere | {} | | {} | {:.4f} |\n\n"
-        "{} points on the tet's faces, {} passages to an antipode, {} points of arcs, {} of the quad "
+        "{} points on the tet's faces, {} passages to an antipode, {} points of arcs, {} of the "
+        "quad "
         "grid; of these the mode is off by {:.1e} at most, the distance from Crest's triangles is "
         "{:.1e} of the tet's diagonal\n",
         triangles, components, euler, area, made_.triangles.size(), euler_characteristic(made_),
@@ -149,7 +153,8 @@ class Pipeline {
   io::Camera camera() const {
     static const std::vector<kernel::Triangle> faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     const std::vector<Vec3> corners(tet_.corners.begin(), tet_.corners.end());
-    return io::make_camera(io::SurfaceView(corners, faces), {.view = Vec3{-0.5, -0.8, -0.6}}, width_);
+    return io::make_camera(io::SurfaceView(corners, faces), {.view = Vec3{-0.5, -0.8, -0.6}},
+                           width_);
   }
   void draw_tet(io::Canvas& canvas, const io::Camera& camera) const {
     for (std::size_t i = 0; i < 4; ++i)
@@ -213,7 +218,8 @@ class Pipeline {
     for (const auto& [a, b, c] : made_.triangles)
       for (const auto& [p, q] : {SphereRegion::Edge{a, b}, {b, c}, {c, a}}) {
         const Vec3 from = view.project(places[p]), to = view.project(places[q]);
-        if (canvas.visible(0.5 * (from + to), 3)) canvas.draw_stroke(from, to, 0.002 * width_, kInk);
+        if (canvas.visible(0.5 * (from + to), 3))
+          canvas.draw_stroke(from, to, 0.002 * width_, kInk);
       }
     io::write_canvas(path.string(), canvas, view.width, view.height);
   }
@@ -261,7 +267,8 @@ int main(int argc, char** argv) {
   std::filesystem::path folder = ".";
   unsigned seed = 16, tries = 0;
   int p = 7, width = 320, steps = 48;
-  crest::experiments::Program program("Figure 7 of paper 004: from the curves of a tet's faces to its surface.");
+  crest::experiments::Program program(
+      "Figure 7 of paper 004: from the curves of a tet's faces to its surface.");
   program.option("--pictures", folder, "folder of the pictures");
   program.option("--seed", seed, "of the tet's corners");
   program.option("--tries", tries, "list the regions of so many seeds");

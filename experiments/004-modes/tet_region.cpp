@@ -90,8 +90,7 @@ class RegionMaker {
       const auto v = tet_.on_sphere(between(s.tensors[ends[0]], s.tensors[ends[1]], t), s.sign);
       (dot(v, start) > 0 ? low : high) = t;
     }
-    const Vec3 v =
-        tet_.on_sphere(between(s.tensors[ends[0]], s.tensors[ends[1]], low), s.sign);
+    const Vec3 v = tet_.on_sphere(between(s.tensors[ends[0]], s.tensors[ends[1]], low), s.sign);
     const Vec3 place = (1 - low) * s.points[ends[0]] + low * s.points[ends[1]];
     crossings_.push_back(pair(v, place, s.sign));
     used_.push_back(false);
@@ -123,8 +122,8 @@ class RegionMaker {
       const double alpha = 0.5 * (low + high) - 0.5 * (high - low) * std::cos(turn);
       const auto p = modes::boundary_point(f, alpha, tet_.mu);
       if (!p) continue;
-      part.push_back(sample(in_space(f, {(*p)[0], turn < std::numbers::pi ? (*p)[1] : -(*p)[1],
-                                         z * (*p)[2]})));
+      part.push_back(sample(
+          in_space(f, {(*p)[0], turn < std::numbers::pi ? (*p)[1] : -(*p)[1], z * (*p)[2]})));
     }
     return part;
   }
@@ -279,13 +278,13 @@ bool encloses(const Plane& plane, const Loop& loop, std::size_t point) {
 std::size_t depth_of(const Plane& plane, const std::vector<Loop>& loops, std::size_t point) {
   std::size_t depth = 0;
   for (const Loop& loop : loops)
-    depth += std::find(loop.begin(), loop.end(), point) == loop.end() &&
-             encloses(plane, loop, point);
+    depth +=
+        std::find(loop.begin(), loop.end(), point) == loop.end() && encloses(plane, loop, point);
   return depth;
 }
 
-/// Triangles of what lies in a loop, the holes in it left out. Points from `first_inner` on are in no
-/// loop.
+/// Triangles of what lies in a loop, the holes in it left out. Points from `first_inner` on are in
+/// no loop.
 bool add_domain(const Plane& plane, const std::vector<Loop>& loops, const Loop& outer,
                 std::size_t first_inner, Tessellation& result) {
   const std::size_t depth = depth_of(plane, loops, outer[0]);
@@ -375,8 +374,7 @@ std::optional<SphereRegion> sphere_region(const TetField& tet,
   return region;
 }
 
-std::optional<Tessellation> tessellate(const TetField& tet, const SphereRegion& region,
-                                       int steps) {
+std::optional<Tessellation> tessellate(const TetField& tet, const SphereRegion& region, int steps) {
   Tessellation result;
   result.points = region.points;
   add_grid(tet, region, steps, result);

@@ -23,9 +23,8 @@ struct Agreement {
 /// Of the vertices with the nearer of their medium eigenvector's two points.
 Agreement agreement(const Rows& rows, const modes::ModeSurface& s, double mu) {
   // The field's coordinates are those of the tet with corners 0, x, y, z.
-  const modes::LinearTensors field(
-      {value_at(rows, {0, 0, 0}), value_at(rows, {1, 0, 0}), value_at(rows, {0, 1, 0}),
-       value_at(rows, {0, 0, 1})});
+  const modes::LinearTensors field({value_at(rows, {0, 0, 0}), value_at(rows, {1, 0, 0}),
+                                    value_at(rows, {0, 1, 0}), value_at(rows, {0, 0, 1})});
   Agreement a;
   for (std::size_t i = 0; i < s.points.size(); ++i) {
     const Vec3 v = modes::eigensystem(modes::deviator(s.tensors[i])).vectors[1];

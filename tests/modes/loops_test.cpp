@@ -58,8 +58,7 @@ bool has_extremum_in_face(const modes::ModeField& field) {
     std::array<std::array<double, 6>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = field.tensors[(out + 1 + k) % 4];
     for (const auto& p : modes::face_critical_points(corners))
-      if (p.extremum && p.weights[0] > 0 && p.weights[1] > 0 && p.weights[2] > 0)
-        return true;
+      if (p.extremum && p.weights[0] > 0 && p.weights[1] > 0 && p.weights[2] > 0) return true;
   }
   return false;
 }
