@@ -77,88 +77,111 @@ class Growth {
   std::vector<std::vector<Claim>> buckets_;
 };
 
-/// The rows of one strip of the page: strokes are drawn into it on their own.
+constexpr int kFine = 4;  // samples along a pixel
+// Where samples stand in their squares, in kFine-ths: all differ along a pixel's rows and columns,
+// so that a stroke along an axis is measured as finely as a slanting one.
+constexpr int kPlace[kFine] = {0, 2, 3, 1};
+constexpr int kStripRows = 32;  // of pixels in a strip
+
+/// The rows of one strip of the page in samples, in black and white.
 class Strip {
  public:
+  /// Rows of pixels from `first` to before `last`.
   Strip(const Buffers& b, int first, int last)
       : b_(b),
-        first_(first),
-        last_(last),
-        own_(static_cast<std::size_t>(last - first) * static_cast<std::size_t>(b.width), 0) {}
+        first_(kFine * first),
+        width_(kFine * b.width),
+        rows_(static_cast<std::size_t>(kFine * kFine * (last - first))),
+        black_(rows_.size() / kFine * static_cast<std::size_t>(width_), 0) {}
 
-  /// Under a hatch of these widths: take(pixel, share). Ends at contours are cut, others round.
-  template <class WidthOf, class Take>
-  void cover(const Hatch& hatch, WidthOf&& width_of, Take&& take) {
-    const std::vector<Vec2>& p = hatch.stroke.points;
-    for (std::size_t i = 1; i < p.size(); ++i)
-      add(p[i - 1], p[i], width_of(i - 1), width_of(i), i == 1 && !hatch.free_start,
-          i + 1 == p.size() && !hatch.free_end);
-    const std::size_t begin = static_cast<std::size_t>(first_) * static_cast<std::size_t>(b_.width);
-    for (const std::size_t at : touched_) {
-      take(begin + at, own_[at]);
-      own_[at] = 0;
+  /// Paints the inside of a closed line, by winding numbers.
+  void fill(const std::vector<Vec2>& polygon, bool black) {
+    const double step = b_.pixel / kFine;
+    low_ = rows_.size();
+    high_ = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      add_side((1 / step) * polygon[i], (1 / step) * polygon[i + 1 < polygon.size() ? i + 1 : 0]);
+    for (std::size_t j = low_; j < high_; ++j) {
+      auto& row = rows_[j];
+      std::sort(row.begin(), row.end());
+      int winding = 0;
+      for (std::size_t k = 0; k + 1 < row.size(); ++k) {
+        winding += row[k].second;
+        if (winding != 0) paint(j, row[k].first, row[k + 1].first, black);
+      }
+      row.clear();
     }
-    touched_.clear();
+  }
+  /// Adds its shares of black to those of its pixels.
+  void add_to(std::vector<float>& share) const {
+    const auto w = static_cast<std::size_t>(width_);
+    for (std::size_t k = 0; k < black_.size(); ++k)
+      if (black_[k] != 0)
+        share[(static_cast<std::size_t>(first_) + k / w) / kFine *
+                  static_cast<std::size_t>(b_.width) +
+              k % w / kFine] += 1.0F / (kFine * kFine);
   }
 
  private:
-  void add(const Vec2& p, const Vec2& q, double w0, double w1, bool cut_p, bool cut_q) {
-    const double reach = 0.5 * std::max(w0, w1) + b_.pixel;
-    const auto range = [&](std::size_t k, int from, int to) {
-      return std::pair{
-          std::max(from, static_cast<int>((std::min(p[k], q[k]) - reach) / b_.pixel)),
-          std::min(to - 1, static_cast<int>((std::max(p[k], q[k]) + reach) / b_.pixel))};
+  /// Where it passes the rows of samples, kFine in a square. In squares.
+  void add_side(const Vec2& a, const Vec2& b) {
+    const auto row = [&](double y) {
+      return static_cast<std::size_t>(std::clamp(std::ceil(kFine * (y - first_) - 0.5), 0.0,
+                                                 static_cast<double>(rows_.size())));
     };
-    const auto [j0, j1] = range(1, first_, last_);
-    if (j0 > j1) return;
-    const auto [i0, i1] = range(0, 0, b_.width);
-    const Vec2 d = q - p;
-    const double squared = dot(d, d);
-    for (int y = j0; y <= j1; ++y)
-      for (int x = i0; x <= i1; ++x) {
-        const Vec2 from = Vec2{(x + 0.5) * b_.pixel, (y + 0.5) * b_.pixel} - p;
-        const double along = squared > 0 ? dot(from, d) / squared : 0;
-        if ((cut_p && along < 0) || (cut_q && along > 1)) continue;
-        const double t = std::clamp(along, 0.0, 1.0);
-        // A box across the stroke: its mean over all places is the width, however thin.
-        const double r = norm(from - t * d) / b_.pixel,
-                     half = 0.5 * (w0 + t * (w1 - w0)) / b_.pixel;
-        const double part = std::min(half, r + 0.5) - std::max(-half, r - 0.5);
-        if (!(part > 0)) continue;
-        const std::size_t at =
-            static_cast<std::size_t>(y - first_) * static_cast<std::size_t>(b_.width) +
-            static_cast<std::size_t>(x);
-        if (own_[at] == 0) touched_.push_back(at);
-        own_[at] = std::max(own_[at], static_cast<float>(std::min(1.0, part)));
-      }
+    const auto [from, to] = std::minmax({row(a[1]), row(b[1])});
+    if (from == to) return;
+    low_ = std::min(low_, from);
+    high_ = std::max(high_, to);
+    const double slope = (b[0] - a[0]) / (b[1] - a[1]);
+    const int sense = a[1] < b[1] ? 1 : -1;
+    for (std::size_t j = from; j < to; ++j)
+      rows_[j].emplace_back(a[0] + slope * ((static_cast<double>(j) + 0.5) / kFine + first_ - a[1]),
+                            sense);
+  }
+  /// Samples of a row between two places: those of every kFine-th column.
+  void paint(std::size_t row, double from, double to, bool black) {
+    const std::size_t squares = row / kFine;
+    const int phase = kPlace[row % kFine];
+    const double offset = (kPlace[squares % kFine] + 0.5) / kFine;
+    const auto index = [&](double x) {
+      return static_cast<std::ptrdiff_t>(std::clamp(std::ceil((x - offset - phase) / kFine), 0.0,
+                                                    static_cast<double>(width_ / kFine)));
+    };
+    const auto begin = black_.begin() + static_cast<std::ptrdiff_t>(squares) * width_ + phase;
+    for (std::ptrdiff_t i = index(from), end = index(to); i < end; ++i)
+      begin[kFine * i] = black ? 1 : 0;
   }
 
   const Buffers& b_;
-  int first_, last_;
-  std::vector<float> own_;
-  std::vector<std::size_t> touched_;
+  int first_, width_;
+  std::vector<std::vector<std::pair<double, int>>> rows_;  // places of sides, and their senses
+  std::size_t low_ = 0, high_ = 0;                         // rows with such
+  std::vector<std::uint8_t> black_;
 };
 
-constexpr int kStripRows = 32;  // of a strip
+/// What a stroke paints: its band, then itself.
+struct Painted {
+  std::vector<Vec2> band, ink;
+};
 
 /// The hatches that may reach each strip, in their order.
-std::vector<std::vector<Index>> by_strip(const Buffers& b, const std::vector<Hatch>& hatches) {
-  std::vector<std::vector<Index>> strips(
-      static_cast<std::size_t>((b.height + kStripRows - 1) / kStripRows));
-  for (Index h = 0; h < hatches.size(); ++h) {
-    const Stroke& s = hatches[h].stroke;
-    double low = HUGE_VAL, high = -HUGE_VAL, width = s.band;
-    for (const Vec2& p : s.points) {
-      low = std::min(low, p[1]);
-      high = std::max(high, p[1]);
-    }
-    for (const double w : s.widths) width = std::max(width, w);
-    const double reach = 0.5 * width + b.pixel, strip = kStripRows * b.pixel;
+std::vector<std::vector<Index>> by_strip(const Buffers& b, const std::vector<Painted>& painted) {
+  std::vector<std::vector<Index>> strips(static_cast<std::size_t>((b.height + kStripRows - 1) / kStripRows));
+  for (Index h = 0; h < painted.size(); ++h) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const auto* polygon : {&painted[h].band, &painted[h].ink})
+      for (const Vec2& p : *polygon) {
+        low = std::min(low, p[1]);
+        high = std::max(high, p[1]);
+      }
+    if (!(low <= high)) continue;
+    const double strip = kStripRows * b.pixel;
     const auto last = static_cast<std::ptrdiff_t>(strips.size()) - 1;
     const auto place = [&](double y) {
       return std::clamp(static_cast<std::ptrdiff_t>(y / strip), std::ptrdiff_t{0}, last);
     };
-    for (std::ptrdiff_t k = place(low - reach); k <= place(high + reach); ++k)
+    for (std::ptrdiff_t k = place(low); k <= place(high); ++k)
       strips[static_cast<std::size_t>(k)].push_back(h);
   }
   return strips;
@@ -218,22 +241,22 @@ OwnedArea owned_area(const Buffers& b, const std::vector<Hatch>& hatches, double
 }
 
 std::vector<float> coverage(const Buffers& b, const std::vector<Hatch>& hatches) {
+  std::vector<Painted> painted(hatches.size());
+  kernel::parallel_for(std::size_t{0}, hatches.size(), [&](std::size_t h) {
+    const Stroke& s = hatches[h].stroke;
+    painted[h] = {s.band > 0 ? band_outline(s) : std::vector<Vec2>{}, outline(s)};
+  });
   std::vector<float> covered(b.size(), 0);
-  const auto strips = by_strip(b, hatches);
+  const auto strips = by_strip(b, painted);
   // Pixels of a strip are one thread's: strokes meet them in their own order.
   kernel::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t k) {
     const int first = static_cast<int>(k) * kStripRows;
     Strip strip(b, first, std::min(b.height, first + kStripRows));
     for (const Index h : strips[k]) {
-      const Stroke& s = hatches[h].stroke;
-      if (s.band > 0)
-        strip.cover(
-            hatches[h], [&](std::size_t) { return s.band; },
-            [&](std::size_t at, float share) { covered[at] *= 1 - share; });
-      strip.cover(
-          hatches[h], [&](std::size_t i) { return s.widths[i]; },
-          [&](std::size_t at, float share) { covered[at] = std::min(1.0F, covered[at] + share); });
+      strip.fill(painted[h].band, false);
+      strip.fill(painted[h].ink, true);
     }
+    strip.add_to(covered);
   });
   return covered;
 }

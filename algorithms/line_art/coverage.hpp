@@ -15,7 +15,8 @@ struct OwnedArea {
 };
 OwnedArea owned_area(const Buffers& buffers, const std::vector<Hatch>& hatches, double reach);
 
-/// How much of every pixel the strokes cover, 0 to 1.
+/// How much of every pixel is black, 0 to 1, once the strokes' outlines are painted in their order:
+/// of 16 samples, so ink under ink counts once.
 std::vector<float> coverage(const Buffers& buffers, const std::vector<Hatch>& hatches);
 
 /// Of every point of a line: half of the adjacent segments.

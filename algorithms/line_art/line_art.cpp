@@ -199,6 +199,8 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
                          Family::backbone, second);
     name_faces(drawing, second);
   });
+  // What tone is made of is what will be painted.
+  for (std::vector<Hatch>* layer : {&first, &second}) cut_ends(barriers, *layer);
   phase("tone", [&] {
     const ToneOptions& tone = options.tone;
     const bool bands = options.tone_style == ToneStyle::bands;
@@ -215,10 +217,8 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     drawing.counts.tone = tone_error(tone_cells(buffers, black, wanted, owned, spacing));
     measure(buffers, ink, first, owned, drawing.counts);
   });
-  for (std::vector<Hatch>* layer : {&first, &second}) {
-    cut_ends(barriers, *layer);
+  for (std::vector<Hatch>* layer : {&first, &second})
     for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));
-  }
   count_over_contours(barriers, drawing);
 }
 

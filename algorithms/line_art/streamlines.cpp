@@ -14,6 +14,7 @@ namespace {
 using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
+constexpr float kDark = 0.5F;  // luminance: more black than white
 constexpr double kStop = 0.6;  // spacings
 constexpr double kHug = 0.6;   // spacings
 constexpr double kBrief = 5;   // spacings: shorter lines along a contour are dashes
@@ -155,6 +156,9 @@ bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
   const double reach = (brief ? 0.8 : kHug) * s, cosine = brief ? 0.9 : 0.966;
   std::size_t close = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+    // In the dark a line beside the contour is no dash: without it a white slit is seen.
+    const auto at = tracer.buffers().at(stroke.points[i]);
+    if (at && tracer.buffers().luminance[*at] < kDark) continue;
     const auto near = tracer.barriers().nearest(stroke.points[i], reach);
     const Vec2 d = stroke.points[i] - stroke.points[i - 1];
     const double n = norm(d);

@@ -131,9 +131,12 @@ class Widths {
       double share = 1;
       if (hatch.free_start) share = std::min(share, at / from);
       if (hatch.free_end) share = std::min(share, (total - at) / to);
+      // An ellipse's: a straight taper ends a wide stroke like an arrow.
+      share = std::clamp(share, 0.0, 1.0);
+      share = std::sqrt(share * (2 - share));
       at += 0.5 * length[i];
       const double w = std::clamp(plain[i], o_.thinnest, cap(layer, h, i));
-      s.widths[i] = std::max(0.4 * o_.thinnest, w * std::clamp(share, 0.0, 1.0));
+      s.widths[i] = std::max(0.4 * o_.thinnest, w * share);
     }
   }
 

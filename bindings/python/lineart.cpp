@@ -5,6 +5,7 @@
 #include "algorithms/curvature/curvature.hpp"
 #include "algorithms/line_art/certificate.hpp"
 #include "algorithms/line_art/line_art.hpp"
+#include "algorithms/line_art/sheets.hpp"
 #include "bindings/python/systems.hpp"
 #include "certify/lineart/encode.hpp"
 #include "certify/verify.hpp"
@@ -68,7 +69,11 @@ Output run_lineart(const Arguments& a, const Progress& progress) {
     return line_art::draw_contours(drawing.scene, drawing.view, drawing.contours,
                                    {a.number("line_width")});
   });
-  if (a.text("style") != "contours") add_hatches(a, points, faces, progress, drawing);
+  if (a.text("style") != "contours") {
+    drawing.one_sheet = progress.step("faces through one another",
+                                      [&] { return !line_art::meeting_faces(drawing.scene); });
+    add_hatches(a, points, faces, progress, drawing);
+  }
   drawing.title = a.text("title");
   Output out;
   if (a.flag("certificate"))
@@ -80,6 +85,7 @@ Output run_lineart(const Arguments& a, const Progress& progress) {
     });
   out.geometries["geometry"] = io::geometry_of(io::drawing_poly_data(drawing));
   out.values["svg"] = io::svg_of(drawing);
+  out.values["sheets"] = std::string(drawing.one_sheet ? "proved" : "not claimed");
   return out;
 }
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "algorithms/sampling/plain_surfaces.hpp"
+#include "experiments/001-line-art/painted.hpp"
 #include "experiments/001-line-art/surface.hpp"
 #include "experiments/program.hpp"
 #include "io/line_art/buffer_files.hpp"
@@ -69,7 +71,19 @@ constexpr Figure kFigures[] = {
     {"3.26-a", "stanford-bunny.obj", {1, 0.5, 4}},
     {"3.26-b", "stanford-bunny.obj", {1, 0.5, 4}, false, true},
     {"3.26-c", "armadillo.off", {-1, 0.5, -3}, false, true},
-    {"fandisk", "fandisk.off", {2, 1, 3}, true, true}};
+    {"fandisk", "fandisk.off", {2, 1, 3}, true, true},
+    {"sphere", "icosphere", {2, 1, 3}, false, true}};
+
+kernel::TriangleMesh read(const Figure& figure, const std::string& folder) {
+  if (figure.mesh == std::string("icosphere")) {
+    sampling::PlainSurface sphere = sampling::icosphere(5);
+    for (Vec3& p : sphere.points) p = io::normalised(p, p);
+    return {std::move(sphere.points), std::move(sphere.triangles)};
+  }
+  io::MeshRequest request;
+  request.clean.split = true;
+  return io::read_mesh(folder + "/" + figure.mesh, request).mesh;
+}
 
 void shade(const fs::path& path, const kernel::TriangleMesh& mesh, const View& view) {
   const io::Camera camera = io::make_camera(mesh, {view.z, view.up}, 640);
@@ -145,8 +159,20 @@ void probe(const Drawing& drawing, const Buffers& b, const fs::path& path) {
   io::write_drawing(path.string(), probed);
 }
 
+/// Of what is painted, contours left out, against the target; with white bands nothing.
+ToneError painted_error(const Drawing& drawing, const Buffers& b, const HatchOptions& o) {
+  if (o.tone_style == ToneStyle::bands) return {};
+  Painting painting(b);
+  for (const Stroke& s : drawing.hatches) painting.fill(simplified(outline(s), 0.01));
+  std::vector<float> wanted = layer_ink(b, o.tone);
+  if (o.cross_hatch) wanted = crossed(std::move(wanted), crossing_ink(b, o.tone, false));
+  OwnedArea nobodys;
+  nobodys.owner.assign(b.size(), {kNone, 0});
+  return tone_error(tone_cells(b, painting.shares(), wanted, nobodys, o.tone.spacing));
+}
+
 Drawing draw(const Figure& figure, const kernel::TriangleMesh& mesh, const fs::path& out,
-             double width) {
+             double width, ToneError& painted) {
   Drawing drawing = contour_drawing(mesh, figure.eye, width);
   drawing.title = fmt::format("figure {}: {}", figure.name, figure.mesh);
   HatchOptions options;
@@ -159,6 +185,7 @@ Drawing draw(const Figure& figure, const kernel::TriangleMesh& mesh, const fs::p
   options.look = [&](Buffers& b) { buffers = b; };
   add_hatches(drawing, mesh, frames_of(mesh), options,
               [](const char*, const std::function<void()>& work) { work(); });
+  painted = painted_error(drawing, buffers, options);
   if (out.empty()) return drawing;
   io::write_drawing((out / (base + ".svg")).string(), drawing);
   shade(out / (base + "-shaded.png"), mesh, drawing.view);
@@ -170,21 +197,25 @@ Drawing draw(const Figure& figure, const kernel::TriangleMesh& mesh, const fs::p
   return drawing;
 }
 
-void print_row(const Figure& figure, const kernel::TriangleMesh& mesh, const Drawing& drawing) {
+void print_row(const Figure& figure, const kernel::TriangleMesh& mesh, const Drawing& drawing,
+               const ToneError& painted) {
   const HatchCounts& c = drawing.counts;
   const StrokeNumbers n = numbers_of(drawing, ToneOptions{}.spacing);
   fmt::print(
       "| {} | {} | {} | {}, {} | {} | {} + {} | {:.1f}, {:.1f} | {:.0f} | {:.2f}, {:.2f}, {:.2f} | "
-      "{:.1f} | {:.0f} | {} | {:.2f}, {:.1f}, {:.1f} |\n",
+      "{:.1f} | {:.0f} | {} | {:.2f}, {:.1f}, {:.1f} | {} |\n",
       figure.name, figure.mesh, mesh.face_count(), c.singularities, c.index_sum,
       drawing.hatches.size(), c.key_ribs, c.blended, n.shortest, n.median, 100 * n.long_share, c.p5,
       c.median, c.p95, 100 * c.bare, 100 * n.change, c.over_contours, 100 * c.tone.mean,
-      100 * c.tone.p95, 100 * c.tone.max);
+      100 * c.tone.p95, 100 * c.tone.max,
+      painted.cells.empty() ? ""
+                            : fmt::format("{:.2f}, {:.1f}, {:.1f}", 100 * painted.mean,
+                                          100 * painted.p95, 100 * painted.max));
 }
 
-void print_cells(const HatchCounts& counts, std::size_t most) {
-  for (std::size_t k = 0; k < std::min(most, counts.tone.cells.size()); ++k) {
-    const ToneCell& cell = counts.tone.cells[k];
+void print_cells(const ToneError& tone, std::size_t most) {
+  for (std::size_t k = 0; k < std::min(most, tone.cells.size()); ++k) {
+    const ToneCell& cell = tone.cells[k];
     fmt::print("  at ({:.1f}, {:.1f}) mm: {:.3f} black for {:.3f}, bare {:.2f}\n", cell.corner[0],
                cell.corner[1], cell.black, cell.ink, cell.bare);
   }
@@ -211,16 +242,17 @@ int main(int argc, char** argv) {
         "| "
         "length 5 %, median (mm) | of 3 spacings and more (%) | spacing 5 %, median, 95 % (mm) | "
         "no stroke near (%) | width changes in a spacing, 95 % (%) | over contours | tone error "
-        "mean, 95 %, max (%) |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "mean, 95 %, max (%) | the same of what is painted (%) "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Figure& figure : kFigures) {
       if (!only.empty() && only != figure.name) continue;
-      crest::io::MeshRequest request;
-      request.clean.split = true;
-      const crest::kernel::TriangleMesh mesh =
-          crest::io::read_mesh(meshes + "/" + figure.mesh, request).mesh;
-      const crest::line_art::Drawing drawing = draw(figure, mesh, out, width);
-      print_row(figure, mesh, drawing);
-      print_cells(drawing.counts, cells);
+      const crest::kernel::TriangleMesh mesh = read(figure, meshes);
+      crest::line_art::ToneError painted;
+      const crest::line_art::Drawing drawing = draw(figure, mesh, out, width, painted);
+      print_row(figure, mesh, drawing, painted);
+      print_cells(drawing.counts.tone, cells);
+      if (cells > 0) fmt::print("  painted:\n");
+      print_cells(painted, cells);
     }
     return 0;
   });

@@ -167,6 +167,8 @@ class Marching {
     std::vector<const Node*> up, down;
     for (const std::uint32_t i : part) (nodes_[i].mode >= level_ ? up : down).push_back(&nodes_[i]);
     if (up.empty() || down.empty()) return;
+    using kernel::operator-;
+    upwards_ = up[0]->place - down[0]->place;
     if (up.size() == 2) {
       const Cut a = cut(*up[0], *down[0]), b = cut(*up[0], *down[1]), c = cut(*up[1], *down[1]),
                 d = cut(*up[1], *down[0]);
@@ -180,14 +182,23 @@ class Marching {
   }
   void triangle(const Cut& a, const Cut& b, const Cut& c) {
     triangles_.push_back({a.number, b.number, c.number});
+    if (!points_.empty()) turn(triangles_.back());
     Tensor centre;
     for (std::size_t k = 0; k < 6; ++k) centre[k] = (a.tensor[k] + b.tensor[k] + c.tensor[k]) / 3;
     error_ = std::max(error_, std::fabs(mode_of(centre) - level_));
   }
 
+  /// Anticlockwise seen from above the level.
+  void turn(std::array<std::uint32_t, 3>& t) const {
+    using kernel::operator-;
+    const auto &a = places_[t[0]], &b = places_[t[1]], &c = places_[t[2]];
+    if (kernel::dot(kernel::cross(b - a, c - a), upwards_) < 0) std::swap(t[1], t[2]);
+  }
+
   const std::vector<Tensor>& tensors_;
   const std::vector<kernel::Vec3> points_;
   double level_, error_ = 0;
+  kernel::Vec3 upwards_{};  // of the part at hand
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
   std::vector<kernel::Vec3> places_;

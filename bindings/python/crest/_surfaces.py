@@ -518,12 +518,14 @@ class Drawing(Result):
 
     svg: str, the drawing, mm. The geometry has the lines in space: cell arrays kind (0 contour,
     1 boundary, 2 rim, 3 crease, from 4 hatches), invisibility (0 visible, else so many faces in
-    front), stroke.
+    front), stroke. sheets: "proved" if no face goes through another, exactly: then every hatch
+    stays on one sheet; else, and for contours alone, "not claimed". No certificate holds it.
     """
 
     def __init__(self, raw: dict[str, Any]):
         super().__init__(raw)
         self.svg: str = raw["svg"]
+        self.sheets: str = raw["sheets"]
 
     def save(self, path: Any) -> None:
         """As of every result; .svg: the drawing."""
