@@ -4,6 +4,7 @@
 // vtkSMPTools.h of VTK 9.1 is no C++20.
 #include <SMP/Common/vtkSMPToolsAPI.h>
 #include <fmt/format.h>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -17,7 +18,6 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
@@ -146,8 +146,10 @@ std::string with_finite_ranges(std::string xml) {
   return xml;
 }
 
+using Narrow = vtkAOSDataArrayTemplate<std::int32_t>;
+
 /// With the same range, in 64 bits.
-vtkSmartPointer<vtkTypeInt64Array> range_of(vtkTypeInt32Array& numbers) {
+vtkSmartPointer<vtkTypeInt64Array> range_of(Narrow& numbers) {
   auto range = vtkSmartPointer<vtkTypeInt64Array>::New();
   range->SetName(numbers.GetName());
   if (numbers.GetNumberOfValues() == 0) return range;
@@ -191,7 +193,7 @@ class Streaming : public Writer {
       require_finite(*late, late->GetName());
       Writer::WriteArrayInline(array, indent, name, rows_told);
       late->drop();
-    } else if (auto* const small = name ? vtkTypeInt32Array::SafeDownCast(array) : nullptr) {
+    } else if (auto* const small = narrow_cells(array)) {
       // Cells in half the memory: in files they have 64 bits. VTK is told the range and no more.
       const auto told = range_of(*small);
       narrow_ = small;
@@ -228,7 +230,15 @@ class Streaming : public Writer {
   }
 
  private:
-  vtkTypeInt32Array* narrow_ = nullptr;  ///< in hand
+  /// The array, if it is of cells and in 32 bits.
+  Narrow* narrow_cells(vtkAbstractArray* array) {
+    if constexpr (requires { this->CellPoints; })
+      if (array == this->CellPoints || array == this->CellOffsets)
+        return dynamic_cast<Narrow*>(array);
+    return nullptr;
+  }
+
+  Narrow* narrow_ = nullptr;  ///< in hand
 };
 
 template <class Writer, class Data>

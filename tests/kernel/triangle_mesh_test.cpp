@@ -132,7 +132,6 @@ TEST_CASE("a mesh is refused for what comes first, in any number of threads") {
       return (t[0] == v || t[1] == v || t[2] == v) && ++seen != 1 && seen != 6;
     });
   }
-  const auto face = [](Index f) { return "face " + std::to_string(f); };
   const auto edge = [&](Index v, Index w) {
     return "edge " + std::to_string(v) + "-" + std::to_string(w);
   };

@@ -52,7 +52,7 @@ TEST_CASE("patches are disks of the wanted size") {
   for (const RidgeCase& c : shapes) {
     ridges::PatchGrower grower(c.mesh);
     std::vector<ridges::PatchFace> table;
-    for (Index f = 0; f < c.mesh.face_count(); ++f) table.push_back(patch_face(c.mesh, f));
+    for (Index f = 0; f < c.mesh.face_count(); ++f) table.push_back(ridges::patch_face(c.mesh, f));
     ridges::PatchGrower by_table(c.mesh, table);
     const std::vector<Index> nobody(c.mesh.face_count(), kernel::kNone);
     for (double size : {0.0, 1.0, 3.0, 20.0})
