@@ -24,8 +24,11 @@ Outcome work(Run& run) {
   report["euler_characteristic"] = mesh.euler_characteristic();
   report["boundary_loops"] = mesh.boundary_loops();
   report["components"] = mesh.components();
-  report["vertex_numbers"] = file.numbers.vertices;
-  report["face_numbers"] = file.numbers.faces;
+  std::vector<std::int64_t> vertices(mesh.vertex_count()), faces(mesh.face_count());
+  for (kernel::Index v = 0; v < vertices.size(); ++v) vertices[v] = file.numbers.vertex(v);
+  for (kernel::Index f = 0; f < faces.size(); ++f) faces[f] = file.numbers.face(f);
+  report["vertex_numbers"] = vertices;
+  report["face_numbers"] = faces;
   return {
       fmt::format("mesh: {} vertices, {} faces, Euler characteristic {}, {} boundary loops, {} "
                   "components\n",

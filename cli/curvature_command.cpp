@@ -18,6 +18,7 @@
 #include "io/curvature/curvature_writer.hpp"
 #include "io/formats/files.hpp"
 #include "io/page/scene.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::cli {
 namespace {
@@ -177,8 +178,9 @@ using Spreads = std::array<Spread, std::size(kQuantities)>;
 
 Spreads spreads_of(const std::vector<PointCurvature>& vertices) {
   Spreads spreads{};
-  for (std::size_t i = 0; i < spreads.size(); ++i)
+  kernel::parallel_for(std::size_t{0}, spreads.size(), [&](std::size_t i) {
     spreads[i] = spread_of(vertices, kQuantities[i].second);
+  });
   return spreads;
 }
 
@@ -214,7 +216,7 @@ std::vector<curvature::FocalSurface> focal_surfaces(const CurvatureOptions& o,
                            ? curvature::focal_of_triangles(mesh, result.normals, q, o.focal_share)
                            : curvature::focal_of_vertices(mesh, result, q, o.focal_share));
     for (kernel::Index& face : surfaces.back().faces)
-      face = static_cast<kernel::Index>(file.numbers.faces[face]);
+      face = static_cast<kernel::Index>(file.numbers.face(face));
   }
   return surfaces;
 }

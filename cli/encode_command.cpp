@@ -109,7 +109,7 @@ std::string summary(const coding::Encoded& e, std::span<const kernel::Attribute>
 void write_permutation(const std::string& path, const coding::Encoded& e,
                        const io::FileNumbers& numbers) {
   io::Text text;
-  for (const kernel::Index v : e.vertex_order) text.add("{}\n", numbers.vertices[v]);
+  for (const kernel::Index v : e.vertex_order) text.add("{}\n", numbers.vertex(v));
   io::write_atomically(path, text.text());
 }
 

@@ -222,10 +222,10 @@ Outcome work(Run& run, const RidgesOptions& o) {
   const ridges::FitResult& fit = fits.second;
   warn_about_fit(fit, o.fit.degree, run);
   ridges::PredicateReport predicates;
-  ridges::CertifiedRidges certified = run.step("extract", "extracting ridges and umbilics", [&] {
-    return ridges::extract_certified(mesh, fit.forms, o.graph, &predicates, mesh_workers().ridges);
+  ridges::ClaimedRidges claimed = run.step("extract", "extracting ridges and umbilics", [&] {
+    return ridges::extract_claimed(mesh, fit.forms, o.graph, &predicates, mesh_workers().ridges);
   });
-  ridges::RidgeGraph& graph = certified.graph;
+  ridges::RidgeGraph& graph = claimed.graph;
   if (run.wanted("--report")) {
     add_paper_umbilics(run.report(), run.step("paper_umbilics", "searching minima of k1 - k2", [&] {
       return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
@@ -247,7 +247,7 @@ Outcome work(Run& run, const RidgesOptions& o) {
                          dropped,
                          predicates,
                          o.order,
-                         certify::hex(certified.data_digest),
+                         certify::hex(claimed.data_digest),
                          whole,
                          salience,
                          o.salience,
@@ -263,7 +263,12 @@ Outcome work(Run& run, const RidgesOptions& o) {
                const auto& picture) { io::write_picture(path, mesh, shown, picture); },
            graph, result, o);
     });
-    run.write_certificate("ridges-mesh", certified.certificate);
+    run.write_certificate("ridges-mesh", [&](const io::Sink& sink) {
+      ridges::hand_on_certificate(
+          claimed.envelope, mesh, fit.forms, [&](std::span<const std::uint8_t> piece) {
+            sink({reinterpret_cast<const char*>(piece.data()), piece.size()});
+          });
+    });
   });
   run.show_page([&] { return page_scene(mesh, graph, result, o); });
   fill_report(run.report(), result);

@@ -50,7 +50,7 @@ Json umbilics_json(const RidgesRun& run) {
     items.push_back({{"index", 0.5 * umbilic.twice_index},
                      {"kind", kind_name(umbilic.kind)},
                      {"coherent", umbilic.coherent},
-                     {"face", run.numbers.faces[umbilic.face]},
+                     {"face", run.numbers.face(umbilic.face)},
                      {"point", umbilic.point}});
   }
   return {{"count", graph.umbilics.size()},

@@ -17,7 +17,6 @@
 #include "io/page/page.hpp"
 #include "io/page/scene.hpp"
 #include "io/picture/camera.hpp"
-#include "io/write/atomic_file.hpp"
 
 namespace crest::cli {
 namespace {
@@ -54,10 +53,26 @@ void Run::show(const std::string& what) const {
 
 void Run::write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
                             std::size_t undecided) {
+  write_certificate(
+      claim,
+      [&](const io::Sink& sink) {
+        sink({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+      },
+      undecided);
+}
+
+void Run::write_certificate(const std::string& claim,
+                            const std::function<void(const io::Sink&)>& make,
+                            std::size_t undecided) {
   write("--certificate", [&](const std::string& path) {
-    io::write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    certificate_bytes_ = bytes.size();
-    if (wanted("--page")) page_certificate_.assign(bytes.begin(), bytes.end());
+    const bool shown = wanted("--page");
+    io::write_atomically(path, [&](const io::Sink& sink) {
+      make([&](std::string_view piece) {
+        sink(piece);
+        certificate_bytes_ += piece.size();
+        if (shown) page_certificate_ += piece;
+      });
+    });
     report_.set_certificate(claim, undecided);
   });
 }

@@ -17,6 +17,7 @@
 #include "cli/outputs.hpp"
 #include "cli/report.hpp"
 #include "io/read/mesh_reader.hpp"
+#include "io/write/atomic_file.hpp"
 #include "kernel/arithmetic/self_test.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -104,6 +105,9 @@ class Run {
   /// Writes --certificate, if it is wanted, and reports its claim as certified but for `undecided`
   /// cells, of which it states nothing.
   void write_certificate(const std::string& claim, std::span<const std::uint8_t> bytes,
+                         std::size_t undecided = 0);
+  /// The same of bytes that `make` hands on in pieces.
+  void write_certificate(const std::string& claim, const std::function<void(const io::Sink&)>& make,
                          std::size_t undecided = 0);
 
  private:

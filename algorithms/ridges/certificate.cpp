@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/certificate.hpp"
 
-#include <tbb/global_control.h>
+#include <utility>
 
 #include "algorithms/ridges/pieces.hpp"
 #include "kernel/geometry/parallel.hpp"
@@ -15,6 +15,11 @@ std::array<double, 14> row_of(const kernel::MongeForm& m) {
                                 m.k2,    m.b0,    m.b1,    m.b2,   m.b3,   m.c0,   m.c4};
   for (double& x : row) x += 0.0;
   return row;
+}
+
+certify::DataRows rows_of(const kernel::TriangleMesh& mesh,
+                          const std::vector<kernel::MongeForm>& forms) {
+  return {mesh.faces(), mesh.points(), [&forms](std::size_t v) { return row_of(forms[v]); }};
 }
 
 certify::MeshData data_of(const kernel::TriangleMesh& mesh,
@@ -81,28 +86,36 @@ certify::RidgesMeshCertificate make_certificate(const kernel::TriangleMesh& mesh
   return c;
 }
 
+ClaimedRidges extract_claimed(const kernel::TriangleMesh& mesh,
+                              const std::vector<kernel::MongeForm>& forms,
+                              const GraphOptions& options, PredicateReport* report,
+                              const Workers* workers) {
+  ClaimedRidges result;
+  // Before the two threads: workers may be asked by the calling thread alone.
+  const Decisions decided = decide_all(mesh, forms, options.guarded, workers);
+  const certify::DataRows rows = rows_of(mesh, forms);
+  kernel::parallel_invoke([&] { result.graph = graph_of(mesh, forms, options, decided, report); },
+                          [&] { result.data_digest = certify::digest_of(rows); });
+  result.envelope =
+      certify::encode_envelope(claims_of(mesh, result.graph), rows, result.data_digest);
+  return result;
+}
+
+void hand_on_certificate(const certify::Envelope& envelope, const kernel::TriangleMesh& mesh,
+                         const std::vector<kernel::MongeForm>& forms,
+                         const certify::TakePiece& take) {
+  certify::hand_on(envelope, rows_of(mesh, forms), take);
+}
+
 CertifiedRidges extract_certified(const kernel::TriangleMesh& mesh,
                                   const std::vector<kernel::MongeForm>& forms,
                                   const GraphOptions& options, PredicateReport* report,
                                   const Workers* workers) {
-  CertifiedRidges result;
-  // Before the two threads: workers may be asked by the calling thread alone.
-  const Decisions decided = decide_all(mesh, forms, options.guarded, workers);
-  certify::EncodedData data;
-  const auto extract = [&] { result.graph = graph_of(mesh, forms, options, decided, report); };
-  const auto encode = [&] {
-    data = certify::encode_data(mesh.faces(), mesh.points(),
-                                [&](std::size_t v) { return row_of(forms[v]); });
-  };
-  // One thread gains nothing from both at a time, and what they need is then not needed at once.
-  if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1) {
-    kernel::parallel_invoke(extract, encode);
-  } else {
-    extract();
-    encode();
-  }
-  result.data_digest = data.digest;
-  result.certificate = certify::encode(claims_of(mesh, result.graph), std::move(data));
+  ClaimedRidges claimed = extract_claimed(mesh, forms, options, report, workers);
+  CertifiedRidges result{std::move(claimed.graph), {}, claimed.data_digest};
+  hand_on_certificate(claimed.envelope, mesh, forms, [&](std::span<const std::uint8_t> piece) {
+    result.certificate.insert(result.certificate.end(), piece.begin(), piece.end());
+  });
   return result;
 }
 

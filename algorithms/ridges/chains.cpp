@@ -2,6 +2,9 @@
 #include "algorithms/ridges/chains.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -95,9 +98,10 @@ class Chainer {
 
 std::vector<Chain> chain_crossings(const kernel::TriangleMesh& mesh, const EdgeStates& states,
                                    const std::vector<Index>& owner) {
-  std::vector<Chain> chains;
-  for (Colour colour : {Colour::blue, Colour::red})
-    Chainer(mesh, states, owner, colour).append_to(chains);
+  std::vector<Chain> chains, red;
+  kernel::parallel_invoke([&] { Chainer(mesh, states, owner, Colour::blue).append_to(chains); },
+                          [&] { Chainer(mesh, states, owner, Colour::red).append_to(red); });
+  std::move(red.begin(), red.end(), std::back_inserter(chains));
   return chains;
 }
 

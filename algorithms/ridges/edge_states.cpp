@@ -4,6 +4,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <array>
+
 #include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/acute_rule.hpp"
 #include "kernel/predicates/extremality_sign.hpp"
@@ -22,18 +24,31 @@ kernel::Decision plain_acute_rule(const Vec3& d, const Vec3& e) {
   return {kernel::dot(d, e) < 0 ? kernel::Sign::negative : kernel::Sign::positive, Stage::triage};
 }
 
+struct SignCounts {
+  StageCounts stages;
+  std::array<Index, 2> zeros{};  ///< by colour
+};
+
 void decide_extremalities(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
                           EdgeStates& s) {
-  for (int c = 0; c < 2; ++c) {
-    s.extremality[c].resize(forms.size());
-    for (Index v = 0; v < forms.size(); ++v) {
-      const kernel::Decision d =
-          kernel::extremality_sign(c == 0 ? forms[v].b0 : forms[v].b3, forms[v].d1);
-      s.extremality[c][v] = as_int(d.sign);
-      if (!piece.owns(v)) continue;
-      s.extremality_counts.add(d.stage);
-      s.zero_extremalities[c] += d.stage == Stage::symbolic;
-    }
+  for (auto& signs : s.extremality) signs.resize(forms.size());
+  tbb::enumerable_thread_specific<SignCounts> counts;
+  kernel::parallel_for(
+      tbb::blocked_range<std::size_t>(0, forms.size(), 8192), [&](const auto& range) {
+        SignCounts& local = counts.local();
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+          for (std::size_t c = 0; c < 2; ++c) {
+            const kernel::Decision d =
+                kernel::extremality_sign(c == 0 ? forms[v].b0 : forms[v].b3, forms[v].d1);
+            s.extremality[c][v] = as_int(d.sign);
+            if (!piece.owns(static_cast<Index>(v))) continue;
+            local.stages.add(d.stage);
+            local.zeros[c] += d.stage == Stage::symbolic;
+          }
+      });
+  for (const SignCounts& local : counts) {
+    s.extremality_counts += local.stages;
+    for (std::size_t c = 0; c < 2; ++c) s.zero_extremalities[c] += local.zeros[c];
   }
 }
 

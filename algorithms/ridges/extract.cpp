@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 
 #include "algorithms/ridges/chains.hpp"
@@ -8,7 +11,7 @@
 #include "algorithms/ridges/ridge_types.hpp"
 #include "algorithms/ridges/ridges.hpp"
 #include "algorithms/ridges/umbilics.hpp"
-#include "kernel/geometry/stop.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -18,11 +21,16 @@ using kernel::MongeForm;
 std::vector<PatchJoins> all_joins(const kernel::TriangleMesh& mesh,
                                   const std::vector<MongeForm>& forms, const EdgeStates& states,
                                   const UmbilicPatches& patches) {
-  std::vector<PatchJoins> joins;
-  for (Index i = 0; i < patches.umbilics.size(); ++i)
-    joins.push_back(
-        join_patch(mesh, states, patches.owner, patches.umbilics[i], i,
-                   [&](Index e, Colour c) { return crossing_weight(mesh, forms, e, c); }));
+  std::vector<PatchJoins> joins(patches.umbilics.size());
+  const CrossingWeight weight = [&](Index e, Colour c) {
+    return crossing_weight(mesh, forms, e, c);
+  };
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, joins.size(), 64),
+                       [&](const auto& range) {
+                         for (std::size_t i = range.begin(); i != range.end(); ++i)
+                           joins[i] = join_patch(mesh, states, patches.owner, patches.umbilics[i],
+                                                 static_cast<Index>(i), weight);
+                       });
   return joins;
 }
 
@@ -44,9 +52,9 @@ Ridge realise(const Chain& chain, const kernel::TriangleMesh& mesh,
                                                  chain.edges[(i + 1) % chain.edges.size()],
                                                  chain.colour, counts));
   if (chain.ends[0].kind == EndKind::umbilic)
-    ridge.lead_in = joins[chain.ends[0].umbilic].at({chain.edges.front(), chain.colour});
+    ridge.lead_in = joins[chain.ends[0].umbilic].at(chain.edges.front(), chain.colour);
   if (chain.ends[1].kind == EndKind::umbilic) {
-    ridge.lead_out = joins[chain.ends[1].umbilic].at({chain.edges.back(), chain.colour});
+    ridge.lead_out = joins[chain.ends[1].umbilic].at(chain.edges.back(), chain.colour);
     std::reverse(ridge.lead_out.begin(), ridge.lead_out.end());
   }
   measure_ridge(ridge, size);
@@ -70,14 +78,22 @@ RidgeGraph graph_of(const kernel::TriangleMesh& mesh, const std::vector<MongeFor
   std::copy(states.zero_extremalities, states.zero_extremalities + 2, graph.zero_extremalities);
   graph.twice_index_sum = indices.twice_sum;
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    graph.conflict_triangles += states.conflict(mesh, f);
+    graph.conflict_triangles += indices.twice[f] % 2 != 0;  // lemma 2; face_indices() makes sure
     if (indices.twice[f] != 0) graph.face_indices.push_back({f, indices.twice[f]});
   }
-  TypeCounts counts;
   const std::vector<PatchJoins> joins = all_joins(mesh, forms, states, patches);
-  for (const Chain& chain : chain_crossings(mesh, states, patches.owner)) {
-    kernel::stop_point();
-    graph.ridges.push_back(realise(chain, mesh, forms, states, joins, graph.model_size, counts));
+  const std::vector<Chain> chains = chain_crossings(mesh, states, patches.owner);
+  graph.ridges.resize(chains.size());
+  tbb::enumerable_thread_specific<TypeCounts> counts_of_threads;
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, chains.size()), [&](const auto& range) {
+    TypeCounts& counts = counts_of_threads.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      graph.ridges[i] = realise(chains[i], mesh, forms, states, joins, graph.model_size, counts);
+  });
+  TypeCounts counts;
+  for (const TypeCounts& c : counts_of_threads) {
+    counts.crossing += c.crossing;
+    counts.segment += c.segment;
   }
   graph.umbilics = std::move(patches.umbilics);
   if (report)

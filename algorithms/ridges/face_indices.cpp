@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "kernel/geometry/parallel.hpp"
@@ -20,10 +21,14 @@ using kernel::Stage;
 constexpr Index kGrain = 4096;
 
 // All angles of the connection: phi by vertex, positions by edge end, scaled corners by face.
+// Positions are floats, which the triage of a rotation counts in; corners and rotations are only
+// summed, to a multiple of pi.
 struct Angles {
-  std::vector<double> phi, error;             // V
-  std::vector<std::array<double, 2>> at;      // E: a(v0, v1), a(v1, v0)
-  std::vector<std::array<double, 3>> corner;  // F
+  std::vector<double> phi, error;            // V
+  std::vector<std::array<float, 2>> at;      // E: a(v0, v1), a(v1, v0)
+  std::vector<std::array<float, 3>> corner;  // F
+  // In place of a position, once both are used.
+  float& omega(Index e) { return at[e][0]; }
 };
 
 std::size_t corner_of(const kernel::Triangle& t, Index v) {
@@ -43,10 +48,12 @@ kernel::Star star_of(const kernel::TriangleMesh& mesh, const MongeForm& form, In
 void scatter(const kernel::TriangleMesh& mesh, Index v, const std::vector<double>& position,
              const std::vector<double>& corner, Angles& angles) {
   const auto fan = mesh.fan(v);
-  auto put = [&](Index e, double a) { angles.at[e][mesh.edges()[e].v0 == v ? 0 : 1] = a; };
+  auto put = [&](Index e, double a) {
+    angles.at[e][mesh.edges()[e].v0 == v ? 0 : 1] = static_cast<float>(a);
+  };
   for (std::size_t j = 0; j < fan.size(); ++j) {
     const std::size_t k = corner_of(mesh.faces()[fan[j]], v);
-    angles.corner[fan[j]][k] = corner[j];
+    angles.corner[fan[j]][k] = static_cast<float>(corner[j]);
     put(mesh.face_edges()[fan[j]][k], position[j]);
     if (mesh.on_boundary(v) && j + 1 == fan.size())
       put(mesh.face_edges()[fan[j]][(k + 2) % 3], position[j + 1]);
@@ -89,9 +96,11 @@ kernel::Rotation rotation(const kernel::TriangleMesh& mesh, const std::vector<Mo
                           const EdgeStates& states, const Angles& angles, Index e) {
   const Index v = mesh.edges()[e].v0, w = mesh.edges()[e].v1;
   const bool reversed = states.acute[e] < 0;
-  const double raw = angles.phi[w] - angles.phi[v] - (angles.at[e][1] + kernel::kPi) +
-                     angles.at[e][0] + (reversed ? kernel::kPi : 0.0);
-  if (const auto omega = kernel::triage_rotation(raw, angles.error[v] + angles.error[w]))
+  const double here{angles.at[e][0]}, there{angles.at[e][1]};
+  const double raw =
+      angles.phi[w] - angles.phi[v] - (there + kernel::kPi) + here + (reversed ? kernel::kPi : 0.0);
+  const double rounding = 0x1p-23 * (std::fabs(here) + std::fabs(there));
+  if (const auto omega = kernel::triage_rotation(raw, angles.error[v] + angles.error[w] + rounding))
     return {*omega, Stage::triage};
   std::vector<Vec3> ring_v, ring_w;
   ring_points(mesh, v, ring_v);
@@ -107,14 +116,30 @@ kernel::Rotation rotation(const kernel::TriangleMesh& mesh, const std::vector<Mo
   return {kernel::symbolic_rotation(), Stage::symbolic};
 }
 
+std::int8_t twice_index(const kernel::TriangleMesh& mesh, const EdgeStates& states, Angles& angles,
+                        Index f) {
+  double t = -kernel::kPi;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index e = mesh.face_edges()[f][k];
+    const double omega{angles.omega(e)};
+    t += double{angles.corner[f][k]} + (mesh.edges()[e].v0 == mesh.faces()[f][k] ? omega : -omega);
+  }
+  // t is an integer multiple of pi known to far less than pi (lemma 2).
+  const double twice = std::nearbyint(t / kernel::kPi);
+  if (std::fabs(t / kernel::kPi - twice) > 0.1 ||
+      (std::lround(twice) % 2 != 0) != states.conflict(mesh, f))
+    throw std::logic_error("the rotation around face " + std::to_string(f) +
+                           " is not a multiple of pi of the right parity");
+  return static_cast<std::int8_t>(twice);
+}
+
 }  // namespace
 
 FaceIndices face_indices(const kernel::MeshPiece& piece, const std::vector<MongeForm>& forms,
                          const EdgeStates& states) {
   const kernel::TriangleMesh& mesh = piece.mesh();
   FaceIndices result;
-  const Angles angles = all_angles(piece, forms, result.star_counts);
-  std::vector<double> omega(mesh.edge_count());
+  Angles angles = all_angles(piece, forms, result.star_counts);
   tbb::enumerable_thread_specific<StageCounts> counts;
   kernel::parallel_for(tbb::blocked_range<Index>(0, mesh.edge_count(), kGrain), [&](const auto& r) {
     StageCounts local;
@@ -122,30 +147,25 @@ FaceIndices face_indices(const kernel::MeshPiece& piece, const std::vector<Monge
       if (states.acute[e] == 0) continue;
       const kernel::Rotation turn = rotation(mesh, forms, states, angles, e);
       if (piece.owns(mesh.edges()[e].v0)) local.add(turn.stage);
-      omega[e] = turn.omega;
+      angles.omega(e) = static_cast<float>(turn.omega);
     }
     counts.local() += local;
   });
   for (const StageCounts& c : counts) result.rotation_counts += c;
 
   result.twice.resize(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto& corners = mesh.faces()[f];
-    if (!piece.owns(*std::min_element(corners.begin(), corners.end()))) continue;
-    double t = -kernel::kPi;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index e = mesh.face_edges()[f][k];
-      t += angles.corner[f][k] + (mesh.edges()[e].v0 == corners[k] ? omega[e] : -omega[e]);
-    }
-    // t is an integer multiple of pi known to far less than pi (lemma 2).
-    const double twice = std::nearbyint(t / kernel::kPi);
-    if (std::fabs(t / kernel::kPi - twice) > 0.1 ||
-        (std::lround(twice) % 2 != 0) != states.conflict(mesh, f))
-      throw std::logic_error("the rotation around face " + std::to_string(f) +
-                             " is not a multiple of pi of the right parity");
-    result.twice[f] = static_cast<std::int8_t>(twice);
-    result.twice_sum += result.twice[f];
-  }
+  result.twice_sum = kernel::parallel_reduce(
+      tbb::blocked_range<Index>(0, mesh.face_count(), kGrain), 0,
+      [&](const auto& r, int sum) {
+        for (Index f = r.begin(); f != r.end(); ++f) {
+          const auto& corners = mesh.faces()[f];
+          if (!piece.owns(*std::min_element(corners.begin(), corners.end()))) continue;
+          result.twice[f] = twice_index(mesh, states, angles, f);
+          sum += result.twice[f];
+        }
+        return sum;
+      },
+      std::plus<>());
   return result;
 }
 

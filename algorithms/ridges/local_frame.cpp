@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/local_frame.hpp"
 
+#include <tbb/blocked_range.h>
+
+#include <algorithm>
 #include <cmath>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::ridges {
 namespace {
@@ -162,25 +167,29 @@ std::array<LocalFrame, kLanes> local_frames(const std::vector<Vec3>& points,
 }
 
 std::vector<Vec3> vertex_normals(const kernel::TriangleMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertex_count(), Vec3{});
-  std::vector<kernel::Index> some_face(mesh.vertex_count());
+  std::vector<Vec3> normals(mesh.vertex_count());
   const auto& p = mesh.points();
   auto area_vector = [&](kernel::Index f) {
     const auto [a, b, c] = mesh.faces()[f];
     return cross(p[b] - p[a], p[c] - p[a]);
   };
-  for (kernel::Index f = 0; f < mesh.face_count(); ++f) {
-    const Vec3 n = area_vector(f);
-    for (kernel::Index v : mesh.faces()[f]) {
-      some_face[v] = f;
-      for (std::size_t k = 0; k < 3; ++k) normals[v][k] += n[k];
-    }
-  }
-  for (kernel::Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (normalise(normals[v])) continue;
-    normals[v] = area_vector(some_face[v]);  // opposite faces cancelled
-    if (!normalise(normals[v])) normals[v] = {0, 0, 1};
-  }
+  kernel::parallel_for(tbb::blocked_range<kernel::Index>(0, mesh.vertex_count(), 4096),
+                       [&](const auto& range) {
+                         std::vector<kernel::Index> faces;
+                         for (kernel::Index v = range.begin(); v != range.end(); ++v) {
+                           // By number: the sum's last bits do not depend on where the fan starts.
+                           const auto fan = mesh.fan(v);
+                           faces.assign(fan.begin(), fan.end());
+                           std::sort(faces.begin(), faces.end());
+                           for (const kernel::Index f : faces) {
+                             const Vec3 n = area_vector(f);
+                             for (std::size_t k = 0; k < 3; ++k) normals[v][k] += n[k];
+                           }
+                           if (normalise(normals[v])) continue;
+                           normals[v] = area_vector(faces.back());  // opposite faces cancelled
+                           if (!normalise(normals[v])) normals[v] = {0, 0, 1};
+                         }
+                       });
   return normals;
 }
 

@@ -4,15 +4,24 @@
 // Drawing ridges inside umbilic patches: polylines on the mesh, from the contour's crossings to the
 // umbilic, that do not cross (paper 002, section 6.5; "Join" in certify/ridges_mesh/SPEC.md).
 #include <functional>
-#include <map>
+#include <vector>
 
 #include "algorithms/ridges/umbilics.hpp"
 
 namespace crest::ridges {
 
-/// Key: contour edge and colour. Value: the points from the umbilic (included) to the crossing
-/// (not included), all on the patch.
-using PatchJoins = std::map<std::pair<Index, Colour>, std::vector<Vec3>>;
+/// The way of a contour crossing to the umbilic.
+struct PatchLine {
+  Index edge;
+  Colour colour;
+  std::vector<Vec3> points;  ///< from the umbilic (included) to the crossing (not), on the patch
+};
+/// A few: one a crossing of the contour.
+struct PatchJoins {
+  std::vector<PatchLine> lines;
+  /// Throws: std::out_of_range if the contour is not crossed there.
+  const std::vector<Vec3>& at(Index edge, Colour colour) const;
+};
 
 /// Position of a crossing between its edge's ends, 0 at the lower vertex.
 using CrossingWeight = std::function<double(Index edge, Colour colour)>;

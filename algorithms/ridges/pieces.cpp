@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/pieces.hpp"
 
+#include <tbb/blocked_range.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/against_faces.hpp"
 #include "kernel/predicates/collinear.hpp"
 
@@ -17,21 +22,37 @@ using kernel::MongeForm;
 using kernel::TriangleMesh;
 using Owned = std::vector<std::vector<Index>>;  ///< vertices by piece
 
+/// Decisions' counts of vertices.
+using FrameCounts = std::array<Index, 3>;
+
+void count_frame(const TriangleMesh& mesh, const MongeForm& form, Index v,
+                 std::vector<std::array<Vec3, 2>>& sides, FrameCounts& counts) {
+  const std::span<const Index> ring = mesh.ring(v);
+  const std::size_t faces = ring.size() - (mesh.on_boundary(v) ? 1 : 0);
+  sides.clear();
+  for (std::size_t k = 0; k < faces; ++k)
+    sides.push_back({mesh.points()[ring[k]], mesh.points()[ring[(k + 1) % ring.size()]]});
+  counts[0] += kernel::against_faces(form.n, mesh.points()[v], sides);
+  counts[1] += form.k1 == form.k2;
+  counts[2] += kernel::collinear({0, 0, 0}, form.n, form.d1);
+}
+
 void count_frames(const MeshPiece& piece, const std::vector<MongeForm>& forms, Decisions& to) {
-  const TriangleMesh& mesh = piece.mesh();
-  std::vector<std::array<Vec3, 2>> sides;
-  const auto count = [&](Index v) {
-    const std::span<const Index> ring = mesh.ring(v);
-    const std::size_t faces = ring.size() - (mesh.on_boundary(v) ? 1 : 0);
-    sides.clear();
-    for (std::size_t k = 0; k < faces; ++k)
-      sides.push_back({mesh.points()[ring[k]], mesh.points()[ring[(k + 1) % ring.size()]]});
-    to.against_faces += kernel::against_faces(forms[v].n, mesh.points()[v], sides);
-    to.equal_curvatures += forms[v].k1 == forms[v].k2;
-    to.parallel_frames += kernel::collinear({0, 0, 0}, forms[v].n, forms[v].d1);
-  };
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (piece.owns(v)) count(v);
+  const auto [against, equal, parallel] = kernel::parallel_reduce(
+      tbb::blocked_range<Index>(0, piece.mesh().vertex_count(), 4096), FrameCounts{},
+      [&](const auto& range, FrameCounts counts) {
+        std::vector<std::array<Vec3, 2>> sides;
+        for (Index v = range.begin(); v != range.end(); ++v)
+          if (piece.owns(v)) count_frame(piece.mesh(), forms[v], v, sides, counts);
+        return counts;
+      },
+      [](FrameCounts a, const FrameCounts& b) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+        return a;
+      });
+  to.against_faces = against;
+  to.equal_curvatures = equal;
+  to.parallel_frames = parallel;
 }
 
 Index lowest(const kernel::Triangle& face) {

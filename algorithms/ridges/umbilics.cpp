@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/ridges/umbilics.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 
 #include "kernel/geometry/parallel.hpp"
@@ -55,6 +58,43 @@ struct Attempt {
   StageCounts counts;
 };
 
+/// What seeds look at of a face: where there are many of them, once a face.
+class FaceTable {
+ public:
+  FaceTable(const kernel::TriangleMesh& mesh, const EdgeStates& states)
+      : mesh_(mesh), states_(states) {}
+
+  void fill() {
+    faces_.resize(mesh_.face_count());
+    crossed_.resize(mesh_.face_count());
+    kernel::parallel_for(tbb::blocked_range<Index>(0, mesh_.face_count(), 4096),
+                         [&](const auto& range) {
+                           for (Index f = range.begin(); f != range.end(); ++f) {
+                             faces_[f] = patch_face(mesh_, f);
+                             crossed_[f] = look_at_sides(f);
+                           }
+                         });
+  }
+
+  /// Of the whole mesh, or none.
+  std::span<const PatchFace> faces() const { return faces_; }
+  /// Bit 2 k + c: side k is crossed by colour c.
+  unsigned crossed(Index f) const { return crossed_.empty() ? look_at_sides(f) : crossed_[f]; }
+
+ private:
+  std::uint8_t look_at_sides(Index f) const {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits |= unsigned{states_.crossed[mesh_.face_edges()[f][k]]} << 2 * k;
+    return static_cast<std::uint8_t>(bits);
+  }
+
+  const kernel::TriangleMesh& mesh_;
+  const EdgeStates& states_;
+  std::vector<PatchFace> faces_;
+  std::vector<std::uint8_t> crossed_;
+};
+
 /// The patches go to the seeds one after the other, each of what the earlier ones have left: a
 /// greedy order, which does not depend on threads. They are tried side by side, and those that turn
 /// out to depend on a patch of the same batch once more.
@@ -62,24 +102,21 @@ class Finder {
  public:
   Finder(const kernel::TriangleMesh& mesh, const std::vector<MongeForm>& forms,
          const EdgeStates& states, const FaceIndices& indices, double size)
-      : mesh_(mesh),
-        forms_(forms),
-        states_(states),
-        indices_(indices),
-        size_(size),
-        own_{PatchGrower(mesh), std::vector<Index>(mesh.face_count(), kernel::kNone)} {
+      : mesh_(mesh), forms_(forms), states_(states), indices_(indices), size_(size) {
     result_.owner.assign(mesh.face_count(), kernel::kNone);
   }
 
   UmbilicPatches run() {
     constexpr std::size_t batch = 512, few = 64;
     const std::vector<Index> order = seeds();
+    if (order.size() > mesh_.face_count() / 256) table_.fill();
+    own_.emplace(workspace());
     const bool alone =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
     if (order.size() < few || alone) {
       for (Index seed : order) {
         kernel::stop_point();
-        if (result_.owner[seed] == kernel::kNone) add(attempt(seed, own_));
+        if (result_.owner[seed] == kernel::kNone) add(attempt(seed, *own_));
       }
     } else {
       for (std::size_t i = 0; i < order.size(); i += batch)
@@ -106,6 +143,10 @@ class Finder {
     std::vector<Index> rank;  ///< of the faces of the patch in hand
   };
 
+  Workspace workspace() const {
+    return {PatchGrower(mesh_, table_.faces()), std::vector<Index>(mesh_.face_count())};
+  }
+
   Attempt attempt(Index seed, Workspace& work) const {
     Attempt a;
     Umbilic& u = a.umbilic;
@@ -115,7 +156,7 @@ class Finder {
                    faces.begin() + static_cast<std::ptrdiff_t>(choose(faces, work, u)));
     std::sort(u.patch.begin(), u.patch.end());
     u.face = central_face(u.patch);
-    u.point = work.grower.centroid(u.face);
+    u.point = work.grower.face(u.face).centroid;
     u.kind = kind_of(mesh_, forms_, u.face, a.counts);
     return a;
   }
@@ -137,7 +178,7 @@ class Finder {
       if (owned(seeds[i])) continue;
       const std::vector<Index>& asked = attempts[i].asked;
       const bool stale = std::any_of(asked.begin(), asked.end(), [&](Index f) { return owned(f); });
-      add(stale ? attempt(seeds[i], own_) : std::move(attempts[i]));
+      add(stale ? attempt(seeds[i], *own_) : std::move(attempts[i]));
     }
   }
 
@@ -164,12 +205,13 @@ class Finder {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Index f = faces[i];
       twice_index += indices_.twice[f];
-      for (int k = 0; k < 3; ++k) {
-        const Index g = mesh_.neighbour(f, k);
+      const std::array<Index, 3> around = work.grower.face(f).around;
+      const unsigned crossed = table_.crossed(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index g = around[k];
         const bool inner = g != kernel::kNone && work.grower.contains(g) && work.rank[g] < i;
-        const Index e = mesh_.face_edges()[f][static_cast<std::size_t>(k)];
-        for (Colour c : {Colour::blue, Colour::red})
-          if (states_.is_crossed(e, c)) crossings[static_cast<std::size_t>(c)] += inner ? -1u : 1u;
+        for (std::size_t c = 0; c < 2; ++c)
+          if (crossed >> (2 * k + c) & 1u) crossings[c] += inner ? -1u : 1u;
       }
       const bool good = coherent(twice_index, crossings);
       if (i > 0 && !good) continue;
@@ -194,8 +236,9 @@ class Finder {
   const EdgeStates& states_;
   const FaceIndices& indices_;
   double size_;
-  Workspace own_;
-  tbb::enumerable_thread_specific<Workspace> of_threads_{[this] { return own_; }};
+  FaceTable table_{mesh_, states_};
+  std::optional<Workspace> own_;
+  tbb::enumerable_thread_specific<Workspace> of_threads_{[this] { return workspace(); }};
   UmbilicPatches result_;
 };
 

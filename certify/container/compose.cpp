@@ -7,16 +7,24 @@
 #include "certify/container/sha256.hpp"
 
 namespace crest::certify {
+namespace {
+
+void write_header(ByteWriter& out, ClaimFormat format, const Digest& digest, std::size_t data,
+                  std::size_t claims) {
+  out.bytes(kMagic);
+  out.integer(format.version);
+  out.integer(format.claim);
+  out.bytes(digest);
+  out.integer(std::uint64_t{data});
+  out.integer(std::uint64_t{claims});
+}
+
+}  // namespace
 
 EncodedData begin(ClaimFormat format, std::size_t data_size, const WriteSection& write_data) {
   ByteWriter out;
   out.reserve(kHeaderSize + data_size + data_size / 8);
-  out.bytes(kMagic);
-  out.integer(format.version);
-  out.integer(format.claim);
-  out.bytes(Digest{});
-  out.integer(std::uint64_t{data_size});
-  out.integer(std::uint64_t{0});
+  write_header(out, format, {}, data_size, 0);
   write_data(out);
   EncodedData data{std::move(out.result()), {}};
   data.digest = sha256({std::span(data.bytes).subspan(kHeaderSize)});
@@ -40,6 +48,15 @@ Bytes finish(EncodedData data, const WriteSection& write_claims) {
 Bytes compose(ClaimFormat format, std::size_t data_size, const WriteSection& write_data,
               const WriteSection& write_claims) {
   return finish(begin(format, data_size, write_data), write_claims);
+}
+
+Envelope envelope(ClaimFormat format, std::size_t data_size, const Digest& data_digest,
+                  const WriteSection& write_claims) {
+  ByteWriter head, tail;
+  write_claims(tail);
+  write_header(head, format, data_digest, data_size, tail.size());
+  tail.bytes(sha256({head.result(), tail.result()}));
+  return {std::move(head.result()), std::move(tail.result())};
 }
 
 }  // namespace crest::certify

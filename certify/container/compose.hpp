@@ -24,4 +24,12 @@ Bytes finish(EncodedData data, const WriteSection& write_claims);
 Bytes compose(ClaimFormat format, std::size_t data_size, const WriteSection& write_data,
               const WriteSection& write_claims);
 
+/// What stands before and after the data section of a certificate that is written without being in
+/// memory as a whole.
+struct Envelope {
+  Bytes head, tail;
+};
+Envelope envelope(ClaimFormat format, std::size_t data_size, const Digest& data_digest,
+                  const WriteSection& write_claims);
+
 }  // namespace crest::certify

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/ridges_mesh/encode.hpp"
 
-#include "certify/container/compose.hpp"
 #include "certify/container/container.hpp"
+#include "certify/container/sha256.hpp"
 #include "certify/ridges_mesh/canonical.hpp"
 
 namespace crest::certify {
@@ -48,40 +48,79 @@ void write_claims(ByteWriter& out, const RidgesMeshCertificate& c) {
   for (const auto& ridge : c.ridges) write_ridge(out, ridge);
 }
 
-}  // namespace
-
-EncodedData encode_data(const MeshData& data) {
-  if (data.monge.size() != data.positions.size())
-    throw std::invalid_argument("certificate: as many Monge forms as vertices are needed");
-  return encode_data(data.faces, data.positions, [&](std::size_t v) { return data.monge[v]; });
+std::size_t data_size(const DataRows& rows) {
+  return 8 + rows.faces.size() * kFaceSize + rows.positions.size() * kVertexSize;
 }
 
-EncodedData encode_data(const std::vector<std::array<std::uint32_t, 3>>& faces,
-                        const std::vector<std::array<double, 3>>& positions,
-                        const std::function<std::array<double, 14>(std::size_t)>& monge) {
-  const std::size_t size = 8 + faces.size() * kFaceSize + positions.size() * kVertexSize;
-  return begin({kRidgesMesh, kRidgesMeshVersion}, size, [&](ByteWriter& out) {
-    out.count(positions.size());
-    out.count(faces.size());
-    out.rows(faces);
-    out.rows(positions);
-    for (std::size_t v = 0; v < positions.size(); ++v) out.numbers(monge(v));
-  });
+/// Calls write(out, i) for all i below count; `take` gets what was written every few thousand.
+template <class Write>
+void in_pieces(std::size_t count, const TakePiece& take, const Write& write) {
+  constexpr std::size_t rows = 2048;
+  ByteWriter out;
+  for (std::size_t i = 0; i < count; ++i) {
+    write(out, i);
+    if ((i + 1) % rows != 0 && i + 1 != count) continue;
+    take(out.result());
+    out.result().clear();
+  }
+}
+
+void write_data(const DataRows& rows, const TakePiece& take) {
+  ByteWriter counts;
+  counts.count(rows.positions.size());
+  counts.count(rows.faces.size());
+  take(counts.result());
+  in_pieces(rows.faces.size(), take,
+            [&](ByteWriter& out, std::size_t f) { out.numbers(rows.faces[f]); });
+  in_pieces(rows.positions.size(), take,
+            [&](ByteWriter& out, std::size_t v) { out.numbers(rows.positions[v]); });
+  in_pieces(rows.positions.size(), take,
+            [&](ByteWriter& out, std::size_t v) { out.numbers(rows.monge(v)); });
+}
+
+Envelope envelope_of(const RidgesMeshCertificate& certificate, const DataRows& rows,
+                     const Digest& digest) {
+  return envelope({kRidgesMesh, kRidgesMeshVersion}, data_size(rows), digest,
+                  [&](ByteWriter& out) { write_claims(out, certificate); });
+}
+
+}  // namespace
+
+Digest digest_of(const DataRows& rows) {
+  Sha256 hash;
+  write_data(rows, [&](std::span<const std::uint8_t> piece) { hash.add(piece); });
+  return hash.digest();
+}
+
+Envelope encode_envelope(RidgesMeshCertificate certificate, const DataRows& rows,
+                         const Digest& digest) {
+  make_canonical(certificate);
+  return envelope_of(certificate, rows, digest);
+}
+
+void hand_on(const Envelope& envelope, const DataRows& rows, const TakePiece& take) {
+  take(envelope.head);
+  write_data(rows, take);
+  take(envelope.tail);
 }
 
 Bytes encode_as_is(const RidgesMeshCertificate& certificate) {
-  return finish(encode_data(certificate.data),
-                [&](ByteWriter& out) { write_claims(out, certificate); });
+  const MeshData& data = certificate.data;
+  if (data.monge.size() != data.positions.size())
+    throw std::invalid_argument("certificate: as many Monge forms as vertices are needed");
+  const DataRows rows{data.faces, data.positions, [&](std::size_t v) { return data.monge[v]; }};
+  const Envelope envelope = envelope_of(certificate, rows, digest_of(rows));
+  Bytes bytes;
+  bytes.reserve(envelope.head.size() + data_size(rows) + envelope.tail.size());
+  hand_on(envelope, rows, [&](std::span<const std::uint8_t> piece) {
+    bytes.insert(bytes.end(), piece.begin(), piece.end());
+  });
+  return bytes;
 }
 
 Bytes encode(RidgesMeshCertificate certificate) {
   make_canonical(certificate);
   return encode_as_is(certificate);
-}
-
-Bytes encode(RidgesMeshCertificate certificate, EncodedData data) {
-  make_canonical(certificate);
-  return finish(std::move(data), [&](ByteWriter& out) { write_claims(out, certificate); });
 }
 
 }  // namespace crest::certify

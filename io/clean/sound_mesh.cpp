@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/clean/sound_mesh.hpp"
 
+#include <tbb/blocked_range.h>
+
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -8,6 +11,7 @@
 #include "kernel/geometry/disjoint_sets.hpp"
 #include "kernel/geometry/equal_points.hpp"
 #include "kernel/geometry/input_error.hpp"
+#include "kernel/geometry/parallel.hpp"
 #include "kernel/predicates/enclosed_volume.hpp"
 
 namespace crest::io {
@@ -20,18 +24,23 @@ using kernel::TriangleMesh;
 
 /// Empty if there are other cells, or a node is no point.
 std::vector<Triangle> triangles_of(const Soup& soup) {
-  std::vector<Triangle> faces;
-  faces.reserve(soup.cells.size());
+  std::vector<Triangle> faces(soup.cells.size());
   const auto points = static_cast<Cells::Node>(soup.points.size());
-  for (std::size_t c = 0; c < soup.cells.size(); ++c) {
-    const std::span<const Cells::Node> nodes = soup.cells.nodes(c);
-    if (soup.cells.type(c) != CellType::triangle || nodes.size() != 3) return {};
-    for (const Cells::Node v : nodes)
-      if (v < 0 || v >= points) return {};
-    faces.push_back(
-        {static_cast<Index>(nodes[0]), static_cast<Index>(nodes[1]), static_cast<Index>(nodes[2])});
-  }
-  return faces;
+  const bool all = kernel::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, faces.size(), 16384), true,
+      [&](const auto& range, bool good) {
+        for (std::size_t c = range.begin(); good && c != range.end(); ++c) {
+          const std::span<const Cells::Node> nodes = soup.cells.nodes(c);
+          good = soup.cells.type(c) == CellType::triangle && nodes.size() == 3;
+          for (std::size_t k = 0; good && k < 3; ++k) {
+            good = nodes[k] >= 0 && nodes[k] < points;
+            faces[c][k] = static_cast<Index>(nodes[k]);
+          }
+        }
+        return good;
+      },
+      std::logical_and<>());
+  return all ? std::move(faces) : std::vector<Triangle>();
 }
 
 bool encloses_negative_volume(const TriangleMesh& mesh, const std::vector<Triangle>& faces) {
@@ -72,8 +81,8 @@ std::optional<TriangleMesh> sound_mesh(const Soup& soup, const CleanOptions& opt
   if (faces.empty()) return std::nullopt;
   try {
     TriangleMesh mesh(soup.points, std::move(faces));
-    done.inside_out_parts = inside_out_parts(mesh);
-    done.coincident_vertices = kernel::count_equal(mesh.points());
+    kernel::parallel_invoke([&] { done.inside_out_parts = inside_out_parts(mesh); },
+                            [&] { done.coincident_vertices = kernel::count_equal(mesh.points()); });
     return mesh;
   } catch (const kernel::InputError&) {
     return std::nullopt;  // cleaning mends it, or says what is wrong in the file's words

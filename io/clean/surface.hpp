@@ -39,15 +39,19 @@ inline std::string vertex_name(const Soup& soup, const Surface& surface, kernel:
   return soup.point_name(surface.point_of[v]);
 }
 
-/// What the file calls a surface's vertices and faces: V, F. The triangles of a polygon have one
-/// number, as have the vertices that one was split into; welded and collapsed ones have the
-/// first's.
+/// What the file calls a surface's vertices and faces. The triangles of a polygon have one number,
+/// as have the vertices that one was split into; welded and collapsed ones have the first's.
 struct FileNumbers {
+  /// V and F, or none of either: then they are numbered from 0 on.
   std::vector<std::int64_t> vertices, faces;
+  std::int64_t vertex(kernel::Index v) const { return vertices.empty() ? v : vertices[v]; }
+  std::int64_t face(kernel::Index f) const { return faces.empty() ? f : faces[f]; }
 };
 
 inline FileNumbers file_numbers(const Soup& soup, const Surface& surface) {
   FileNumbers numbers;
+  numbers.vertices.reserve(surface.point_of.size());
+  numbers.faces.reserve(surface.cell_of.size());
   for (const kernel::Index point : surface.point_of)
     numbers.vertices.push_back(soup.point_tag(point));
   for (const kernel::Index cell : surface.cell_of) numbers.faces.push_back(soup.cell_tag(cell));

@@ -10,16 +10,21 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include "io/formats/files.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/formats.hpp"
+#include "io/write/late_array.hpp"
 #include "io/write/poly_data.hpp"
 #include "io/write/text.hpp"
 #include "io/write/vtk_pieces.hpp"
@@ -47,68 +52,112 @@ struct Direction {
 };
 constexpr Direction kDirections[] = {{"d1", &PointCurvature::d1}, {"d2", &PointCurvature::d2}};
 
-vtkSmartPointer<vtkDoubleArray> array(const std::string& name, int components, std::size_t tuples) {
-  auto a = vtkSmartPointer<vtkDoubleArray>::New();
+/// When the arrays of a data set get their numbers. late: when they are written, and what the mesh
+/// and the result hold as the file has it stays there, which both must outlive.
+enum class Made { now, late };
+
+/// fill: writes rows x components numbers.
+vtkSmartPointer<vtkDoubleArray> array(Made made, const std::string& name, int components,
+                                      std::size_t rows, std::function<void(double*)> fill) {
+  vtkSmartPointer<vtkDoubleArray> a;
+  if (made == Made::late) {
+    vtkNew<LateArray> late;
+    late->rows = static_cast<vtkIdType>(rows);
+    late->fill = std::move(fill);
+    a = late;
+  } else {
+    a = vtkSmartPointer<vtkDoubleArray>::New();
+  }
   a->SetName(name.c_str());
   a->SetNumberOfComponents(components);
-  a->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  if (made == Made::late) return a;
+  a->SetNumberOfTuples(static_cast<vtkIdType>(rows));
+  fill(a->GetPointer(0));
   return a;
 }
 
-void add_point_data(vtkPointData& data, const curvature::Result& result) {
-  for (const Scalar& s : kScalars) {
-    auto a = array(s.name, 1, result.vertices.size());
-    double* out = a->GetPointer(0);
-    for (const PointCurvature& c : result.vertices) *out++ = c.*s.member;
-    data.AddArray(a);
+vtkSmartPointer<vtkDoubleArray> array(Made made, const std::vector<Vec3>& vectors) {
+  auto a = vtkSmartPointer<vtkDoubleArray>::New();
+  a->SetNumberOfComponents(3);
+  if (made == Made::late) {
+    // VTK only reads them, and has no pointer to what it must not write.
+    auto* const numbers = const_cast<double*>(vectors.data()->data());
+    a->SetArray(numbers, static_cast<vtkIdType>(3 * vectors.size()), 1);
+    return a;
   }
-  for (const Direction& d : kDirections) {
-    auto a = array(d.name, 3, result.vertices.size());
-    double* out = a->GetPointer(0);
-    for (const PointCurvature& c : result.vertices)
-      for (const double x : c.*d.member) *out++ = x;
-    data.AddArray(a);
-  }
-  auto normals = array("Normals", 3, result.normals.size());
-  double* out = normals->GetPointer(0);
-  for (const Vec3& n : result.normals)
-    for (const double x : n) *out++ = x;
+  a->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
+  double* out = a->GetPointer(0);
+  for (const Vec3& v : vectors) out = std::copy(v.begin(), v.end(), out);
+  return a;
+}
+
+void add_point_data(Made made, vtkPointData& data, const curvature::Result& result) {
+  const std::vector<PointCurvature>& vertices = result.vertices;
+  for (const Scalar& s : kScalars)
+    data.AddArray(array(made, s.name, 1, vertices.size(), [&vertices, s](double* out) {
+      for (const PointCurvature& c : vertices) *out++ = c.*s.member;
+    }));
+  for (const Direction& d : kDirections)
+    data.AddArray(array(made, d.name, 3, vertices.size(), [&vertices, d](double* out) {
+      for (const PointCurvature& c : vertices)
+        for (const double x : c.*d.member) *out++ = x;
+    }));
+  const auto normals = array(made, result.normals);
+  normals->SetName("Normals");
   data.SetNormals(normals);
 }
 
-void add_cell_data(vtkCellData& data, const std::vector<curvature::CornerCurvatures>& corners) {
+void add_cell_data(Made made, vtkCellData& data,
+                   const std::vector<curvature::CornerCurvatures>& corners) {
   if (corners.empty()) return;
-  for (const Scalar& s : kScalars) {
-    auto a = array(std::string("corner_") + s.name, 3, corners.size());
-    double* out = a->GetPointer(0);
-    for (const auto& corner : corners)
-      for (const PointCurvature& c : corner) *out++ = c.*s.member;
-    data.AddArray(a);
-  }
-  for (const Direction& d : kDirections) {
-    auto a = array(std::string("corner_") + d.name, 9, corners.size());
-    double* out = a->GetPointer(0);
-    for (const auto& corner : corners)
-      for (const PointCurvature& c : corner)
-        for (const double x : c.*d.member) *out++ = x;
-    data.AddArray(a);
-  }
+  const std::string corner = "corner_";
+  for (const Scalar& s : kScalars)
+    data.AddArray(array(made, corner + s.name, 3, corners.size(), [&corners, s](double* out) {
+      for (const auto& face : corners)
+        for (const PointCurvature& c : face) *out++ = c.*s.member;
+    }));
+  for (const Direction& d : kDirections)
+    data.AddArray(array(made, corner + d.name, 9, corners.size(), [&corners, d](double* out) {
+      for (const auto& face : corners)
+        for (const PointCurvature& c : face)
+          for (const double x : c.*d.member) *out++ = x;
+    }));
 }
 
-vtkSmartPointer<vtkPoints> vtk_points(const std::vector<Vec3>& points) {
+vtkSmartPointer<vtkPoints> vtk_points(Made made, const std::vector<Vec3>& points) {
   auto out = vtkSmartPointer<vtkPoints>::New();
-  out->SetDataTypeToDouble();
-  out->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    out->SetPoint(static_cast<vtkIdType>(i), points[i].data());
+  out->SetData(array(made, points));
   return out;
 }
 
-vtkSmartPointer<vtkCellArray> vtk_triangles(const std::vector<kernel::Triangle>& faces) {
+vtkSmartPointer<vtkCellArray> vtk_triangles(Made made, const std::vector<kernel::Triangle>& faces) {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / 3;
+  if (made == Made::late && faces.size() < most) {  // so have the corners 31 bits
+    vtkNew<vtkTypeInt32Array> begin, corners;
+    begin->SetNumberOfValues(static_cast<vtkIdType>(faces.size()) + 1);
+    for (std::size_t f = 0; f <= faces.size(); ++f)
+      begin->SetValue(static_cast<vtkIdType>(f), static_cast<std::int32_t>(3 * f));
+    static_assert(sizeof(kernel::Triangle) == 3 * sizeof(std::int32_t));
+    auto* const numbers = reinterpret_cast<std::int32_t*>(const_cast<Index*>(faces.data()->data()));
+    corners->SetArray(numbers, static_cast<vtkIdType>(3 * faces.size()), 1);
+    cells->SetData(begin, corners);
+    return cells;
+  }
   for (const auto& f : faces)
     cells->InsertNextCell({vtkIdType{f[0]}, vtkIdType{f[1]}, vtkIdType{f[2]}});
   return cells;
+}
+
+vtkSmartPointer<vtkPolyData> poly_data(Made made, const kernel::TriangleMesh& mesh,
+                                       const curvature::Result& result,
+                                       const std::vector<curvature::CornerCurvatures>& corners) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtk_points(made, mesh.points()));
+  data->SetPolys(vtk_triangles(made, mesh.faces()));
+  add_point_data(made, *data->GetPointData(), result);
+  add_cell_data(made, *data->GetCellData(), corners);
+  return data;
 }
 
 /// Numbers in a file's bytes, handed on in pieces.
@@ -200,12 +249,7 @@ void add_focal(const curvature::FocalSurface& s, PolyData& data, vtkUnsignedChar
 vtkSmartPointer<vtkPolyData> curvature_poly_data(
     const kernel::TriangleMesh& mesh, const curvature::Result& result,
     const std::vector<curvature::CornerCurvatures>& corners) {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtk_points(mesh.points()));
-  data->SetPolys(vtk_triangles(mesh.faces()));
-  add_point_data(*data->GetPointData(), result);
-  add_cell_data(*data->GetCellData(), corners);
-  return data;
+  return poly_data(Made::now, mesh, result, corners);
 }
 
 void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
@@ -213,15 +257,16 @@ void write_curvature(const std::string& path, const kernel::TriangleMesh& mesh,
                      const std::vector<curvature::CornerCurvatures>& corners) {
   const std::string extension = lower_extension(path);
   if (extension == ".vtp") {
-    write_vtp(path, *curvature_poly_data(mesh, result, corners));
+    write_vtp(path, *poly_data(Made::late, mesh, result, corners));
   } else if (extension == ".pvtp") {
     write_pvtp(path, *curvature_poly_data(mesh, result, corners));
   } else if (extension == ".vtu" || extension == ".pvtu") {
+    const Made made = extension == ".vtu" ? Made::late : Made::now;
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->SetPoints(vtk_points(mesh.points()));
-    grid->SetCells(VTK_TRIANGLE, vtk_triangles(mesh.faces()));
-    add_point_data(*grid->GetPointData(), result);
-    add_cell_data(*grid->GetCellData(), corners);
+    grid->SetPoints(vtk_points(made, mesh.points()));
+    grid->SetCells(VTK_TRIANGLE, vtk_triangles(made, mesh.faces()));
+    add_point_data(made, *grid->GetPointData(), result);
+    add_cell_data(made, *grid->GetCellData(), corners);
     extension == ".vtu" ? write_vtu(path, *grid) : write_pvtu(path, *grid);
   } else if (extension == ".ply") {
     write_ply(path, mesh, result);

@@ -2,9 +2,12 @@
 #include "io/read/coarse_grid.hpp"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::io {
 namespace {
@@ -12,10 +15,13 @@ namespace {
 using kernel::Vec3;
 
 double median_side(const kernel::TriangleMesh& mesh) {
-  std::vector<double> lengths;
-  lengths.reserve(mesh.face_count());
-  for (const auto& [a, b, c] : mesh.faces())
-    lengths.push_back(kernel::distance(mesh.points()[a], mesh.points()[b]));
+  std::vector<double> lengths(mesh.face_count());
+  kernel::parallel_for(tbb::blocked_range<kernel::Index>(0, mesh.face_count(), 16384),
+                       [&](const auto& range) {
+                         for (kernel::Index f = range.begin(); f != range.end(); ++f)
+                           lengths[f] = kernel::distance(mesh.points()[mesh.faces()[f][0]],
+                                                         mesh.points()[mesh.faces()[f][1]]);
+                       });
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>((lengths.size() - 1) / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;

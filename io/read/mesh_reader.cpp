@@ -24,6 +24,8 @@ bool take_sound_mesh(const Soup& soup, const MeshRequest& request, MeshFile& fil
   std::optional<kernel::TriangleMesh> mesh = sound_mesh(soup, request.clean, file.cleanup);
   if (!mesh) return false;
   file.mesh = std::move(*mesh);
+  const bool tags = !soup.point_tags.empty() || !soup.cell_tags.empty();
+  if (!tags && !request.field && !request.normals) return true;  // nobody asks which point it is
   surface.point_of.resize(file.mesh.vertex_count());
   surface.cell_of.resize(file.mesh.face_count());
   std::iota(surface.point_of.begin(), surface.point_of.end(), kernel::Index{0});

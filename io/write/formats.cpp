@@ -4,6 +4,7 @@
 // vtkSMPTools.h of VTK 9.1 is no C++20.
 #include <SMP/Common/vtkSMPToolsAPI.h>
 #include <fmt/format.h>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -17,21 +18,30 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "io/formats/vtk_quiet.hpp"
 #include "io/write/atomic_file.hpp"
 #include "io/write/inline_array.hpp"
+#include "io/write/late_array.hpp"
 
 namespace crest::io {
+
+vtkStandardNewMacro(LateArray);
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -56,8 +66,10 @@ void require_arrays(vtkFieldData& data, vtkIdType tuples, const std::set<std::st
     // VTK would name it by its address.
     if (array.GetName() == nullptr) refuse("array without a name");
     const std::string name = array.GetName();
-    if (tuples >= 0 && array.GetNumberOfTuples() != tuples)
-      refuse(fmt::format("array '{}' has {} rows for {}", name, array.GetNumberOfTuples(), tuples));
+    const auto* const late = dynamic_cast<const LateArray*>(&array);
+    const vtkIdType rows = late ? late->rows : array.GetNumberOfTuples();
+    if (tuples >= 0 && rows != tuples)
+      refuse(fmt::format("array '{}' has {} rows for {}", name, rows, tuples));
     if (given.contains(name)) continue;
     if (auto* numbers = vtkDataArray::SafeDownCast(&array)) require_finite(*numbers, name);
   }
@@ -134,6 +146,32 @@ std::string with_finite_ranges(std::string xml) {
   return xml;
 }
 
+using Narrow = vtkAOSDataArrayTemplate<std::int32_t>;
+
+/// With the same range, in 64 bits.
+vtkSmartPointer<vtkTypeInt64Array> range_of(Narrow& numbers) {
+  auto range = vtkSmartPointer<vtkTypeInt64Array>::New();
+  range->SetName(numbers.GetName());
+  if (numbers.GetNumberOfValues() == 0) return range;
+  const std::int32_t* const first = numbers.GetPointer(0);
+  const auto [least, most] = std::minmax_element(first, first + numbers.GetNumberOfValues());
+  range->InsertNextValue(*least);
+  range->InsertNextValue(*most);
+  return range;
+}
+
+/// The bytes from a place on that the numbers have in 64 bits; both are whole numbers of them.
+std::string_view widened(const std::int32_t* numbers, std::size_t at, std::size_t size,
+                         std::vector<char>& room) {
+  constexpr std::size_t width = sizeof(std::int64_t);
+  room.resize(size);
+  for (std::size_t i = 0; i < size / width; ++i) {
+    const std::int64_t number = numbers[at / width + i];
+    std::memcpy(room.data() + i * width, &number, width);
+  }
+  return {room.data(), size};
+}
+
 /// VTK's writer, which hands on the file in pieces: what it says between arrays, and the arrays.
 template <class Writer>
 class Streaming : public Writer {
@@ -148,10 +186,34 @@ class Streaming : public Writer {
   }
 
  protected:
+  void WriteArrayInline(vtkAbstractArray* array, vtkIndent indent, const char* name,
+                        int rows_told) override {
+    if (auto* const late = dynamic_cast<LateArray*>(array)) {
+      late->make();
+      require_finite(*late, late->GetName());
+      Writer::WriteArrayInline(array, indent, name, rows_told);
+      late->drop();
+    } else if (auto* const small = narrow_cells(array)) {
+      // Cells in half the memory: in files they have 64 bits. VTK is told the range and no more.
+      const auto told = range_of(*small);
+      narrow_ = small;
+      Writer::WriteArrayInline(told, indent, name, rows_told);
+      narrow_ = nullptr;
+    } else {
+      Writer::WriteArrayInline(array, indent, name, rows_told);
+    }
+  }
   void WriteInlineData(vtkAbstractArray* array, vtkIndent indent) override {
     *this->OutStringStream << indent.GetNextIndent();
     hand_on_text();
-    if (auto* texts = vtkStringArray::SafeDownCast(array)) {
+    if (narrow_) {
+      write_inline_array(
+          static_cast<std::size_t>(narrow_->GetNumberOfValues()) * sizeof(std::int64_t),
+          [this](std::size_t at, std::size_t size, std::vector<char>& room) {
+            return widened(narrow_->GetPointer(0), at, size, room);
+          },
+          this->GetBlockSize(), *sink);
+    } else if (auto* texts = vtkStringArray::SafeDownCast(array)) {
       std::string bytes;  // each with a zero behind it
       for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
         bytes.append(texts->GetValue(i)).push_back('\0');
@@ -166,6 +228,17 @@ class Streaming : public Writer {
     }
     *this->OutStringStream << "\n";
   }
+
+ private:
+  /// The array, if it is of cells and in 32 bits.
+  Narrow* narrow_cells(vtkAbstractArray* array) {
+    if constexpr (requires { this->CellPoints; })
+      if (array == this->CellPoints || array == this->CellOffsets)
+        return dynamic_cast<Narrow*>(array);
+    return nullptr;
+  }
+
+  Narrow* narrow_ = nullptr;  ///< in hand
 };
 
 template <class Writer, class Data>

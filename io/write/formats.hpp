@@ -25,7 +25,8 @@ std::string vtu_bytes(vtkUnstructuredGrid& data);
 std::string vti_bytes(vtkImageData& data);
 
 /// The same as files that appear whole (io/write/atomic_file.hpp), written array by array: no more
-/// of them than an array is in memory. Throw: kernel::InputError, too, for a place that cannot be
+/// of them than an array is in memory, of a LateArray (io/write/late_array.hpp) nothing before or
+/// after. Throw: kernel::InputError, too, for a place that cannot be
 /// written.
 void write_vtp(const std::string& path, vtkPolyData& data, const std::set<std::string>& given = {});
 void write_vtu(const std::string& path, vtkUnstructuredGrid& data);

@@ -23,11 +23,11 @@ class Compressor {
   explicit Compressor(int level) : compressor_(libdeflate_alloc_compressor(level)) {
     if (!compressor_) throw std::bad_alloc();
   }
+  /// No longer than it has to be: all blocks of an array are kept.
   std::string operator()(std::string_view bytes) {
-    std::string stream(libdeflate_zlib_compress_bound(compressor_.get(), bytes.size()), '\0');
-    stream.resize(libdeflate_zlib_compress(compressor_.get(), bytes.data(), bytes.size(),
-                                           stream.data(), stream.size()));
-    return stream;
+    room_.resize(libdeflate_zlib_compress_bound(compressor_.get(), bytes.size()));
+    return {room_.data(), libdeflate_zlib_compress(compressor_.get(), bytes.data(), bytes.size(),
+                                                   room_.data(), room_.size())};
   }
 
  private:
@@ -35,19 +35,23 @@ class Compressor {
     void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
   };
   std::unique_ptr<libdeflate_compressor, Free> compressor_;
+  std::vector<char> room_;
 };
 
-std::vector<std::string> compressed(std::string_view bytes, std::size_t block) {
-  const std::size_t count = (bytes.size() + block - 1) / block;
+std::vector<std::string> compressed(std::size_t size, const BytesAt& bytes, std::size_t block) {
+  const std::size_t count = (size + block - 1) / block;
   std::vector<std::string> streams(count);
   tbb::parallel_for(std::size_t{0}, (count + kRun - 1) / kRun, [&](std::size_t run) {
+    std::vector<char> room;
+    const auto block_at = [&](std::size_t b) {
+      return bytes(b * block, std::min(block, size - b * block), room);
+    };
     const std::size_t first = run * kRun, end = std::min(count, first + kRun);
-    const std::string_view sample = bytes.substr(first * block, block);
+    const std::string_view sample = block_at(first);
     Compressor compressor(1);
     streams[first] = compressor(sample);
     if (8 * streams[first].size() > 7 * sample.size()) compressor = Compressor(0);
-    for (std::size_t b = first + 1; b < end; ++b)
-      streams[b] = compressor(bytes.substr(b * block, block));
+    for (std::size_t b = first + 1; b < end; ++b) streams[b] = compressor(block_at(b));
   });
   return streams;
 }
@@ -82,10 +86,18 @@ class Base64 {
 }  // namespace
 
 void write_inline_array(std::string_view bytes, std::size_t block, const Sink& sink) {
-  const std::vector<std::string> streams = compressed(bytes, block);
+  write_inline_array(
+      bytes.size(),
+      [&](std::size_t at, std::size_t size, std::vector<char>&) { return bytes.substr(at, size); },
+      block, sink);
+}
+
+void write_inline_array(std::size_t size, const BytesAt& bytes, std::size_t block,
+                        const Sink& sink) {
+  const std::vector<std::string> streams = compressed(size, bytes, block);
   std::vector<std::uint32_t> header = {static_cast<std::uint32_t>(streams.size()),
                                        static_cast<std::uint32_t>(block),
-                                       static_cast<std::uint32_t>(bytes.size() % block)};
+                                       static_cast<std::uint32_t>(size % block)};
   for (const std::string& stream : streams)
     header.push_back(static_cast<std::uint32_t>(stream.size()));
   Base64 text(sink);

@@ -5,7 +5,9 @@
 // by zlib and holds the file in memory, twice at its end: of `crest curvature -o` that was nine
 // tenths.
 #include <cstddef>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "io/write/atomic_file.hpp"
 
@@ -21,5 +23,12 @@ namespace crest::io {
 /// Requires: 0 < block < 2^31. Throws: std::bad_alloc.
 /// Cost: linear; memory for the compressed array.
 void write_inline_array(std::string_view bytes, std::size_t block, const Sink& sink);
+
+/// The same of `size` bytes that are made block by block, in several threads: those from a place
+/// on, as they stand somewhere or in the room given.
+using BytesAt =
+    std::function<std::string_view(std::size_t at, std::size_t size, std::vector<char>& room)>;
+void write_inline_array(std::size_t size, const BytesAt& bytes, std::size_t block,
+                        const Sink& sink);
 
 }  // namespace crest::io

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files with curvatures and normals, read back.
+#include <vtkCell.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
 #include <bit>
 #include <catch2/catch.hpp>
 
 #include "io/curvature/curvature_picture.hpp"
 #include "io/curvature/curvature_writer.hpp"
 #include "io/read/mesh_reader.hpp"
+#include "io/write/formats.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/curvature/shapes.hpp"
 #include "tests/support/program.hpp"
@@ -69,12 +77,23 @@ TEST_CASE("curvature files read back as the mesh and its normals, to the last bi
     CHECK(back.mesh.faces() == shape.mesh.faces());
     CHECK(normals_of(path) == shape.normals);
     const std::string once = read_text(path);
+    // The file's arrays are made when it comes to them, another program's all at once.
+    if (path.ends_with(".vtp"))
+      CHECK(once == crest::io::vtp_bytes(*crest::io::curvature_poly_data(shape.mesh, r, corners)));
     crest::io::write_curvature(path, shape.mesh, r, corners);
     CHECK(read_text(path) == once);
   }
   const std::string vtu = (folder / "t.vtu").string();
   crest::io::write_curvature(vtu, shape.mesh, r, corners);
   CHECK(read_text(vtu).find("\"corner_asymmetry\"") != std::string::npos);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(vtu.c_str());
+  reader->Update();
+  vtkUnstructuredGrid& grid = *reader->GetOutput();
+  REQUIRE(grid.GetNumberOfCells() == static_cast<vtkIdType>(shape.mesh.face_count()));
+  for (crest::kernel::Index f = 0; f < shape.mesh.face_count(); ++f)
+    for (int k = 0; k < 3; ++k)
+      REQUIRE(grid.GetCell(f)->GetPointId(k) == shape.mesh.faces()[f][static_cast<std::size_t>(k)]);
   CHECK_THROWS_AS(crest::io::write_curvature((folder / "t.off").string(), shape.mesh, r, corners),
                   InputError);
 }

@@ -192,6 +192,21 @@ TEST_CASE("runs that cannot be compressed are stored, the others compressed", "[
   CHECK(inline_array("") == "AAAAAACAAAAAAAAA");  // no block, of 2^15 bytes, none smaller
 }
 
+TEST_CASE("an array that is made block by block is that of its bytes", "[io]") {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, kBlock, kRun + 3, 3 * kRun}) {
+    const std::string bytes = noise(size / 2) + std::string(size - size / 2, 'b');
+    std::string text;
+    const auto made = [&](std::size_t at, std::size_t length, std::vector<char>& room) {
+      room.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(at + length));
+      return std::string_view(room.data(), room.size());
+    };
+    crest::io::write_inline_array(size, made, kBlock,
+                                  [&](std::string_view piece) { text += piece; });
+    CHECK(text == inline_array(bytes));
+  }
+}
+
 TEST_CASE("arrays of which VTK has no bytes in order are refused", "[io]") {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;

@@ -50,6 +50,28 @@ std::vector<RidgeCase> symmetric_cases() {
 
 }  // namespace
 
+TEST_CASE("a certificate handed on in pieces is the whole one") {
+  std::vector<RidgeCase> cases = symmetric_cases();
+  cases.push_back(fitted_noise_case());
+  for (const RidgeCase& c : cases)
+    for (const std::size_t threads : {1u, 2u}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const certify::Bytes whole = certificate_of(c);
+      const ridges::ClaimedRidges claimed = ridges::extract_claimed(c.mesh, c.forms);
+      certify::Bytes pieces;
+      std::size_t count = 0;
+      ridges::hand_on_certificate(claimed.envelope, c.mesh, c.forms,
+                                  [&](std::span<const std::uint8_t> piece) {
+                                    pieces.insert(pieces.end(), piece.begin(), piece.end());
+                                    ++count;
+                                  });
+      CHECK(pieces == whole);
+      CHECK(count > 4);
+      CHECK(claimed.data_digest == certify::data_digest(whole));
+      CHECK(ridges::extract_certified(c.mesh, c.forms).certificate == whole);
+    }
+}
+
 TEST_CASE("the graph does not depend on the stored frames' signs") {
   std::uint64_t salt = 900;
   for (RidgeCase& c : symmetric_cases()) {

@@ -51,11 +51,15 @@ TEST_CASE("patches are disks of the wanted size") {
                                          exact_case("plane", {}, 300, true)};
   for (const RidgeCase& c : shapes) {
     ridges::PatchGrower grower(c.mesh);
+    std::vector<ridges::PatchFace> table;
+    for (Index f = 0; f < c.mesh.face_count(); ++f) table.push_back(ridges::patch_face(c.mesh, f));
+    ridges::PatchGrower by_table(c.mesh, table);
     const std::vector<Index> nobody(c.mesh.face_count(), kernel::kNone);
     for (double size : {0.0, 1.0, 3.0, 20.0})
       for (Index seed = 0; seed < c.mesh.face_count(); seed += 37) {
         const auto& faces = grower.grow(seed, size, nobody);
         REQUIRE(faces[0] == seed);
+        REQUIRE(by_table.grow(seed, size, nobody) == faces);
         REQUIRE(is_disk(c.mesh, faces));
         if (size == 0) REQUIRE(faces.size() == 1);
         if (size == 1) REQUIRE(faces.size() > 4);

@@ -64,6 +64,10 @@ TEST_CASE("SHA-256 of a page is OpenSSL's, for all lengths about a block's and a
     INFO(length << " bytes, cut at " << cut);
     REQUIRE(digest_of({all}) == certify::sha256({all}));
     REQUIRE(digest_of({all.first(cut), all.subspan(cut)}) == certify::sha256({all}));
+    certify::Sha256 pieces;
+    pieces.add(all.first(cut));
+    pieces.add(all.subspan(cut));
+    REQUIRE(pieces.digest() == certify::sha256({all}));
   }
 }
 
