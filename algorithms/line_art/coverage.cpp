@@ -167,7 +167,8 @@ struct Painted {
 
 /// The hatches that may reach each strip, in their order.
 std::vector<std::vector<Index>> by_strip(const Buffers& b, const std::vector<Painted>& painted) {
-  std::vector<std::vector<Index>> strips(static_cast<std::size_t>((b.height + kStripRows - 1) / kStripRows));
+  std::vector<std::vector<Index>> strips(
+      static_cast<std::size_t>((b.height + kStripRows - 1) / kStripRows));
   for (Index h = 0; h < painted.size(); ++h) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const auto* polygon : {&painted[h].band, &painted[h].ink})
