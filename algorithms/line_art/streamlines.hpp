@@ -18,7 +18,7 @@ bool too_short(const Hatch& hatch, double spacing);
 
 /// Along a silhouette lines would show as a row of dashes: within 0.6 spacings of a contour and
 /// within 15 degrees of it, for more than half of their length; those of less than five spacings
-/// within 0.8 and 26 degrees.
+/// within 0.8 and 26 degrees. What lies in the dark (luminance under 0.5) does not count.
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
 
 /// Lines added to those there are: a new one starts at the spacing from an old one and stops at

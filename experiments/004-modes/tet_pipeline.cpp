@@ -53,6 +53,38 @@ double to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
 }
 
+double area_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * norm(kernel::cross(b - a, c - a));
+}
+
+double diagonal(const TetField& tet) {
+  Vec3 low = tet.corners[0], high = low;
+  for (const Vec3& c : tet.corners)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
+  return norm(high - low);
+}
+
+double mode_error(const TetField& tet, const std::array<double, 4>& w, int sign) {
+  const auto corners = field_3_at(tet.corners);
+  modes::Tensor t{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 6; ++k) t[k] += w[i] * corners[i][k];
+  const auto d = modes::deviator(t);
+  const double n = modes::inner(d, d);
+  return std::fabs(3 * std::sqrt(6.0) * modes::determinant(d) / (n * std::sqrt(n)) - sign * tet.mu);
+}
+
+double to_surfaces(const Vec3& p, const modes::ModeResult& crest) {
+  double least = HUGE_VAL;
+  for (const auto& s : crest.surfaces)
+    for (const auto& [a, b, c] : s.triangles)
+      least = std::min(least, to_triangle(p, s.points[a], s.points[b], s.points[c]));
+  return least;
+}
+
 class Pipeline {
  public:
   Pipeline(const TetField& tet, const modes::ModeResult& crest, const SphereRegion& region,
@@ -90,8 +122,8 @@ class Pipeline {
       own_area += area_of(made_.points[a].place, made_.points[b].place, made_.points[c].place);
     for (std::size_t i = region_.points.size(); i < made_.points.size(); ++i) {
       const auto p = tet_.point(made_.points[i].v);
-      error = std::max(error, mode_error(p->weights, made_.points[i].sign));
-      farthest = std::max(farthest, to_crest(made_.points[i].place));
+      error = std::max(error, mode_error(tet_, p->weights, made_.points[i].sign));
+      farthest = std::max(farthest, to_surfaces(made_.points[i].place, crest_));
     }
     fmt::print(
         "| surface | triangles | components | Euler characteristic | area "
@@ -104,22 +136,10 @@ class Pipeline {
         "{:.1e} of the tet's diagonal\n",
         triangles, components, euler, area, made_.triangles.size(), euler_characteristic(made_),
         own_area, on_faces(), region_.crossings, arc_points(), made_.grid_points, error,
-        farthest / diagonal());
+        farthest / diagonal(tet_));
   }
 
  private:
-  static double area_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return 0.5 * norm(kernel::cross(b - a, c - a));
-  }
-  double diagonal() const {
-    Vec3 low = tet_.corners[0], high = low;
-    for (const Vec3& c : tet_.corners)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], c[k]);
-        high[k] = std::max(high[k], c[k]);
-      }
-    return norm(high - low);
-  }
   std::size_t on_faces() const {
     return static_cast<std::size_t>(
         std::count_if(region_.points.begin(), region_.points.end(),
@@ -127,23 +147,6 @@ class Pipeline {
   }
   std::size_t arc_points() const {
     return (region_.points.size() - on_faces()) / 2 - region_.crossings;
-  }
-  double mode_error(const std::array<double, 4>& w, int sign) const {
-    const auto corners = field_3_at(tet_.corners);
-    modes::Tensor t{};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t k = 0; k < 6; ++k) t[k] += w[i] * corners[i][k];
-    const auto d = modes::deviator(t);
-    const double n = modes::inner(d, d);
-    return std::fabs(3 * std::sqrt(6.0) * modes::determinant(d) / (n * std::sqrt(n)) -
-                     sign * tet_.mu);
-  }
-  double to_crest(const Vec3& p) const {
-    double least = HUGE_VAL;
-    for (const auto& s : crest_.surfaces)
-      for (const auto& [a, b, c] : s.triangles)
-        least = std::min(least, to_triangle(p, s.points[a], s.points[b], s.points[c]));
-    return least;
   }
   Vec3 in_frame(const Vec3& v) const {
     const auto& f = tet_.field.frame();

@@ -43,6 +43,48 @@ std::vector<std::array<kernel::Index, 2>> rim_of(const modes::ModeSurface& s) {
   return rim;
 }
 
+struct Sample {
+  Vec3 v, place;
+  int sign;
+  bool inside;
+};
+
+/// Both points of v are one there; a slightly smaller mode makes them real whatever rounds.
+Sample sample(const TetField& tet, const Vec3& v) {
+  const auto points = modes::mode_points(tet.field, v, tet.mu * (1 - 1e-11));
+  if (!points) return {v, {}, 0, false};
+  std::array<double, 4> w;
+  bool inside = true;
+  for (std::size_t k = 0; k < 4; ++k) {
+    w[k] = 0.5 * ((*points)[0].weights[k] + (*points)[1].weights[k]);
+    inside = inside && w[k] >= 0;
+  }
+  return {v, tet.at(w), (*points)[0].sign, inside};
+}
+
+/// Of the complex domain's boundary, around the irregular point with x > 0 and z of that sign.
+std::vector<Sample> part_of_boundary(const TetField& tet, double z) {
+  constexpr int kMany = 4000;
+  const modes::LinearTensors& f = tet.field;
+  double low = 2, high = -2;
+  for (int i = -kMany; i <= kMany; ++i)
+    if (const double alpha = i / double(kMany); modes::boundary_point(f, alpha, tet.mu)) {
+      low = std::min(low, alpha);
+      high = std::max(high, alpha);
+    }
+  std::vector<Sample> part;
+  // Once around: y > 0 on the way to `high`, y < 0 on the way back.
+  for (int i = 0; i < kMany; ++i) {
+    const double turn = 2 * std::numbers::pi * (i + 0.5) / kMany;
+    const double alpha = 0.5 * (low + high) - 0.5 * (high - low) * std::cos(turn);
+    const auto p = modes::boundary_point(f, alpha, tet.mu);
+    if (!p) continue;
+    part.push_back(sample(
+        tet, in_space(f, {(*p)[0], turn < std::numbers::pi ? (*p)[1] : -(*p)[1], z * (*p)[2]})));
+  }
+  return part;
+}
+
 class RegionMaker {
  public:
   RegionMaker(const TetField& tet, SphereRegion& region) : tet_(tet), region_(region) {}
@@ -68,18 +110,12 @@ class RegionMaker {
   /// are their antipodes.
   bool add_arcs() {
     for (const double z : {1.0, -1.0})
-      if (!add_arcs(part_of_boundary(z))) return false;
+      if (!add_arcs(part_of_boundary(tet_, z))) return false;
     return std::count(used_.begin(), used_.end(), true) ==
            static_cast<std::ptrdiff_t>(used_.size());
   }
 
  private:
-  struct Sample {
-    Vec3 v, place;
-    int sign;
-    bool inside;
-  };
-
   /// A curve that comes to the complex domain goes on at the antipode.
   void cross(const modes::ModeSurface& s, const std::array<kernel::Index, 2>& ends,
              const SphereRegion::Edge& sides) {
@@ -104,40 +140,6 @@ class RegionMaker {
     region_.points.push_back({v, place, sign, first + 1});
     region_.points.push_back({-1.0 * v, place, sign, first});
     return first;
-  }
-
-  std::vector<Sample> part_of_boundary(double z) const {
-    constexpr int kMany = 4000;
-    const modes::LinearTensors& f = tet_.field;
-    double low = 2, high = -2;
-    for (int i = -kMany; i <= kMany; ++i)
-      if (const double alpha = i / double(kMany); modes::boundary_point(f, alpha, tet_.mu)) {
-        low = std::min(low, alpha);
-        high = std::max(high, alpha);
-      }
-    std::vector<Sample> part;
-    // Once around: y > 0 on the way to `high`, y < 0 on the way back.
-    for (int i = 0; i < kMany; ++i) {
-      const double turn = 2 * std::numbers::pi * (i + 0.5) / kMany;
-      const double alpha = 0.5 * (low + high) - 0.5 * (high - low) * std::cos(turn);
-      const auto p = modes::boundary_point(f, alpha, tet_.mu);
-      if (!p) continue;
-      part.push_back(sample(
-          in_space(f, {(*p)[0], turn < std::numbers::pi ? (*p)[1] : -(*p)[1], z * (*p)[2]})));
-    }
-    return part;
-  }
-  /// Both points of v are one there; a slightly smaller mode makes them real whatever rounds.
-  Sample sample(const Vec3& v) const {
-    const auto points = modes::mode_points(tet_.field, v, tet_.mu * (1 - 1e-11));
-    if (!points) return {v, {}, 0, false};
-    std::array<double, 4> w;
-    bool inside = true;
-    for (std::size_t k = 0; k < 4; ++k) {
-      w[k] = 0.5 * ((*points)[0].weights[k] + (*points)[1].weights[k]);
-      inside = inside && w[k] >= 0;
-    }
-    return {v, tet_.at(w), (*points)[0].sign, inside};
   }
 
   bool add_arcs(const std::vector<Sample>& part) {
