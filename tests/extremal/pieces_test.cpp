@@ -192,7 +192,6 @@ TEST_CASE("extremal pieces: curves of images, too") {
                                 kernel::cut_grid(image.size, kernel::parts_of(image.size, count))));
 }
 
-<<<<<<< HEAD
 TEST_CASE("extremal pieces: slabs of a node, few nodes along an axis, spacings that differ") {
   tests::Random random(20261201);
   for (unsigned trial = 0; trial < 12 * tests::multiplier(); ++trial) {
@@ -231,7 +230,7 @@ TEST_CASE("extremal pieces: far more parts asked for than there are nodes") {
   CHECK(x * y * z == 23 * 24 * 24);
   CHECK(kernel::parts_of({7, 1, 1}, 8) == kernel::GridSize{7, 1, 1});
 }
-=======
+
 TEST_CASE("extremal pieces: lengths in records ask for no more memory than there are bytes") {
   const std::size_t free = std::size_t{1} << 25;
   std::vector<std::uint8_t> bytes(free + 8);
@@ -244,4 +243,3 @@ TEST_CASE("extremal pieces: lengths in records ask for no more memory than there
     CHECK_THROWS_AS(extremal::records_from(bytes), std::runtime_error);
   }
 }
->>>>>>> claim8
