@@ -98,7 +98,7 @@ std::optional<Records> finished_piece(const std::string& path, const std::string
       return extremal::records_from(records);
     }
   } catch (const std::runtime_error&) {  // or an empty file, which cannot be loaded
-    throw kernel::InputError(path + ": piece: is damaged; delete it");
+    throw kernel::InputError(path + ": piece: is damaged or cannot be read; delete it");
   }
   throw kernel::InputError(path + ": piece: is of another run; choose another folder");
 }

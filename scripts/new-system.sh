@@ -411,13 +411,13 @@ instantiate "cli/${name}_command.cpp" <<'END'
 namespace crest::cli {
 namespace {
 
-struct Options {
+struct @CAMEL@Options {
   CommonOptions common;
   std::string field;@ field
 };
 
-@NAME@::Input read_input(Run& run, const Options&) {@ mesh
-@NAME@::Input read_input(Run& run, const Options& o) {@ field tetrahedra grid points
+@NAME@::Input read_input(Run& run, const @CAMEL@Options&) {@ mesh
+@NAME@::Input read_input(Run& run, const @CAMEL@Options& o) {@ field tetrahedra grid points
   io::MeshRequest request;@ field
   request.field = o.field;@ field
   const io::MeshFile file = run.read_mesh(request);@ field
@@ -449,7 +449,7 @@ struct Options {
   });@ tetrahedra grid points
 }
 
-Outcome work(Run& run, const Options& o) {
+Outcome work(Run& run, const @CAMEL@Options& o) {
   const @NAME@::Input input = read_input(run, o);
   const auto census = run.step("count", "counting", [&] { return @NAME@::take_census(input); });
   Report& report = run.report();
@@ -462,8 +462,8 @@ Outcome work(Run& run, const Options& o) {
                       input.points.size(), census.distinct, census.used, input.cells.size())};
 }
 
-std::function<int()> add(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+std::function<int()> add_@NAME@(CLI::App& app) {
+  auto options = std::make_shared<@CAMEL@Options>();
   CommonOptions& common = options->common;
   app.add_option("INPUT", common.input, "triangle mesh")->required();@ mesh
   app.add_option("INPUT", common.input, "triangle mesh with fields (.vtp)")->required();@ field
@@ -485,7 +485,7 @@ extern const Command @NAME@_command;
 const Command @NAME@_command = {
     "@NAME@",
     "the points of @WORDS@, counted",
-    add,
+    add_@NAME@,
     {"crest @NAME@ ellipsoid.off",@ mesh
      "crest @NAME@ ellipsoid.off --quiet --certificate census.crest"}};@ mesh
     {"crest @NAME@ ellipsoid-curvature.vtp --field k1",@ field

@@ -79,7 +79,7 @@ vtkSmartPointer<vtkDoubleArray> array(Made made, const std::string& name, int co
 vtkSmartPointer<vtkDoubleArray> array(Made made, const std::vector<Vec3>& vectors) {
   auto a = vtkSmartPointer<vtkDoubleArray>::New();
   a->SetNumberOfComponents(3);
-  if (made == Made::late) {
+  if (made == Made::late && !vectors.empty()) {
     // VTK only reads them, and has no pointer to what it must not write.
     auto* const numbers = const_cast<double*>(vectors.data()->data());
     a->SetArray(numbers, static_cast<vtkIdType>(3 * vectors.size()), 1);
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkPoints> vtk_points(Made made, const std::vector<Vec3>& points
 vtkSmartPointer<vtkCellArray> vtk_triangles(Made made, const std::vector<kernel::Triangle>& faces) {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / 3;
-  if (made == Made::late && faces.size() < most) {  // so have the corners 31 bits
+  if (made == Made::late && !faces.empty() && faces.size() < most) {  // so have the corners 31 bits
     vtkNew<vtkTypeInt32Array> begin, corners;
     begin->SetNumberOfValues(static_cast<vtkIdType>(faces.size()) + 1);
     for (std::size_t f = 0; f <= faces.size(); ++f)

@@ -200,6 +200,10 @@ class PendingFiles::File {
   int descriptor_;
 };
 
+bool PendingFiles::any() {
+  return current != nullptr;
+}
+
 PendingFiles::PendingFiles() : outer_(std::exchange(current, this)) {}
 
 PendingFiles::~PendingFiles() {

@@ -37,6 +37,8 @@ class PendingFiles {
   /// Lets all held files appear; SIGINT and SIGTERM are ignored meanwhile.
   /// Throws: kernel::InputError; files not yet in place then never appear.
   void commit();
+  /// Whether files are held back now, here or by a caller.
+  static bool any();
 
  private:
   friend void write_atomically(const std::string& path,

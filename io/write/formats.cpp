@@ -260,7 +260,8 @@ void hand_on(Data& data, const Sink& sink) {
   writer->hand_on_text();
 }
 
-/// First what is sound: VTK crashes on some of what is not, and no file is begun.
+/// First what is sound: VTK crashes on some of what is not, and no file is begun. LateArrays are
+/// looked at when they are made.
 template <class Writer, class Data, class... Given>
 std::string bytes_of(Data& data, const Given&... given) {
   require_sound(data, given...);

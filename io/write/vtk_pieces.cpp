@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "io/write/atomic_file.hpp"
@@ -205,12 +206,15 @@ void write_pieces(const std::string& path, Data& data, long long most, const std
   const std::filesystem::path place(path);
   std::vector<std::string> names;
   vtkSmartPointer<Data> piece;
+  std::optional<PendingFiles> together;  // unless a caller holds them back anyway
+  if (!PendingFiles::any()) together.emplace();
   for (vtkIdType k = 0; k < pieces.count(); ++k) {
     names.push_back(fmt::format("{}_{}{}", place.stem().string(), k, extension));
     piece = pieces.piece(k);
     write((place.parent_path() / names.back()).string(), *piece);
   }
   write_atomically(path, index_text(type, *piece, names));
+  if (together) together->commit();
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ void for_all(Index count, const Check& check) {
 
 void require_proper_faces(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {
   if (faces.empty()) throw InputError("mesh: it has no faces; give a triangle mesh");
+  if (faces.size() >= kNone / 3)  // numbers of half-edges have 32 bits
+    throw InputError("mesh: it has more than 1.4 billion faces; give a part of it");
   for_all(static_cast<Index>(faces.size()), [&](Index f) {
     require_three_vertices(f, faces[f], points.size());
     const auto [a, b, c] = faces[f];
