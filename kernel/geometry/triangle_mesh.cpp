@@ -20,7 +20,7 @@ namespace {
 /// check(i) for all i below count. Throws: what the lowest i throws that throws.
 template <class Check>
 void for_all(Index count, const Check& check) {
-  const Index failed = parallel_reduce(
+  const Index failed = kernel::parallel_reduce(
       tbb::blocked_range<Index>(0, count, 8192), kNone,
       [&](const auto& part, Index first) {
         Index i = part.begin();
