@@ -4,13 +4,15 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include "io/formats/bounded_reader.hpp"
 #include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
 
 Soup read_vtp(std::string_view bytes, const FieldRequest& request) {
   Soup soup;
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<BoundedReader<vtkXMLPolyDataReader>> reader;
+  reader->most = kCornersAByte * static_cast<double>(bytes.size());
   auto& data = static_cast<vtkPolyData&>(read_xml(*reader, bytes, "VTP", request, soup));
   take_cells(data, soup.cells);
   return soup;

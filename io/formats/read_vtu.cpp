@@ -4,6 +4,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "io/formats/bounded_reader.hpp"
 #include "io/formats/files.hpp"
 #include "io/formats/vtk_input.hpp"
 
@@ -23,7 +24,8 @@ void refuse_polyhedra(std::string_view bytes) {
 Soup read_vtu(std::string_view bytes, const FieldRequest& request) {
   refuse_polyhedra(bytes);
   Soup soup;
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  vtkNew<BoundedReader<vtkXMLUnstructuredGridReader>> reader;
+  reader->most = kCornersAByte * static_cast<double>(bytes.size());
   auto& grid = static_cast<vtkUnstructuredGrid&>(read_xml(*reader, bytes, "VTU", request, soup));
   take_cells(grid, soup.cells);
   return soup;

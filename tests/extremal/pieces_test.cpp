@@ -2,9 +2,6 @@
 // Volumes cut into pieces: joined, they are the whole, byte for byte.
 #include "algorithms/extremal/pieces.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -14,6 +11,7 @@
 #include "algorithms/extremal/record_bytes.hpp"
 #include "certify/extremal/encode.hpp"
 #include "tests/extremal/reference_sheets.hpp"
+#include "tests/support/memory_limit.hpp"
 #include "tests/support/random.hpp"
 
 using namespace crest;
@@ -23,23 +21,6 @@ using extremal::Volume;
 using kernel::GridBox;
 
 namespace {
-
-/// This process may not take more memory than it has and so many bytes.
-class MemoryLimit {
- public:
-  explicit MemoryLimit(std::size_t more) {
-    getrlimit(RLIMIT_AS, &before_);
-    std::size_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    rlimit limit = before_;
-    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
-    setrlimit(RLIMIT_AS, &limit);
-  }
-  ~MemoryLimit() { setrlimit(RLIMIT_AS, &before_); }
-
- private:
-  rlimit before_{};
-};
 
 struct Outcome {
   Result result;
@@ -238,7 +219,7 @@ TEST_CASE("extremal pieces: lengths in records ask for no more memory than there
   for (const std::uint64_t count : {std::uint64_t{free}, std::uint64_t{free} / 8 + 1,
                                     ~std::uint64_t{0} / 8 + 2, ~std::uint64_t{0}}) {
     std::memcpy(bytes.data(), &count, 8);
-    const MemoryLimit limit(free);
+    const tests::MemoryLimit limit(free);
     INFO(count);
     CHECK_THROWS_AS(extremal::records_from(bytes), std::runtime_error);
   }
