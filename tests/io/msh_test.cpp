@@ -224,6 +224,7 @@ TEST_CASE("faults of Gmsh files are named in the file's numbers", "[io]") {
   };
   const std::pair<const char*, std::string> faults[] = {
       {"file: has no $MeshFormat; save it from Gmsh", "hello\n"},
+      {"$NOD: is of Gmsh's format 1; save as 4.1", "$NOD\n1\n1 0 0 0\n$ENDNOD\n$ELM\n0\n$ENDELM\n"},
       {"$MeshFormat: is neither 2.2 nor 4.1", "$MeshFormat\n4 0 8\n$EndMeshFormat\n"},
       {"$MeshFormat: has numbers of another size", "$MeshFormat\n2.2 0 4\n$EndMeshFormat\n"},
       {"$MeshFormat: has no mark of the byte order",
