@@ -59,7 +59,7 @@ void add_volume_options(CLI::App& app, SplineOptions& o) {
   app.add_option("--mesh", o.mesh, "the isosurface with proven topology (.vtp .obj .ply)")
       ->type_name("FILE")
       ->group(group);
-  app.add_option("--max-depth", o.max_depth, "of the mesh's bisections (default 30)")
+  app.add_option("--max-depth", o.max_depth, "of the mesh's bisections (default 54)")
       ->check(CLI::Range(0, 54))
       ->type_name("D")
       ->group(group);

@@ -25,7 +25,7 @@ struct SplineOptions {
   std::string rays, hits, mesh;
   std::vector<double> camera;  ///< eye, target and perhaps the angle: 6 or 7 numbers
   int size = 512;              ///< of the picture
-  int max_depth = 30;          ///< of the mesh's bisections
+  int max_depth = 54;          ///< of the mesh's bisections
 
   // Tables.
   std::vector<std::string> columns;  ///< of x, y, z and the value; empty: of these names

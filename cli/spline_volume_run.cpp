@@ -203,8 +203,9 @@ bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
     run.warn(
         fmt::format("{} tetrahedra are undecided at depth {}, the first at {:.6g} {:.6g} {:.6g}: "
                     "the isosurface touches a face or has no gradient there; no certificate; "
-                    "take another --isovalue close by",
-                    surface.undecided.size(), o.max_depth, p[0], p[1], p[2]));
+                    "take another --isovalue close by{}",
+                    surface.undecided.size(), surface.depth, p[0], p[1], p[2],
+                    o.max_depth < 54 ? ", or --max-depth 54" : ""));
   } else if (run.wanted("--certificate")) {
     run.step("certificate", "certifying", [&] {
       const auto bytes =

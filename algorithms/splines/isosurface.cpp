@@ -55,7 +55,7 @@ EdgeZero zero_of(const AlongEdge& along) {
 
 /// Leaves that are bisected for their own sake, of one tetrahedron and of all: where the level set
 /// touches a plane of faces or a plateau their number would double with every third level.
-constexpr std::size_t kMostLeaves = 1024;
+constexpr std::size_t kMostLeaves = 16384;
 std::size_t most_leaves(std::size_t tetrahedra) {
   return 65536 + 4 * tetrahedra;
 }

@@ -29,7 +29,7 @@ struct Isosurface {
   std::vector<std::uint32_t> bisected;
   std::vector<std::uint8_t> trees;
 
-  /// The centres of leaves that are neither empty nor simple at the greatest depth, or after 1024
+  /// The centres of leaves that are neither empty nor simple at the greatest depth, or after 16384
   /// bisections in one tetrahedron of the partition, or 65536 and four a tetrahedron in all.
   std::vector<Vec3> undecided;
   int depth = 0;

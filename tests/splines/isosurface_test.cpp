@@ -234,6 +234,16 @@ TEST_CASE("a level at a saddle of a piece is not decided, and listed") {
             .accepted == false);
 }
 
+TEST_CASE("a thin tube is decided, however many bisections its tetrahedra take") {
+  // Of radius 0.02 about an axis of samples' distances.
+  const QuadraticSpline spline(volume_of<double>(
+      4, [](double x, double y, double) { return 9 * (x * x + y * y); }));
+  const auto surface = certified(spline, 2 + 4 * 0.02 * 0.02);
+  CHECK(surface.components == 1);
+  CHECK(surface.euler_characteristic == 0);
+  CHECK(surface.boundary_loops == 2);
+}
+
 TEST_CASE("a plateau at the level is listed, a level beside it is decided") {
   const QuadraticSpline spline(volume_of<std::int8_t>(
       6, [](double x, double y, double z) { return std::floor(3 * (x + 0.4 * y + 0.2 * z)); }));

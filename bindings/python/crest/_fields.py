@@ -411,7 +411,7 @@ def spline_isosurface(volume: ArrayLike, isovalue: float, *,
                       spacing: float | Sequence[float] = 1.0,
                       origin: float | Sequence[float] = 0.0,
                       directions: ArrayLike | None = None, border: str = "none",
-                      max_depth: int = 30, certificate: bool = True, threads: int = 0,
+                      max_depth: int = 54, certificate: bool = True, threads: int = 0,
                       progress: Progress = None) -> Isosurface:
     """The isosurface of a volume's quadratic spline, its topology proven (`crest spline --mesh`).
 
