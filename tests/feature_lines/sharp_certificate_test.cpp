@@ -109,7 +109,7 @@ bool is_true(const cert::SharpEdgesCertificate& c) {
          std::set<Index>(group.begin(), group.end()).size() == c.patches;
 }
 
-std::vector<cert::Bytes> originals() {
+std::vector<cert::Bytes> sharp_originals() {
   std::vector<cert::Bytes> all;
   for (const auto& [name, mesh] : sample_meshes()) {
     if (mesh.vertex_count() > 150) continue;
@@ -163,7 +163,7 @@ void mutate(cert::SharpEdgesCertificate& c, Random& random) {
 }  // namespace
 
 TEST_CASE("certificates of sharp edges are accepted under both arithmetics and true") {
-  for (const cert::Bytes& bytes : originals()) {
+  for (const cert::Bytes& bytes : sharp_originals()) {
     const auto verdict = cert::verify(bytes);
     INFO(verdict.reason);
     CHECK(verdict.accepted);
@@ -208,7 +208,7 @@ TEST_CASE("the checker of sharp edges and the producer agree where angles are ne
 
 TEST_CASE("edited claims of sharp edges are accepted only if true of their own data") {
   Random random(kSeed + 11);
-  const auto all = originals();
+  const auto all = sharp_originals();
   std::uint64_t mutants = 0, accepted = 0;
   for (std::uint64_t i = 0; i < scaled(2500); ++i) {
     const cert::Bytes& original = all[random() % all.size()];
@@ -237,7 +237,7 @@ TEST_CASE("edited claims of sharp edges are accepted only if true of their own d
 
 TEST_CASE("edited bytes of sharp edges: only true ones are accepted") {
   Random random(kSeed + 12);
-  const auto all = originals();
+  const auto all = sharp_originals();
   std::uint64_t mutants = 0, accepted = 0;
   for (std::uint64_t i = 0; i < scaled(2000); ++i) {
     cert::Bytes bytes = all[random() % all.size()];
