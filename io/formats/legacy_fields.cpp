@@ -10,7 +10,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kLegacyFieldsRepair = "export the mesh again";
+constexpr const char* kRepair = "export the mesh again";
 
 /// Of colours: bytes in binary files, reals from 0 to 1 in texts.
 LegacyType colour_type(const LegacySource& source) {
@@ -78,10 +78,9 @@ void LegacyFields::read_field_array() {
 }
 
 void LegacyFields::read_values(const std::string& name, std::size_t components, LegacyType type) {
-  if (!owner_)
-    fail(source_.where(), "is neither of POINT_DATA nor of CELL_DATA", kLegacyFieldsRepair);
+  if (!owner_) fail(source_.where(), "is neither of POINT_DATA nor of CELL_DATA", kRepair);
   if (components > 1000)
-    fail(source_.where(), fmt::format("has {} components", components), kLegacyFieldsRepair);
+    fail(source_.where(), fmt::format("has {} components", components), kRepair);
   const std::size_t numbers = source_.product(components, owner_->count);
   Field field{.name = name, .components = static_cast<int>(components)};
   field.normals = source_.section() == "normals" && owner_ == &points_;
@@ -94,8 +93,7 @@ void LegacyFields::read_values(const std::string& name, std::size_t components, 
 
 std::vector<Field> LegacyFields::taken(const char* section, Owner& owner, std::size_t count) {
   if (owner.announced && owner.count != count)
-    fail(section, fmt::format("is of {}, the file has {}", owner.count, count),
-         kLegacyFieldsRepair);
+    fail(section, fmt::format("is of {}, the file has {}", owner.count, count), kRepair);
   return std::move(owner.fields);
 }
 

@@ -10,7 +10,7 @@
 namespace crest::io {
 namespace {
 
-const std::string kOffTruncated = "the file is truncated; export the mesh again";
+const std::string kTruncated = "the file is truncated; export the mesh again";
 
 class BinaryOff {
  public:
@@ -26,7 +26,7 @@ class BinaryOff {
       fail(where(),
            fmt::format("announces {} vertices and {} faces, more than the file holds", vertices,
                        faces),
-           kOffTruncated);
+           kTruncated);
     }
     soup_.points.resize(vertices);
     for (kernel::Vec3& point : soup_.points) read_vertex(point);
@@ -44,7 +44,7 @@ class BinaryOff {
     return in_faces_ ? fmt::format("face {}", soup_.cells.size()) : "header";
   }
   void require(std::size_t numbers) const {
-    if (numbers > bytes_.size() / 4) fail(where(), "the file ends before or in it", kOffTruncated);
+    if (numbers > bytes_.size() / 4) fail(where(), "the file ends before or in it", kTruncated);
   }
 
   template <class T>

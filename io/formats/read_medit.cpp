@@ -12,7 +12,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kMeditRepair = "export the mesh again";
+constexpr const char* kRepair = "export the mesh again";
 
 class Source {
  public:
@@ -45,18 +45,18 @@ class Source {
   std::size_t count(std::size_t words) {
     const std::int64_t n = integer();
     if (n < 0 || static_cast<std::uint64_t>(n) > scan_.room() / (2 * words) + 1)
-      fail(where(), fmt::format("announces {} entries, more than the file holds", n), kMeditRepair);
+      fail(where(), fmt::format("announces {} entries, more than the file holds", n), kRepair);
     return static_cast<std::size_t>(n);
   }
   std::size_t line() const { return scan_.line(); }
 
  private:
   void require_word() {
-    if (!scan_.more()) fail(where(), "ends early", kMeditRepair);
+    if (!scan_.more()) fail(where(), "ends early", kRepair);
   }
   [[noreturn]] void refuse(const char* what) {
     fail(fmt::format("{}, line {}", keyword_, scan_.line()),
-         fmt::format("{} is not {}", quoted(scan_.peek()), what), kMeditRepair);
+         fmt::format("{} is not {}", quoted(scan_.peek()), what), kRepair);
   }
 
   TextScan scan_;
@@ -92,7 +92,7 @@ Soup read_medit(std::string_view bytes) {
   Soup soup;
   if (!source.next() || source.keyword() != "MeshVersionFormatted")
     fail("header", "has no MeshVersionFormatted",
-         "is it a text mesh of Medit? " + std::string(kMeditRepair));
+         "is it a text mesh of Medit? " + std::string(kRepair));
   source.integer();
   while (source.next()) {
     if (source.keyword() == "Dimension") {
@@ -118,7 +118,7 @@ Soup read_medit(std::string_view bytes) {
       const std::size_t count = source.count(other->second);
       for (std::size_t i = 0; i < other->second * count; ++i) source.real();
     } else {
-      fail(source.where(), "is an unknown keyword", kMeditRepair);
+      fail(source.where(), "is an unknown keyword", kRepair);
     }
   }
   return soup;
@@ -139,14 +139,13 @@ void read_medit_solution(std::string_view bytes, Soup& soup) {
       if (points != soup.points.size())
         fail(source.where(),
              fmt::format("is about {} points, the mesh has {}", points, soup.points.size()),
-             kMeditRepair);
+             kRepair);
       const std::size_t fields = source.count(1);
       const std::size_t first = soup.point_fields.size();
       for (std::size_t f = 0; f < fields; ++f) {
         const std::int64_t type = source.integer();
         if (type < 1 || type > 3)
-          fail(source.where(), fmt::format("has a field of the unknown type {}", type),
-               kMeditRepair);
+          fail(source.where(), fmt::format("has a field of the unknown type {}", type), kRepair);
         soup.point_fields.push_back(
             {.name = fmt::format("solution{}", f + 1), .components = components[type]});
       }

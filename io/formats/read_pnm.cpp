@@ -8,7 +8,7 @@
 namespace crest::io {
 namespace {
 
-std::size_t take_pnm_count(TextScan& scan, const char* what, std::size_t most) {
+std::size_t take_count(TextScan& scan, const char* what, std::size_t most) {
   std::uint64_t n = 0;
   const bool given = scan.more();
   const std::string word = io::quoted(scan.peek());
@@ -18,7 +18,7 @@ std::size_t take_pnm_count(TextScan& scan, const char* what, std::size_t most) {
   return n;
 }
 
-Samples pnm_samples(TextScan& scan, std::size_t count, std::size_t most) {
+Samples text_samples(TextScan& scan, std::size_t count, std::size_t most) {
   if (count > (scan.room() + 1) / 2)
     fail("samples", fmt::format("the header announces {}, the file ends before", count),
          "the file is truncated or its header wrong; export it again");
@@ -47,13 +47,13 @@ Volume read_pnm(std::string_view bytes, const VolumeRequest&) {
   TextScan scan(bytes, '#');
   scan.take_bytes(2);
   const std::size_t colours = kind == '3' || kind == '6' ? 3 : 1;
-  const std::size_t width = take_pnm_count(scan, "the width", 1u << 30);
-  const std::size_t height = take_pnm_count(scan, "the height", 1u << 30);
-  const std::size_t most = take_pnm_count(scan, "the largest value", 65535);
+  const std::size_t width = take_count(scan, "the width", 1u << 30);
+  const std::size_t height = take_count(scan, "the height", 1u << 30);
+  const std::size_t most = take_count(scan, "the largest value", 65535);
   const std::vector<std::size_t> size = {colours, width, height};
   Samples samples;
   if (kind <= '3') {
-    samples = pnm_samples(scan, product(size), most);
+    samples = text_samples(scan, product(size), most);
   } else {
     const NumberType type = most > 255 ? NumberType::u16 : NumberType::u8;
     const std::size_t begin = std::min(scan.position() + 1, bytes.size());  // one blank

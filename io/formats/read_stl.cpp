@@ -14,7 +14,7 @@
 namespace crest::io {
 namespace {
 
-constexpr std::size_t kStlHeader = 84, kFacet = 50;
+constexpr std::size_t kHeader = 84, kFacet = 50;
 
 /// The points of a soup by their coordinates: a hash table of numbers of points, open addressing.
 /// Corners are added in batches, so that their slots and points come from memory side by side.
@@ -109,7 +109,7 @@ Soup read_binary(std::string_view bytes, std::size_t facets) {
   Soup soup;
   Corners corners(soup, facets);
   for (std::size_t f = 0; f < facets; ++f) {
-    const char* at = bytes.data() + kStlHeader + f * kFacet + 12;
+    const char* at = bytes.data() + kHeader + f * kFacet + 12;
     std::array<kernel::Vec3, 3> facet;
     for (std::size_t k = 0; k < 3; ++k) {
       for (double& x : facet[k]) {
@@ -242,9 +242,9 @@ bool is_text(std::string_view bytes) {
 Soup read_stl(std::string_view bytes, const FieldRequest&) {
   const std::string_view text = without_zeros_behind(bytes);
   if (is_text(text)) return TextStl(text).read();
-  if (bytes.size() < kStlHeader) fail("file", "is too short for STL", "export the mesh again");
+  if (bytes.size() < kHeader) fail("file", "is too short for STL", "export the mesh again");
   const std::size_t facets = load_number<std::uint32_t>(bytes.data() + 80, false);
-  const std::size_t whole = (bytes.size() - kStlHeader) / kFacet;
+  const std::size_t whole = (bytes.size() - kHeader) / kFacet;
   if (whole >= facets) return read_binary(bytes, facets);
   // A text with a zero somewhere: its letters would be a count that no file has.
   if (is_keyword(bytes.substr(0, 5), "solid") && facets >= std::size_t{1} << 24) check_text(bytes);
