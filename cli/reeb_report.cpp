@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 #include "algorithms/reeb/contraction.hpp"
+#include "kernel/geometry/disjoint_sets.hpp"
 
 namespace crest::cli {
 namespace {
@@ -40,18 +40,11 @@ std::int64_t euler_characteristic(const kernel::QuadraticMesh& mesh) {
 
 /// Every boundary vertex has two boundary edges: as many loops as components of these edges.
 std::size_t boundary_loops(const kernel::QuadraticMesh& mesh) {
-  std::vector<Index> parent(mesh.vertex_count());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  kernel::DisjointSets joined(mesh.vertex_count());
   std::size_t loops = 0;
   for (const kernel::Edge& e : mesh.edges()) {
     if (e.f1 != kNone) continue;
-    const Index a = root(e.v0), b = root(e.v1);
-    if (a == b) ++loops;  // the edge that closes one
-    parent[a] = b;
+    if (!joined.unite(e.v0, e.v1)) ++loops;  // the edge that closes one
   }
   return loops;
 }

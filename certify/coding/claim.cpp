@@ -24,7 +24,7 @@ using kernel::Rational;
 /// Step 2. What the mesh is, counted from its faces. Returns whether every component is a sphere or
 /// a disc.
 bool check_counts(const CodingCertificate& c, const Topology& topology) {
-  modes::UnionFind parts(c.positions.size());
+  UnionFind parts(c.positions.size());
   for (const Edge& edge : topology.edges) parts.join(edge.low, edge.high);
   std::vector<std::int64_t> euler(c.positions.size(), 0);
   for (u32 v = 0; v < c.positions.size(); ++v) ++euler[parts.find(v)];

@@ -88,7 +88,7 @@ class Gluing {
   const std::vector<u32>& stack() const { return stack_; }
 
   FaceList take(u32 vertices) {
-    modes::UnionFind sets(made_);
+    UnionFind sets(made_);
     for (const auto& [v, w] : same_) sets.join(v, w);
     std::vector<u32> least(made_, kNoGate), number(made_);
     u32 count = 0;

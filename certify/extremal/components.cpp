@@ -8,8 +8,6 @@
 namespace crest::certify::extremal {
 namespace {
 
-using modes::UnionFind;
-
 /// Classes of things of which each is turned like its representative or the other way round.
 class TurnedClasses {
  public:

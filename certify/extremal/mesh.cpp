@@ -9,8 +9,6 @@
 namespace crest::certify::extremal {
 namespace {
 
-using modes::UnionFind;
-
 class MeshBuilder {
  public:
   MeshBuilder(const Grid& grid, const Edges& edges, const Squares& squares)

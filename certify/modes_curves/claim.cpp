@@ -252,7 +252,7 @@ class CurveCheck : public TetCheck {
  private:
   void count_curves() {
     const auto& points = c_.face_points;
-    modes::UnionFind curves(points.size());
+    UnionFind curves(points.size());
     std::vector<std::uint8_t> ends(points.size(), 0), touched(points.size(), 0), open = touched;
     for (const DegenerateArc& arc : c_.arcs) {
       curves.join(arc.points[0], arc.points[1]);

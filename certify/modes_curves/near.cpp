@@ -62,12 +62,12 @@ Symmetric<Number> turned(const Symmetric<Number>& m) {
 
 /// The conics' resultant by z, where y = 1, and what gives z = -a / b.
 template <class Number>
-struct Elimination {
+struct NearElimination {
   Power<Number, 3> a;
   Power<Number, 2> b;
   Power<Number, 5> quartic;
 
-  Elimination(const Symmetric<Number>& p, const Symmetric<Number>& q) {
+  NearElimination(const Symmetric<Number>& p, const Symmetric<Number>& q) {
     // p0 z^2 + p1 z + p2.
     const Power<Number, 2> p1 = {p[4] + p[4], p[5] + p[5]}, q1 = {q[4] + q[4], q[5] + q[5]};
     const Power<Number, 3> p2 = {p[1], p[3] + p[3], p[0]}, q2 = {q[1], q[3] + q[3], q[0]};
@@ -149,7 +149,7 @@ std::optional<Number> narrow(const Power<Number, 5>& c, const Bracket& at) {
 template <class Number>
 std::optional<std::vector<Vector<Number>>> common_points(const Symmetric<Number>& p,
                                                          const Symmetric<Number>& q) {
-  const Elimination<Number> by_z(turned(p), turned(q));
+  const NearElimination<Number> by_z(turned(p), turned(q));
   std::vector<Vector<Number>> points;
   std::vector<Bracket> brackets;
   for (const bool swapped : {false, true}) {

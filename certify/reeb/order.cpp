@@ -4,6 +4,7 @@
 #include "certify/container/reject.hpp"
 #include "certify/reeb/grid.hpp"
 #include "certify/reeb/quadratic.hpp"
+#include "certify/surface/union_find.hpp"
 
 namespace crest::certify::reeb {
 namespace {
@@ -205,32 +206,26 @@ NodeOrder check_order(const ReebContents& c, const Gluing& mesh, const Tiling& t
 
 Contraction count_ties(const ReebContents& c, const NodeOrder& order) {
   const std::size_t nodes = c.critical_nodes.size();
-  Buffer<u32> value(nodes, 0), parent(nodes);
+  Buffer<u32> value(nodes, 0);
   for (u32 i = 0, rank = 0; i < nodes; ++i) {
     // The value of the critical node before iff all between them are tied.
     bool equal = i > 0;
     for (; rank < order.rank[c.critical_nodes[i]]; ++rank)
       equal = equal && order.tied[rank + 1] != 0;
     value[i] = i == 0 ? 0 : value[i - 1] + (equal ? 0 : 1);
-    parent[i] = i;
   }
-  const auto find = [&](u32 i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  UnionFind classes(nodes);
   Contraction found{0, static_cast<u32>(nodes), 0};
   for (const ArcRecord& arc : c.arcs) {
     if (value[arc.lower] != value[arc.upper]) continue;
     ++found.tied_arcs;
-    const u32 low = find(arc.lower), high = find(arc.upper);
-    found.nodes -= low != high;
-    parent[high] = low;
+    found.nodes -= classes.join(arc.lower, arc.upper) ? 1U : 0U;
   }
   Buffer<u32> below(nodes, 0), above(nodes, 0);
   for (const ArcRecord& arc : c.arcs) {
     if (value[arc.lower] == value[arc.upper]) continue;
-    ++above[find(arc.lower)];
-    ++below[find(arc.upper)];
+    ++above[classes.find(arc.lower)];
+    ++below[classes.find(arc.upper)];
   }
   for (u32 i = 0; i < nodes; ++i) found.passed += below[i] == 1 && above[i] == 1;
   return found;

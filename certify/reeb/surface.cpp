@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
 
 #include "certify/container/reject.hpp"
 #include "certify/reeb/checks.hpp"
+#include "certify/surface/union_find.hpp"
 
 namespace crest::certify::reeb {
 namespace {
 
 using u8 = std::uint8_t;
 
-u32 find(Buffer<u32>& parent, u32 x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
-}
-
-/// True if the two were not joined before.
-bool join(Buffer<u32>& parent, u32 a, u32 b) {
-  a = find(parent, a), b = find(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-  return a != b;
-}
-
 /// Faces that share a vertex are in one component: links are shown to be connected next.
 u32 count_components(const Triangles& faces, std::size_t vertices) {
-  Buffer<u32> parent(vertices);
-  std::iota(parent.begin(), parent.end(), u32{0});
+  UnionFind classes(vertices);
   auto components = static_cast<u32>(vertices);
-  for (const auto& [a, b, c] : faces) components -= u32{join(parent, a, b)} + join(parent, b, c);
+  for (const auto& [a, b, c] : faces) components -= u32{classes.join(a, b)} + classes.join(b, c);
   return components;
 }
 
@@ -116,13 +103,12 @@ Buffer<u32> check_links(const Triangles& faces, const Gluing& gluing, std::size_
 /// Every boundary vertex is on one boundary loop: loops are the components of the boundary sides.
 u32 count_boundary_loops(const Triangles& faces, const Buffer<u32>& twin, std::size_t vertices) {
   if (std::find(twin.begin(), twin.end(), kNone) == twin.end()) return 0;
-  Buffer<u32> parent(vertices);
-  std::iota(parent.begin(), parent.end(), u32{0});
+  UnionFind classes(vertices);
   u32 loops = 0;
   for (u32 c = 0; c < twin.size(); ++c)
     // As many sides as vertices: in each loop exactly one side joins nothing new.
     loops +=
-        twin[c] == kNone && !join(parent, vertex_of(faces, c), vertex_of(faces, next_corner(c)));
+        twin[c] == kNone && !classes.join(vertex_of(faces, c), vertex_of(faces, next_corner(c)));
   return loops;
 }
 

@@ -87,12 +87,12 @@ int winding_around_middle(const std::vector<Side>& sides, const Side& at, SignLa
 }
 
 /// Numbers of border sides of one chain: cut where more than two meet.
-modes::UnionFind chains_of(const std::vector<Side>& sides, std::size_t vertices) {
+UnionFind chains_of(const std::vector<Side>& sides, std::size_t vertices) {
   std::vector<u8> ends(vertices, 0);
   for (const Side& s : sides)
     for (const u32 v : {s.tail, s.head}) ends[v] = std::min<u8>(3, ends[v] + 1);
   std::vector<u32> at(vertices, kNone);
-  modes::UnionFind chains(sides.size());
+  UnionFind chains(sides.size());
   for (u32 i = 0; i < sides.size(); ++i)
     for (const u32 v : {sides[i].tail, sides[i].head}) {
       if (at[v] != kNone && ends[v] == 2) chains.join(at[v], i);
@@ -115,7 +115,7 @@ std::vector<Side> mirrored_sides(std::vector<Side> sides) {
 void check_embedding(const Field& field, SignLadder& sign) {
   const std::vector<Side> sides = border(field), mirrored = mirrored_sides(sides);
   check_crossings(sides, sign);
-  modes::UnionFind chains = chains_of(sides, field.vertices());
+  UnionFind chains = chains_of(sides, field.vertices());
   std::size_t rays = 0;
   for (u32 i = 0; i < sides.size(); ++i) {
     if (chains.find(i) != i) continue;

@@ -42,7 +42,7 @@ void places_of(const Field& field, const Domain& domain, u32 t, SignLadder& sign
 
 /// Triangles that share a place, joined; returns all places, by triangle.
 std::vector<Place> join_places(const Field& field, const Domain& domain, SignLadder& sign,
-                               modes::UnionFind& classes) {
+                               UnionFind& classes) {
   std::vector<Place> places;
   for (u32 t = 0; t < field.triangles(); ++t)
     if (domain.live[t] != 0) places_of(field, domain, t, sign, places);
@@ -151,7 +151,7 @@ bool has_edge_zero(const Field& field, u32 side, SignLadder& sign) {
 }
 
 ZeroSet find_zeros(const Field& field, const Domain& domain, SignLadder& sign) {
-  modes::UnionFind classes(field.triangles());
+  UnionFind classes(field.triangles());
   std::vector<Place> places = join_places(field, domain, sign, classes);
   // A place's component, then the places in the order of components.
   std::vector<std::array<u32, 2>> order;

@@ -14,7 +14,7 @@ namespace {
 using namespace spline_isosurface;
 
 std::size_t count_components(const Mesh& mesh) {
-  modes::UnionFind classes(mesh.vertices.size());
+  UnionFind classes(mesh.vertices.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     classes.join(a, b);
     classes.join(a, c);

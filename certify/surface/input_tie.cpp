@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 #include "certify/container/reject.hpp"
+#include "certify/surface/union_find.hpp"
 
 namespace crest::certify {
 namespace {
@@ -25,20 +25,13 @@ Match match(Triangle turned, const Triangle& stated) {
 }
 
 /// The least vertex of every vertex's component.
-std::vector<std::size_t> components(std::size_t vertices, Faces faces) {
-  std::vector<std::size_t> parent(vertices);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto find = [&](std::size_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+std::vector<std::uint32_t> components(std::size_t vertices, Faces faces) {
+  UnionFind classes(vertices);
   for (const auto& f : faces)
-    for (const std::size_t i : {1, 2}) {
-      const auto [low, high] = std::minmax({find(f[0]), find(f[i])});
-      parent[high] = low;
-    }
-  for (std::size_t v = 0; v < vertices; ++v) parent[v] = parent[parent[v]];
-  return parent;
+    for (const std::size_t i : {1, 2}) classes.join(f[0], f[i]);
+  std::vector<std::uint32_t> least(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) least[v] = classes.find(static_cast<std::uint32_t>(v));
+  return least;
 }
 
 /// The faces are matched one by one: what that says of each component, in words.

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace crest::certify::modes {
+namespace crest::certify {
 
 class UnionFind {
  public:
@@ -17,18 +17,19 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The smaller representative stays.
-  void join(std::uint32_t i, std::uint32_t j) {
+  /// The smaller representative stays. True if they were two classes.
+  bool join(std::uint32_t i, std::uint32_t j) {
     i = find(i);
     j = find(j);
     if (i < j)
       parent_[j] = i;
     else
       parent_[i] = j;
+    return i != j;
   }
 
  private:
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace crest::certify::modes
+}  // namespace crest::certify

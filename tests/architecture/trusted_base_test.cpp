@@ -89,9 +89,31 @@ TEST_CASE("the trusted base follows includes, sources of headers and sources wit
 }
 
 #ifdef CREST_VERIFY_PROGRAM
+namespace {
+
+/// The sources of a member of libcrest_<library>.a, from the source's folder on: itself, or those
+/// that the build compiles together as "unity_<n>_cxx.cxx".
+std::vector<std::string> sources_of(const std::string& library, const std::string& member) {
+  const std::string folder =
+      has_prefix(library, "certify_") ? "certify/" + library.substr(8) + "/" : library + "/";
+  if (!has_prefix(member, "unity_")) return {folder + member};
+  const std::string together = read_text(fs::path(CREST_BINARY_DIR) / "certify/CMakeFiles" /
+                                         ("crest_" + library + ".dir") / "Unity" / member);
+  const std::regex include("#include \"" + std::string(CREST_SOURCE_DIR) + "/([^\"]+)\"");
+  std::vector<std::string> sources;
+  for (std::sregex_iterator at(together.begin(), together.end(), include), end; at != end; ++at)
+    sources.push_back((*at)[1]);
+  INFO(together);
+  REQUIRE_FALSE(sources.empty());
+  for (const std::string& source : sources) REQUIRE(has_prefix(source, folder));
+  return sources;
+}
+
+}  // namespace
+
 TEST_CASE("a checker is linked from files of its trusted base alone") {
   // Members of archives as the linker's map names them.
-  const std::regex member("libcrest_([a-z_0-9]+)\\.a\\(([a-z_0-9]+)\\.cpp\\.o\\)");
+  const std::regex member("libcrest_([a-z_0-9]+)\\.a\\(([a-z_0-9]+\\.c(pp|xx))\\.o\\)");
   for (const auto& entry : fs::directory_iterator(fs::path(CREST_SOURCE_DIR) / "certify")) {
     if (!fs::exists(entry.path() / "claim.cpp")) continue;
     const std::string claim = entry.path().filename().string();
@@ -103,11 +125,8 @@ TEST_CASE("a checker is linked from files of its trusted base alone") {
     REQUIRE(base.exit_code == 0);
     const std::string map = read_text(program + ".map");
     std::set<std::string> linked;
-    for (std::sregex_iterator at(map.begin(), map.end(), member), end; at != end; ++at) {
-      const std::string library = (*at)[1], stem = (*at)[2];
-      const bool room = has_prefix(library, "certify_");
-      linked.insert((room ? "certify/" + library.substr(8) + "/" : library + "/") + stem + ".cpp");
-    }
+    for (std::sregex_iterator at(map.begin(), map.end(), member), end; at != end; ++at)
+      for (std::string& source : sources_of((*at)[1], (*at)[2])) linked.insert(std::move(source));
     CHECK(linked.size() > 5);
     for (const std::string& source : linked) {
       INFO(source << " is linked and not listed\n" << base.out);

@@ -49,7 +49,7 @@ class GraphInSimplex {
   template <class Inside>
   static modes::u32 regions(const Inside& inside) {
     std::vector<std::int32_t> number(kSteps * kSteps, -1);
-    modes::UnionFind classes(number.size());
+    UnionFind classes(number.size());
     const auto at = [](int i, int k) { return static_cast<modes::u32>(i * kSteps + k); };
     std::vector<std::uint8_t> in(number.size(), 0);
     for (int i = 0; i < kSteps; ++i)

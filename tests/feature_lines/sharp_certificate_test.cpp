@@ -23,7 +23,7 @@ cert::SharpEdgesCertificate certificate_of(const TriangleMesh& mesh, const std::
   return fl::make_certificate(mesh, angle, fl::extract_sharp_lines(mesh, angle, {}));
 }
 
-cert::SharpEdgesCertificate decode(const cert::Bytes& bytes) {
+cert::SharpEdgesCertificate decode_sharp(const cert::Bytes& bytes) {
   const auto container = cert::open_container(bytes);
   return cert::decode_sharp_edges(container.data, container.claims);
 }
@@ -109,7 +109,7 @@ bool is_true(const cert::SharpEdgesCertificate& c) {
          std::set<Index>(group.begin(), group.end()).size() == c.patches;
 }
 
-std::vector<cert::Bytes> originals() {
+std::vector<cert::Bytes> sharp_originals() {
   std::vector<cert::Bytes> all;
   for (const auto& [name, mesh] : sample_meshes()) {
     if (mesh.vertex_count() > 150) continue;
@@ -163,14 +163,14 @@ void mutate(cert::SharpEdgesCertificate& c, Random& random) {
 }  // namespace
 
 TEST_CASE("certificates of sharp edges are accepted under both arithmetics and true") {
-  for (const cert::Bytes& bytes : originals()) {
+  for (const cert::Bytes& bytes : sharp_originals()) {
     const auto verdict = cert::verify(bytes);
     INFO(verdict.reason);
     CHECK(verdict.accepted);
     CHECK(verdict.lines.size() == 4);
     CHECK(cert::verify(bytes, {cert::Arithmetic::mpfr, {}}).accepted);
-    CHECK(is_true(decode(bytes)));
-    CHECK(cert::encode(decode(bytes)) == bytes);
+    CHECK(is_true(decode_sharp(bytes)));
+    CHECK(cert::encode(decode_sharp(bytes)) == bytes);
   }
 }
 
@@ -208,11 +208,11 @@ TEST_CASE("the checker of sharp edges and the producer agree where angles are ne
 
 TEST_CASE("edited claims of sharp edges are accepted only if true of their own data") {
   Random random(kSeed + 11);
-  const auto all = originals();
+  const auto all = sharp_originals();
   std::uint64_t mutants = 0, accepted = 0;
   for (std::uint64_t i = 0; i < scaled(2500); ++i) {
     const cert::Bytes& original = all[random() % all.size()];
-    auto c = decode(original);
+    auto c = decode_sharp(original);
     mutate(c, random);
     const cert::Bytes rebound = cert::encode(c);
     if (rebound == original) continue;
@@ -237,7 +237,7 @@ TEST_CASE("edited claims of sharp edges are accepted only if true of their own d
 
 TEST_CASE("edited bytes of sharp edges: only true ones are accepted") {
   Random random(kSeed + 12);
-  const auto all = originals();
+  const auto all = sharp_originals();
   std::uint64_t mutants = 0, accepted = 0;
   for (std::uint64_t i = 0; i < scaled(2000); ++i) {
     cert::Bytes bytes = all[random() % all.size()];
@@ -253,7 +253,7 @@ TEST_CASE("edited bytes of sharp edges: only true ones are accepted") {
     if (!cert::verify(bytes).accepted) continue;
     ++accepted;
     // Bits that move a point by less than the brute force can see are the checker's alone to judge.
-    const auto c = decode(bytes);
+    const auto c = decode_sharp(bytes);
     bool near = false;
     for (const auto& [edge, faces] : faces_of_edges(c.faces))
       near = near || (faces.size() == 2 &&

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Binary files made in tests.
+// Files made in tests.
 #include <algorithm>
 #include <cstring>
 #include <string>
 
 namespace crest::tests {
+
+/// How numbers are stored.
+enum class Storage { text, little, big };
+
+/// Of headers of PLY.
+inline const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+inline const std::string kList = "property list uchar int vertex_indices\n";
 
 /// Appends the number's bytes.
 template <class T>

@@ -8,7 +8,7 @@ using namespace crest::tests;
 
 namespace {
 
-Vec3 negated(const Vec3& v) {
+Vec3 opposite(const Vec3& v) {
   return {-v[0], -v[1], -v[2]};
 }
 
@@ -50,7 +50,8 @@ TEST_CASE("acute rule: laws 1, 2, 3 and 5 on all families") {
     for (std::uint64_t i = 0; i < scaled(20000); ++i) {
       const Vec3 a = draw_vector(d, family), b = draw_vector(d, family);
       const Sign s = acute_rule(a, b).sign;
-      const bool odd = acute_rule(negated(a), b).sign == -s && acute_rule(a, negated(b)).sign == -s;
+      const bool odd =
+          acute_rule(opposite(a), b).sign == -s && acute_rule(a, opposite(b)).sign == -s;
       failures.expect(s != Sign::zero && acute_rule(b, a).sign == s && odd &&
                           acute_rule(a, a).sign == Sign::positive,
                       "the laws hold for", a, b);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/arithmetic/rational.hpp"
+#include "tests/support/failures.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 using namespace crest::kernel;
 using namespace crest::tests;
 
-bool holds(const Ball& b, const Rational& x) {
+bool ball_holds(const Ball& b, const Rational& x) {
   return std::isfinite(b.mid) && std::isfinite(b.rad) &&
          abs(x - Rational(b.mid)) <= Rational(b.rad);
 }
@@ -31,27 +32,34 @@ TEST_CASE("balls hold the exact results, of numbers at their rims, too") {
   const auto inside = [&](const Ball& b) {
     return Rational(b.mid) + (share(random) - 2) * Rational(b.rad) / 2;
   };
-  int divided = 0, failures = 0;
+  int divided = 0;
+  Failures failures;
   for (int i = 0; i < 4000 * multiplier(); ++i) {
     const Ball a = draw(), b = draw(), c = draw();
     const Rational x = inside(a), y = inside(b), z = inside(c);
-    failures += !holds(a + b, x + y) + !holds(a - b, x - y) + !holds(a * b, x * y);
-    failures += !holds(a * b - c * a + b * c, x * y - z * x + y * z);
+    const auto expect = [&](bool holds, const char* what) {
+      failures.expect(holds, what, a.mid, a.rad, b.mid, b.rad, c.mid, c.rad);
+    };
+    expect(ball_holds(a + b, x + y), "a + b");
+    expect(ball_holds(a - b, x - y), "a - b");
+    expect(ball_holds(a * b, x * y), "a b");
+    expect(ball_holds(a * b - c * a + b * c, x * y - z * x + y * z), "a b - c a + b c");
     const Ball q = (a - b) / c;
     if (std::isfinite(q.rad)) {
       ++divided;
-      failures += !holds(q, (x - y) / z);
+      expect(ball_holds(q, (x - y) / z), "(a - b) / c");
     }
     const Ball r = sqrt(a * a + b * b);
     if (std::isfinite(r.rad)) {
       const Rational low = Rational(r.mid) - Rational(r.rad),
                      high = Rational(r.mid) + Rational(r.rad);
-      failures += !((low < 0 || low * low <= x * x + y * y) && x * x + y * y <= high * high);
+      expect((low < 0 || low * low <= x * x + y * y) && x * x + y * y <= high * high,
+             "the root of a a + b b");
     }
     const MaybeSign s = certain_sign(a * b - c);
-    if (s) failures += *s != sign_of(Rational(x * y - z));
+    if (s) expect(*s == sign_of(Rational(x * y - z)), "the sign of a b - c");
   }
-  CHECK(failures == 0);
+  CHECK(failures.report() == "");
   CHECK(divided > 3000 * multiplier());
 }
 

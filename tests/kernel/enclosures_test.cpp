@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "tests/kernel/triangle_points.hpp"
+#include "tests/kernel/xyz.hpp"
 
 namespace {
 
 using namespace crest::kernel;
 using namespace crest::tests;
-
-const std::vector<std::string> kXyz = {"x", "y", "z"};
 
 Constant constant(const std::string& text) {
   return Expression::parse(text, {}).constants().at(0);

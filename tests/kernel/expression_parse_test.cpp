@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "kernel/expressions/evaluate.hpp"
+#include "tests/kernel/xyz.hpp"
 #include "tests/support/degenerate_families.hpp"
 
 namespace {
 
 using namespace crest::kernel;
+using namespace crest::tests;
 
-const std::vector<std::string> kXyz = {"x", "y", "z"};
-
-ExpressionError error_of(const std::string& text) {
+ExpressionError parse_error(const std::string& text) {
   try {
     Expression::parse(text, kXyz);
   } catch (const ExpressionError& error) {
@@ -65,7 +65,7 @@ TEST_CASE("errors name the column and what was expected, in one line") {
       {std::string(1001, '1'), 1, "too long"},
   };
   for (const Case& c : cases) {
-    const ExpressionError error = error_of(c.text);
+    const ExpressionError error = parse_error(c.text);
     INFO(c.text << " -> " << error.what());
     CHECK(error.column() == c.column);
     const std::string line = error.what();

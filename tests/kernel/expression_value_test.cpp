@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "kernel/expressions/evaluate.hpp"
+#include "tests/kernel/xyz.hpp"
 #include "tests/support/degenerate_families.hpp"
 
 namespace {
 
 using namespace crest::kernel;
 using crest::tests::Draw;
-
-const std::vector<std::string> kXyz = {"x", "y", "z"};
+using crest::tests::kXyz;
 
 Rational exact(const std::string& text, const std::vector<Rational>& at = {2, 3, 5}) {
   return rational_evaluator(Expression::parse(text, kXyz))(at);

@@ -17,7 +17,7 @@ using namespace crest::kernel;
 using namespace crest::tests;
 
 template <int V, int O>
-using Exact = Jet<Rational, V, O>;
+using ExactJet = Jet<Rational, V, O>;
 
 Rational draw_rational(Draw& d) {
   return Rational(d.integer(-30, 30), d.integer(1, 9));
@@ -45,14 +45,14 @@ std::vector<T> dense_product(const Jet<T, V, O>& a, const Jet<T, V, O>& b) {
 }
 
 template <int V, int O>
-Exact<V, O> draw_jet(Draw& d) {
-  Exact<V, O> sum;
+ExactJet<V, O> draw_jet(Draw& d) {
+  ExactJet<V, O> sum;
   for (int n = d.integer(1, 4); n > 0; --n) {
-    auto term = Exact<V, O>::constant(draw_rational(d));
+    auto term = ExactJet<V, O>::constant(draw_rational(d));
     for (int i = 0; i < V; ++i)
       if (d.coin())
-        term = term * power(Exact<V, O>::variable(i, d.coin() ? Rational(0) : draw_rational(d)),
-                            d.integer(0, 3), Exact<V, O>::constant(1));
+        term = term * power(ExactJet<V, O>::variable(i, d.coin() ? Rational(0) : draw_rational(d)),
+                            d.integer(0, 3), ExactJet<V, O>::constant(1));
     sum = d.coin() ? sum + term : sum - term;
   }
   return sum;
@@ -63,11 +63,11 @@ void check_against_definition(Draw& d) {
   // A monomial's derivatives are binomials times powers.
   Rational x[V], expected[monomial_count(V, O)];
   int m[V];
-  auto f = Exact<V, O>::constant(1);
+  auto f = ExactJet<V, O>::constant(1);
   for (int v = 0; v < V; ++v) {
     x[v] = draw_rational(d);
     m[v] = d.integer(0, 6);
-    for (int i = 0; i < m[v]; ++i) f = f * Exact<V, O>::variable(v, x[v]);
+    for (int i = 0; i < m[v]; ++i) f = f * ExactJet<V, O>::variable(v, x[v]);
   }
   for (std::size_t k = 0; k < f.kCount; ++k) {
     Rational c = 1;
@@ -79,14 +79,14 @@ void check_against_definition(Draw& d) {
     REQUIRE(f[k] == c);
   }
   const auto a = draw_jet<V, O>(d), b = draw_jet<V, O>(d);
-  const auto same = [](const Exact<V, O>& p, const std::vector<Rational>& q) {
+  const auto same = [](const ExactJet<V, O>& p, const std::vector<Rational>& q) {
     for (std::size_t k = 0; k < q.size(); ++k)
       if (p[k] != q[k] || (q[k] != 0 && !(p.mask() >> k & 1))) return false;
     return true;
   };
   REQUIRE(same(a * b, dense_product(a, b)));
   REQUIRE(same(a * a, dense_product(a, a)));
-  const auto values = [](const Exact<V, O>& p) {
+  const auto values = [](const ExactJet<V, O>& p) {
     std::vector<Rational> r;
     for (std::size_t k = 0; k < p.kCount; ++k) r.push_back(p[k]);
     return r;
@@ -98,7 +98,7 @@ void check_against_definition(Draw& d) {
     const auto q = a / b;
     REQUIRE(same(a, dense_product(q, b)));
     REQUIRE(same(1.0 / b, values(inverse(b))));
-    REQUIRE(same(a / 3.0, values(a / Exact<V, O>::constant(3))));
+    REQUIRE(same(a / 3.0, values(a / ExactJet<V, O>::constant(3))));
   }
 }
 
@@ -136,12 +136,12 @@ void check_encloses(std::uint64_t salt, std::uint64_t cases, Convert&& variable)
     Draw d(salt * 100000 + i);
     const TrianglePoint at = draw_triangle_point(d);
     std::vector<Jet<T, 3, Order>> x;
-    std::vector<Exact<3, Order>> exact;
+    std::vector<ExactJet<3, Order>> exact;
     const double size = std::exp2(d.integer(-12, -3));
     for (int v = 0; v < 3; ++v) {
       const double c = between(d, -1, 1);
       const double corner[3] = {c, c + size * d.uniform(), c + size * d.uniform()};
-      exact.push_back(Exact<3, Order>::variable(v, at.linear(corner[0], corner[1], corner[2])));
+      exact.push_back(ExactJet<3, Order>::variable(v, at.linear(corner[0], corner[1], corner[2])));
       x.push_back(Jet<T, 3, Order>::variable(v, variable(corner, exact.back()[0])));
     }
     Draw again = d;

@@ -14,15 +14,15 @@ using namespace crest::tests;
 
 /// One function three times: enclosed by both kinds of model, and its value at the point.
 template <int N>
-struct Sample {
+struct MpSample {
   MpTaylorModel<N> mp;
   TaylorModel<N> model;
   Rational value;
 };
 
 template <int N>
-Sample<N> draw_sample(Draw& d, const TrianglePoint& at, double constant, double size) {
-  Sample<N> s;
+MpSample<N> draw_mp_sample(Draw& d, const TrianglePoint& at, double constant, double size) {
+  MpSample<N> s;
   for (std::size_t k = 0; k < s.model.c.size(); ++k) {
     s.model.c[k] = (d.integer(0, 4) == 0 ? 0 : size * d.uniform()) + (k == 0 ? constant : 0);
     s.mp.c[k] = MpInterval(s.model.c[k], s.mp.kBits);
@@ -50,12 +50,12 @@ void check(const MpTaylorModel<N>& mp, const TaylorModel<N>& model, const Triang
 }
 
 template <int N>
-void check_operations(std::uint64_t cases) {
+void check_mp_operations(std::uint64_t cases) {
   Draw d(600 + N);
   for (std::uint64_t i = 0; i < cases; ++i) {
     const TrianglePoint at = draw_triangle_point(d);
     const double c = between(d, 0.5, 4);
-    const auto a = draw_sample<N>(d, at, c, c / 32), b = draw_sample<N>(d, at, 0, 1);
+    const auto a = draw_mp_sample<N>(d, at, c, c / 32), b = draw_mp_sample<N>(d, at, 0, 1);
     const double s = d.uniform();
     check(a.mp + b.mp, a.model + b.model, at, a.value + b.value);
     check(a.mp - b.mp, a.model - b.model, at, a.value - b.value);
@@ -75,9 +75,9 @@ void check_operations(std::uint64_t cases) {
 }  // namespace
 
 TEST_CASE("MPFR Taylor models hold the exact results") {
-  check_operations<3>(scaled(60));
-  check_operations<4>(scaled(20));
-  check_operations<5>(scaled(10));
+  check_mp_operations<3>(scaled(60));
+  check_mp_operations<4>(scaled(20));
+  check_mp_operations<5>(scaled(10));
 }
 
 TEST_CASE("MPFR Taylor models bound the rest over all the values between") {

@@ -12,7 +12,7 @@ namespace {
 
 using enum ValueKind;
 
-EdgeValues draw_edge(Draw& d, Family family) {
+EdgeValues draw_edge_values(Draw& d, Family family) {
   return {draw(d, family), draw(d, family), draw(d, family)};
 }
 FaceValues draw_face(Draw& d, Family family) {
@@ -36,12 +36,12 @@ FaceValues doubled(FaceValues f) {
 }
 
 // A random node with a value: of a vertex, an edge or a face.
-CriticalValue draw_value(Draw& d, Family family) {
+CriticalValue draw_critical_value(Draw& d, Family family) {
   for (;;) {
     const int kind = d.integer(0, 2);
     if (kind == 0) return CriticalValue::vertex(draw(d, family));
     if (kind == 1) {
-      const EdgeValues e = draw_edge(d, family);
+      const EdgeValues e = draw_edge_values(d, family);
       if (const Sign s = line_critical(e).sign; s != Sign::zero) return CriticalValue::edge(e, s);
       continue;
     }
@@ -50,7 +50,7 @@ CriticalValue draw_value(Draw& d, Family family) {
   }
 }
 
-Rational exact_value(const CriticalValue& v) {
+Rational exact_critical_value(const CriticalValue& v) {
   auto at = [&](const auto& q) { return Rational(v.f.corner[0]) + q.numerator / q.denominator; };
   if (v.kind == vertex) return Rational(v.f.corner[0]);
   return v.kind == edge ? at(ValueFraction<Rational, edge>(v.f))
@@ -112,12 +112,12 @@ TEST_CASE("line-critical: laws 1 to 5 on all families") {
   for (Family family : kFamilies) {
     Draw d(510, family);
     for (std::uint64_t i = 0; i < scaled(20000); ++i) {
-      const EdgeValues e = draw_edge(d, family);
+      const EdgeValues e = draw_edge_values(d, family);
       const Sign s = line_critical(e).sign;
       bool ok = line_critical({e.b, e.a, e.m}).sign == s && line_critical(negated(e)).sign == -s &&
                 line_critical({2 * e.a, 2 * e.b, 2 * e.m}).sign == s;
       if (s != Sign::zero && i % 8 == 0) {
-        const Rational v = exact_value(CriticalValue::edge(e, s));
+        const Rational v = exact_critical_value(CriticalValue::edge(e, s));
         ok = ok && (s == Sign::positive ? v < Rational(e.a) && v < Rational(e.b)
                                         : v > Rational(e.a) && v > Rational(e.b));
       }
@@ -207,7 +207,7 @@ TEST_CASE("face-critical and boundary saddle: known triangles and every stage") 
 TEST_CASE("predicates of the tessellation: stages agree on the families", "[stress]") {
   const auto any = [](Draw& d, Family family) { return draw_face(d, family); };
   check_formula<EndSlope>("end slope", 1e-5, [](Draw& d, Family family) {
-    EdgeValues e = draw_edge(d, family);
+    EdgeValues e = draw_edge_values(d, family);
     // Nearly flat at the end.
     if (family == Family::mixed_scales && d.coin()) e.m = e.a + (e.b - e.a) / 4;
     return EndSlope{e};
@@ -232,10 +232,11 @@ TEST_CASE("order of critical values: laws on all families") {
   for (Family family : kFamilies) {
     Draw d(530, family);
     for (std::uint64_t i = 0; i < scaled(1500); ++i) {
-      const CriticalValue v[] = {draw_value(d, family), draw_value(d, family),
-                                 draw_value(d, family)};
+      const CriticalValue v[] = {draw_critical_value(d, family), draw_critical_value(d, family),
+                                 draw_critical_value(d, family)};
       const OnFailure shown([&] { return "values " + in_braces(v[0], v[1], v[2]); });
-      const Rational x[] = {exact_value(v[0]), exact_value(v[1]), exact_value(v[2])};
+      const Rational x[] = {exact_critical_value(v[0]), exact_critical_value(v[1]),
+                            exact_critical_value(v[2])};
       for (std::uint32_t a = 0; a < 3; ++a)
         for (std::uint32_t b = 0; b < 3; ++b) {
           if (a == b) continue;
@@ -260,7 +261,7 @@ TEST_CASE("order of critical values: law 3, from every side") {
   for (Family family : kFamilies) {
     Draw d(540, family);
     for (std::uint64_t i = 0; i < scaled(500); ++i) {
-      const EdgeValues e = draw_edge(d, family);
+      const EdgeValues e = draw_edge_values(d, family);
       const FaceValues f = draw_face(d, family);
       const OnFailure shown([&] { return "edge and face " + in_braces(e, f); });
       if (const Sign s = line_critical(e).sign; s != Sign::zero) {
@@ -286,9 +287,9 @@ TEST_CASE("critical values: enclosures and places hold in rationals") {
   for (Family family : kFamilies) {
     Draw d(550, family);
     for (std::uint64_t i = 0; i < scaled(1500); ++i) {
-      const CriticalValue v = draw_value(d, family);
+      const CriticalValue v = draw_critical_value(d, family);
       const OnFailure shown([&] { return "value " + in_words(v); });
-      const Rational x = exact_value(v);
+      const Rational x = exact_critical_value(v);
       const ValueRange r = value_range(v);
       REQUIRE(Rational(r.low) <= x);
       REQUIRE(x <= Rational(r.high));

@@ -4,14 +4,14 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/expressions/evaluate.hpp"
+#include "tests/kernel/xyz.hpp"
 #include "tests/support/degenerate_families.hpp"
 
 namespace {
 
 using namespace crest::kernel;
 using crest::tests::Draw;
-
-const std::vector<std::string> kXyz = {"x", "y", "z"};
+using crest::tests::kXyz;
 
 Schedule schedule_of(const std::vector<std::string>& texts) {
   std::vector<Expression> expressions;

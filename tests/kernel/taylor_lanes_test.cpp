@@ -15,21 +15,20 @@ using namespace crest::kernel;
 using namespace crest::tests;
 
 constexpr std::size_t kLanes = Lanes::count;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <int N>
 using Models = std::array<TaylorModel<N>, kLanes>;
 
 /// The same bits; what is no number has none to speak of.
-bool same(double a, double b) {
+bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
          (std::isnan(a) && std::isnan(b));
 }
 template <int N>
-bool same(const TaylorModel<N>& a, const TaylorModel<N>& b) {
+bool same_bits(const TaylorModel<N>& a, const TaylorModel<N>& b) {
   for (std::size_t k = 0; k < a.c.size(); ++k)
-    if (!same(a.c[k], b.c[k])) return false;
-  return same(a.radius, b.radius);
+    if (!same_bits(a.c[k], b.c[k])) return false;
+  return same_bits(a.radius, b.radius);
 }
 
 template <int N>
@@ -39,9 +38,10 @@ TaylorModel<N> draw_model(Draw& d, Family family, bool flat) {
     x = flat || d.integer(0, 5) == 0 ? (d.coin() ? 0.0 : -0.0) : draw(d, family);
   m.c[0] = draw(d, family) + d.integer(0, 40);
   m.radius = d.coin() ? 0 : std::fabs(draw(d, family)) * 0x1p-20;
-  if (d.integer(0, 30) == 0) m.c[static_cast<std::size_t>(d.integer(0, 9))] = kInfinity;
+  if (d.integer(0, 30) == 0)
+    m.c[static_cast<std::size_t>(d.integer(0, 9))] = std::numeric_limits<double>::infinity();
   if (d.integer(0, 30) == 0) m.c[static_cast<std::size_t>(d.integer(0, 9))] = std::nan("");
-  if (d.integer(0, 30) == 0) m.radius = kInfinity;
+  if (d.integer(0, 30) == 0) m.radius = std::numeric_limits<double>::infinity();
   return m;
 }
 
@@ -66,17 +66,18 @@ int differences(const Models<N>& a, const Models<N>& b, const Lanes& s, const F&
   const TaylorLanes<N> r = f(together<N>(a), together<N>(b), s);
   int wrong = 0;
   for (std::size_t l = 0; l < kLanes; ++l) {
-    wrong += same(r.lane(l), f(a[l], b[l], s.x[l])) ? 0 : 1;
+    wrong += same_bits(r.lane(l), f(a[l], b[l], s.x[l])) ? 0 : 1;
     wrong += !is_defined(a[l]) && is_defined(r.lane(l)) ? 1 : 0;
   }
   return wrong;
 }
 
 template <int N>
-void check_operations(Draw& d, Family family) {
+void check_lane_operations(Draw& d, Family family) {
   const Models<N> a = draw_models<N>(d, family), b = draw_models<N>(d, family);
   Lanes s;
-  for (double& x : s.x) x = d.integer(0, 20) == 0 ? kInfinity : draw(d, family);
+  for (double& x : s.x)
+    x = d.integer(0, 20) == 0 ? std::numeric_limits<double>::infinity() : draw(d, family);
   const auto wrong = [&](const auto& f) { return differences<N>(a, b, s, f); };
   CHECK(wrong([](const auto& x, const auto& y, const auto&) { return x + y; }) == 0);
   CHECK(wrong([](const auto& x, const auto& y, const auto&) { return x - y; }) == 0);
@@ -103,14 +104,14 @@ void check_operations(Draw& d, Family family) {
   bool every = true;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const Range alone = a[l].range();
-    CHECK((same(ranges[l].low, alone.low) && same(ranges[l].high, alone.high)));
+    CHECK((same_bits(ranges[l].low, alone.low) && same_bits(ranges[l].high, alone.high)));
     every = every && is_defined(a[l]);
   }
   CHECK(is_defined(all) == every);
 }
 
 template <int N>
-void check_combinations(Draw& d, Family family) {
+void check_lane_combinations(Draw& d, Family family) {
   constexpr std::size_t kTerms = 5;
   std::array<Models<N>, kTerms> models;
   std::array<TaylorLanes<N>, kTerms> lanes;
@@ -127,7 +128,7 @@ void check_combinations(Draw& d, Family family) {
     TaylorCombinations<N, kTerms> alone;
     std::array<double, kTerms> w{};
     for (std::size_t i = 0; i < kTerms; ++i) alone.add(models[i][l]), w[i] = weights[i].x[l];
-    CHECK(same(r.lane(l), alone.of(w, 0x1p-40)));
+    CHECK(same_bits(r.lane(l), alone.of(w, 0x1p-40)));
   }
 }
 
@@ -135,11 +136,11 @@ TEST_CASE("Taylor models side by side have the bits of each alone, flat and unde
   for (const Family family : kFamilies) {
     Draw d(8, family);
     for (int i = 0; i < 40; ++i) {
-      check_operations<3>(d, family);
-      check_operations<4>(d, family);
-      check_operations<5>(d, family);
-      check_combinations<3>(d, family);
-      check_combinations<4>(d, family);
+      check_lane_operations<3>(d, family);
+      check_lane_operations<4>(d, family);
+      check_lane_operations<5>(d, family);
+      check_lane_combinations<3>(d, family);
+      check_lane_combinations<4>(d, family);
     }
   }
 }

@@ -16,19 +16,19 @@ using namespace crest::kernel;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <class T>
-struct Sample {
+struct NamedValue {
   std::string name;
   T value;
 };
 template <class T>
-using Samples = std::vector<Sample<T>>;
+using Values = std::vector<NamedValue<T>>;
 
 template <class T>
 T number(double x) {
   return number_like(x, static_cast<const T*>(nullptr));
 }
 
-Samples<Interval> undefined_samples(const Interval*) {
+Values<Interval> undefined_samples(const Interval*) {
   return {{"whole", Interval::undefined()},
           {"above 1", Interval(1) / Interval(0)},
           {"infinity", Interval(kInfinity)},
@@ -44,7 +44,7 @@ Samples<Interval> undefined_samples(const Interval*) {
           {"exp", exp(Interval(1000))},
           {"empty", Interval(1, 0)}};
 }
-Samples<MpInterval> undefined_samples(const MpInterval*) {
+Values<MpInterval> undefined_samples(const MpInterval*) {
   const auto x = [](double low, double high) { return MpInterval::between(low, high, 80); };
   return {{"whole", MpInterval::undefined(80)},
           {"pole", x(1, 1) / x(0, 1)},
@@ -61,7 +61,7 @@ Samples<MpInterval> undefined_samples(const MpInterval*) {
 }
 /// Of both Taylor models.
 template <class M>
-Samples<M> undefined_models() {
+Values<M> undefined_models() {
   const M u = M::linear(-1, 1, 0.5), zero = M(0.0), one = M(1.0);
   return {{"radius", M::around(0, kInfinity)},
           {"NaN radius", M::around(1, std::nan(""))},
@@ -80,7 +80,7 @@ Samples<M> undefined_models() {
           {"exp", exp(exp(M(1000.0)))}};
 }
 template <int Order>
-Samples<TaylorModel<Order>> undefined_samples(const TaylorModel<Order>*) {
+Values<TaylorModel<Order>> undefined_samples(const TaylorModel<Order>*) {
   auto samples = undefined_models<TaylorModel<Order>>();
   const auto big = TaylorModel<Order>::linear(1e200, 2e200, 1e200);
   samples.push_back({"product overflow", big * big});
@@ -89,7 +89,7 @@ Samples<TaylorModel<Order>> undefined_samples(const TaylorModel<Order>*) {
   return samples;
 }
 template <int Order>
-Samples<MpTaylorModel<Order>> undefined_samples(const MpTaylorModel<Order>*) {
+Values<MpTaylorModel<Order>> undefined_samples(const MpTaylorModel<Order>*) {
   auto samples = undefined_models<MpTaylorModel<Order>>();
   MpTaylorModel<Order> one_coefficient = MpTaylorModel<Order>(1.0);
   one_coefficient.c[2] = MpInterval::undefined(106);
@@ -98,28 +98,28 @@ Samples<MpTaylorModel<Order>> undefined_samples(const MpTaylorModel<Order>*) {
 }
 
 template <class T>
-Samples<T> defined_samples() {
+Values<T> defined_samples() {
   return {
       {"0", number<T>(0)}, {"1", number<T>(1)}, {"-2", number<T>(-2)}, {"1e300", number<T>(1e300)}};
 }
 template <class T>
-Samples<T> more_defined(const T*) {
+Values<T> more_defined(const T*) {
   return {{"1e-300", number<T>(1e-300)}};
 }
 template <int Order>
-Samples<TaylorModel<Order>> more_defined(const TaylorModel<Order>*) {
+Values<TaylorModel<Order>> more_defined(const TaylorModel<Order>*) {
   return {{"linear", TaylorModel<Order>::linear(-1, 1, 0.5)},
           {"around 0", TaylorModel<Order>::around(0, 1e-3)}};
 }
 template <int Order>
-Samples<MpTaylorModel<Order>> more_defined(const MpTaylorModel<Order>*) {
+Values<MpTaylorModel<Order>> more_defined(const MpTaylorModel<Order>*) {
   return {{"linear", MpTaylorModel<Order>::linear(-1, 1, 0.5)},
           {"around 0", MpTaylorModel<Order>::around(0, 1e-3)}};
 }
 
 /// No operation on `bad`, whatever `other` is, has a defined result.
 template <class T>
-void check_poison(const Sample<T>& bad, const Sample<T>& other) {
+void check_poison(const NamedValue<T>& bad, const NamedValue<T>& other) {
   CAPTURE(bad.name, other.name);
   const T &x = bad.value, &y = other.value;
   CHECK_FALSE(is_defined(x));
@@ -155,13 +155,13 @@ void check_poison(const Sample<T>& bad, const Sample<T>& other) {
 template <class T>
 void check_number_type() {
   const T* const kind = nullptr;
-  Samples<T> good = defined_samples<T>();
+  Values<T> good = defined_samples<T>();
   for (auto& more : more_defined(kind)) good.push_back(std::move(more));
   for (const auto& y : good) {
     CAPTURE(y.name);
     CHECK(is_defined(y.value));
   }
-  const Samples<T> bad = undefined_samples(kind);
+  const Values<T> bad = undefined_samples(kind);
   for (const auto& x : bad) {
     for (const auto& y : good) check_poison(x, y);
     for (const auto& y : bad) check_poison(x, y);
@@ -193,15 +193,16 @@ void check_jets() {
   const J zero, one = J::constant(number<T>(1)), u = J::variable(0, number<T>(0.25)),
                 v = J::variable(1, number<T>(-0.5));
   const J below = log(v - 0.25), root = sqrt(v), pole = one / (u - 0.25);
-  const std::vector<Sample<J>> bad = {{"log below zero", below},
-                                      {"log of a constant", log(J::constant(number<T>(-1)))},
-                                      {"sqrt below zero", root},
-                                      {"pole", pole},
-                                      {"by the zero jet", one / zero},
-                                      {"log of the zero jet", log(zero)},
-                                      {"constant", J::constant(T(number<T>(1) / number<T>(0)))},
-                                      {"variable", J::variable(0, T(number<T>(1) / number<T>(0)))}};
-  const std::vector<Sample<J>> good = {
+  const std::vector<NamedValue<J>> bad = {
+      {"log below zero", below},
+      {"log of a constant", log(J::constant(number<T>(-1)))},
+      {"sqrt below zero", root},
+      {"pole", pole},
+      {"by the zero jet", one / zero},
+      {"log of the zero jet", log(zero)},
+      {"constant", J::constant(T(number<T>(1) / number<T>(0)))},
+      {"variable", J::variable(0, T(number<T>(1) / number<T>(0)))}};
+  const std::vector<NamedValue<J>> good = {
       {"zero", zero}, {"one", one}, {"u", u}, {"u - value", u - 0.25}, {"uv", u * v}};
   for (const auto& x : bad) {
     CAPTURE(x.name);

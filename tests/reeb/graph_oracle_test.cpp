@@ -17,7 +17,7 @@ using reeb::slab_oracle;
 
 constexpr int kSeeds = 40;
 
-void check(const Surface& s, const std::vector<double>& values) {
+void check_by_slabs(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const OracleGraph truth = slab_oracle(c.complex());
   const reeb::GraphAndArcs labelled = reeb::reeb_graph_and_arcs(c.complex());
@@ -46,7 +46,7 @@ TEST_CASE("Reeb graphs equal the brute-force ones, noise") {
   const Surface s = r.make();
   for (std::uint64_t seed = 0; seed < scaled(kSeeds); ++seed) {
     INFO(r.name << ", seed " << seed);
-    check(s, noise_values(s, kSeed + seed));
+    check_by_slabs(s, noise_values(s, kSeed + seed));
   }
 }
 
@@ -56,9 +56,9 @@ TEST_CASE("Reeb graphs equal the brute-force ones, smooth and quantised") {
   const Surface s = r.make();
   for (std::uint64_t seed = 0; seed < scaled(kSeeds / 4); ++seed) {
     INFO(r.name << ", seed " << seed);
-    check(s, smooth_values(s, kSeed + seed, 6));
-    check(s, quantised(smooth_values(s, kSeed + seed, 6), 1));
-    check(s, quantised(noise_values(s, kSeed + seed), 0.25));
+    check_by_slabs(s, smooth_values(s, kSeed + seed, 6));
+    check_by_slabs(s, quantised(smooth_values(s, kSeed + seed, 6), 1));
+    check_by_slabs(s, quantised(noise_values(s, kSeed + seed), 0.25));
   }
 }
 
@@ -67,17 +67,17 @@ TEST_CASE("Reeb graphs equal the brute-force ones, constant functions under any 
   const SurfaceRow& r = surface_rows()[static_cast<std::size_t>(row)];
   const Surface s = r.make();
   INFO(r.name);
-  check(s, std::vector<double>(s.points.size(), 0.0));
+  check_by_slabs(s, std::vector<double>(s.points.size(), 0.0));
   std::vector<double> descending;
   for (std::size_t v = 0; v < s.points.size(); ++v) descending.push_back(-double(v));
-  check(s, descending);
+  check_by_slabs(s, descending);
 }
 
 TEST_CASE("Reeb graphs of tiny complexes, all orders") {
   for (const Surface& s : tiny_surfaces()) {
     std::vector<double> values(s.points.size());
     std::iota(values.begin(), values.end(), 0.0);
-    do check(s, values);
+    do check_by_slabs(s, values);
     while (std::next_permutation(values.begin(), values.end()));
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE("Reeb graphs of wheels: multiple saddles of any order, large stars") {
       std::vector<double> values = noise_values(s, random());
       values[0] = 0.5;
       INFO(n << " spokes, trial " << trial);
-      check(s, values);
+      check_by_slabs(s, values);
     }
   }
 }

@@ -76,7 +76,7 @@ std::multiset<Key> reduced_pairs(const reeb::ReebGraph& graph) {
   return pairs;
 }
 
-void check(const Surface& s, const std::vector<double>& values) {
+void check_pairs(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
   const auto pairs = reeb::persistence_pairs(graph, values);
@@ -106,9 +106,9 @@ TEST_CASE("Persistence pairs equal those of the boundary matrix") {
     const Surface s = row.make();
     for (std::uint64_t seed = 0; seed < scaled(4); ++seed) {
       INFO(row.name << ", seed " << seed);
-      check(s, noise_values(s, kSeed + seed));
-      check(s, smooth_values(s, kSeed + seed));
-      check(s, quantised(noise_values(s, kSeed + seed), 0.25));
+      check_pairs(s, noise_values(s, kSeed + seed));
+      check_pairs(s, smooth_values(s, kSeed + seed));
+      check_pairs(s, quantised(noise_values(s, kSeed + seed), 0.25));
     }
   }
 }
@@ -117,8 +117,8 @@ TEST_CASE("Persistence pairs of a surface of genus 16") {
   const Surface s = plate(36, 16, true);
   for (std::uint64_t seed = 0; seed < scaled(4); ++seed) {
     INFO("seed " << seed);
-    check(s, smooth_values(s, kSeed + seed));
-    check(s, noise_values(s, kSeed + seed));
+    check_pairs(s, smooth_values(s, kSeed + seed));
+    check_pairs(s, noise_values(s, kSeed + seed));
   }
 }
 

@@ -67,7 +67,7 @@ void check_cuts(const reeb::ReebGraph& graph, const std::vector<Index>& cuts) {
   }
 }
 
-void check(const SurfaceRow& row, const Surface& s, const std::vector<double>& values) {
+void check_properties(const SurfaceRow& row, const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
   int sum = 0;
@@ -93,10 +93,10 @@ TEST_CASE("Euler's relation, genus and cuts on every surface") {
   const Surface s = row.make();
   for (std::uint64_t seed = 0; seed < scaled(40); ++seed) {
     INFO(row.name << ", seed " << seed);
-    check(row, s, noise_values(s, kSeed + seed));
-    check(row, s, smooth_values(s, kSeed + seed));
-    check(row, s, quantised(smooth_values(s, kSeed + seed), 2));
-    check(row, s, std::vector<double>(s.points.size(), 0.0));
+    check_properties(row, s, noise_values(s, kSeed + seed));
+    check_properties(row, s, smooth_values(s, kSeed + seed));
+    check_properties(row, s, quantised(smooth_values(s, kSeed + seed), 2));
+    check_properties(row, s, std::vector<double>(s.points.size(), 0.0));
   }
 }
 
@@ -105,9 +105,9 @@ TEST_CASE("A high genus: all loops and as many cuts, smooth and noise") {
   const Surface s = row.make();
   for (std::uint64_t seed = 0; seed < scaled(10); ++seed) {
     INFO("seed " << seed);
-    check(row, s, noise_values(s, kSeed + seed));
-    check(row, s, smooth_values(s, kSeed + seed));
-    check(row, s, quantised(noise_values(s, kSeed + seed), 0.125));
+    check_properties(row, s, noise_values(s, kSeed + seed));
+    check_properties(row, s, smooth_values(s, kSeed + seed));
+    check_properties(row, s, quantised(noise_values(s, kSeed + seed), 0.125));
   }
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("A saddle with many runs absorbs handles") {
   const SurfaceRow row{"seven-vertex torus", 0, 1, nullptr};
   int absorbing = 0;
   do {
-    check(row, s, values);
+    check_properties(row, s, values);
     absorbing += reeb::reeb_graph(OrderedCase(s, values).complex()).loops() == 0;
   } while (std::next_permutation(values.begin() + 1, values.end()));
   CHECK(absorbing > 0);

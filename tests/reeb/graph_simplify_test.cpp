@@ -108,7 +108,7 @@ void check_simplified(const reeb::ReebGraph& graph, const std::vector<double>& v
   CHECK(*used.rbegin() + 1 == coarse.graph.arcs.size());
 }
 
-void check(const Surface& s, const std::vector<double>& values) {
+void check_all_simplified(const Surface& s, const std::vector<double>& values) {
   const OrderedCase c(s, values);
   const reeb::ReebGraph graph = reeb::reeb_graph(c.complex());
   for (const double p : {-1.0, 0.0, 0.05, 0.3, 1.0, kEnd})
@@ -147,14 +147,14 @@ TEST_CASE("Simplified graphs and branches equal those made step by step") {
     const Surface s = row.make();
     for (std::uint64_t seed = 0; seed < scaled(3); ++seed) {
       INFO(row.name << ", seed " << seed);
-      check(s, smooth_values(s, kSeed + seed, 12));
-      check(s, quantised(smooth_values(s, kSeed + seed), 1));
+      check_all_simplified(s, smooth_values(s, kSeed + seed, 12));
+      check_all_simplified(s, quantised(smooth_values(s, kSeed + seed), 1));
     }
   }
   for (std::uint64_t seed = 0; seed < scaled(20); ++seed) {
     INFO("noise, seed " << seed);
     const Surface small = seed % 2 ? torus_surface(8, 9) : strip(9, 8, Sides::open, Sides::open);
-    check(small, noise_values(small, kSeed + seed));
+    check_all_simplified(small, noise_values(small, kSeed + seed));
   }
 }
 
