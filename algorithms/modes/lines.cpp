@@ -23,13 +23,14 @@ using kernel::Sign;
 namespace {
 
 /// Bernstein coefficients of a polynomial on a segment, each within `error` of the exact one.
+template <std::size_t count>
 struct Segment {
-  std::array<double, 7> b{};
-  std::size_t count = 0;
+  std::array<double, count> b{};
   double error = 0;
 
   template <class B>
-  explicit Segment(const kernel::Form<Real, B>& f) : count(B::count), error(f.error) {
+  explicit Segment(const kernel::Form<Real, B>& f) : error(f.error) {
+    static_assert(B::count == count);
     double size = 0;
     for (std::size_t i = 0; i < count; ++i) {
       b[i] = f.s[i] / B::weights[i];
@@ -50,8 +51,15 @@ struct Segment {
     if (x < -error) return Sign::negative;
     return std::nullopt;
   }
-  /// A sign on all of [low, high], if the coefficients there show one.
-  kernel::MaybeSign on(double low, double high) const {
+  /// At t, with the derivative over the degree.
+  std::array<double, 2> value_and_slope(double t) const {
+    auto c = b;
+    for (std::size_t level = 1; level + 1 < count; ++level)
+      for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
+    return {(1 - t) * c[0] + t * c[1], c[1] - c[0]};
+  }
+  /// The coefficients on [low, high].
+  std::array<double, count> part(double low, double high) const {
     auto c = b;
     for (std::size_t level = 1; level < count; ++level)  // to [low, 1]
       for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - low) * c[k] + low * c[k + 1];
@@ -59,6 +67,11 @@ struct Segment {
     // To [low, high]: the left part, a column at a time from the right.
     for (std::size_t level = 1; level < count; ++level)
       for (std::size_t k = count - 1; k >= level; --k) c[k] = (1 - t) * c[k - 1] + t * c[k];
+    return c;
+  }
+  /// A sign on all of [low, high], if the coefficients there show one.
+  kernel::MaybeSign on(double low, double high) const {
+    const auto c = part(low, high);
     bool positive = true, negative = true;
     for (std::size_t k = 0; k < count; ++k) {
       positive = positive && c[k] > error;
@@ -68,7 +81,43 @@ struct Segment {
     if (negative) return Sign::negative;
     return std::nullopt;
   }
+  /// 1, -1: increasing, decreasing on [low, high], as coefficients show; 0: they do not.
+  int growth(double low, double high) const {
+    const auto c = part(low, high);
+    bool rises = true, falls = true;
+    for (std::size_t k = 1; k < count; ++k) {
+      rises = rises && c[k] - c[k - 1] > 2.01 * error;
+      falls = falls && c[k - 1] - c[k] > 2.01 * error;
+    }
+    return rises ? 1 : falls ? -1 : 0;
+  }
 };
+
+/// Places around the one root in (low, high) up to which, and from which on, at() is certain.
+/// Where the polynomial is monotonic, a value of more than three errors says so: between it and
+/// the stored coefficients' polynomial there is one at most.
+template <std::size_t count>
+std::array<double, 2> certain_up_to(const Segment<count>& f, double low, double high) {
+  const int growth = f.growth(low, high);
+  if (growth == 0) return {low, high};
+  double t = 0.5 * (low + high), slope = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto [value, s] = f.value_and_slope(t);
+    slope = static_cast<double>(count - 1) * s;
+    if (std::fabs(value) <= f.error) break;
+    const double next = t - value / slope;
+    t = next > low && next < high ? next : 0.5 * (t + (value * growth > 0 ? low : high));
+  }
+  double room = 4 * f.error / std::fabs(slope);
+  std::array<double, 2> r = {low, high};
+  for (int i = 0; i < 3; ++i, room *= 8) {
+    const double a = t - room, b = t + room;
+    if (a > low && f.value(a) * growth < -3 * f.error) r[0] = std::fmax(r[0], a);
+    if (b < high && f.value(b) * growth > 3 * f.error) r[1] = std::fmin(r[1], b);
+    if (r[0] > low && r[1] < high) break;
+  }
+  return r;
+}
 
 IntegerPolynomial from_form(const auto& form) {
   using B = typename std::decay_t<decltype(form)>::Basis;
@@ -86,10 +135,6 @@ Side side_of(const Level& level, Sign det) {
 
 }  // namespace
 
-struct Lines::Polynomials {
-  Segment f, c;
-};
-
 Index Lines::add(Index a, Index b) {
   lines_.push_back({a, b, false, {}});
   return static_cast<Index>(lines_.size() - 1);
@@ -98,11 +143,13 @@ Index Lines::add(Index a, Index b) {
 Lines::RootList Lines::isolated(Index line) {
   const Index a = lines_[line].a, b = lines_[line].b;
   const auto forms = real_forms<1>({vertices_.tensor(a), vertices_.tensor(b)});
-  const Segment c(forms.c);
+  const Segment<4> c(forms.c);
   RootList roots;
-  if (!isolate_in_doubles(line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c},
-                          roots))
-    roots = isolate_exactly(line);
+  const bool done =
+      level_.neutral()
+          ? isolate_in_doubles(line, c, c, roots)
+          : isolate_in_doubles(line, Segment<7>(level_form(forms, level_)), c, roots);
+  if (!done) roots = isolate_exactly(line);
   separate(roots);
   return roots;
 }
@@ -144,23 +191,25 @@ double Lines::crossing(Index line, const Root& r) const {
   return 0.5 * (low + high);
 }
 
-bool Lines::isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const {
-  const auto places = kernel::triage_unit_places({p.f.b.data(), p.f.count}, p.f.error);
+template <class F, class C>
+bool Lines::isolate_in_doubles(Index line, const F& f, const C& c, RootList& roots) const {
+  const auto places = kernel::triage_unit_places({f.b.data(), f.b.size()}, f.error);
   if (!places) return false;
   for (const auto& [low, high] : *places) {
     Root r{line, Side::neutral, 0, low, high, 0, {}};
-    const auto before = p.f.at(low);
+    const auto before = f.at(low);
     if (!before) return false;
     r.shift = *before == Sign::positive ? 1 : -1;
+    const auto [up_to, from] = certain_up_to(f, low, high);
     for (int i = 0; i < 60; ++i) {
       const double t = 0.5 * (r.low + r.high);
       if (!(t > r.low && t < r.high)) break;
-      const auto s = p.f.at(t);
+      const auto s = t <= up_to ? before : t >= from ? kernel::MaybeSign(-*before) : f.at(t);
       if (!s) break;
       (*s == *before ? r.low : r.high) = t;
     }
     if (!level_.neutral()) {
-      const auto det = p.c.on(r.low, r.high);
+      const auto det = c.on(r.low, r.high);
       if (!det) return false;
       r.side = side_of(level_, *det);
     }

@@ -55,10 +55,10 @@ class Lines {
   std::array<kernel::Rational, 2> bounds(Index root, long bits);
 
  private:
-  struct Polynomials;
   using RootList = std::vector<Root>;
   RootList isolated(Index line);
-  bool isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const;
+  template <class F, class C>
+  bool isolate_in_doubles(Index line, const F& f, const C& c, RootList& roots) const;
   double crossing(Index line, const Root& root) const;
   RootList isolate_exactly(Index line);
   static void separate(RootList& roots);

@@ -394,27 +394,34 @@ template bool is_near<4>(const Vertices&, const std::array<Index, 4>&, const std
                          double);
 
 bool is_embedded(const kernel::TetMesh& mesh) {
-  std::vector<int> signs;  // of the corners in ascending order
-  for (Index t = 0; t < mesh.tets().size(); ++t) {
-    const auto given = mesh.tets()[t];
-    int sign = mesh.orientation(t);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t k = i + 1; k < 4; ++k)
-        if (given[i] > given[k]) sign = -sign;
-    if (sign == 0) return false;
-    signs.push_back(sign);
-  }
+  using Range = tbb::blocked_range<std::size_t>;
+  std::vector<signed char> signs(mesh.tets().size());  // of the corners in ascending order
+  std::atomic<bool> good{true};
+  kernel::parallel_for(Range(0, signs.size(), 4096), [&](const Range& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      const auto given = mesh.tets()[t];
+      int sign = mesh.orientation(static_cast<Index>(t));
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = i + 1; k < 4; ++k)
+          if (given[i] > given[k]) sign = -sign;
+      if (sign == 0) good = false;
+      signs[t] = static_cast<signed char>(sign);
+    }
+  });
+  if (!good) return false;
   // The side of a face, corners ascending, on which the other corner is.
-  const auto side = [&](const kernel::TetMesh::Face& face, Index tet) {
-    const auto v = mesh.sorted(tet);
-    std::size_t apart = 3;
-    while (apart > 0 && v[apart] == face.corners[apart - 1]) --apart;
+  const auto side = [&](std::size_t face, Index tet) {
+    const auto& faces = mesh.faces_of(tet);
+    const auto apart = std::find(faces.begin(), faces.end(), face) - faces.begin();
     return apart % 2 == 1 ? signs[tet] : -signs[tet];
   };
-  return std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](const auto& face) {
-    return face.tets[1] == kernel::TetMesh::kNoTet ||
-           side(face, face.tets[0]) != side(face, face.tets[1]);
+  kernel::parallel_for(Range(0, mesh.faces().size(), 4096), [&](const Range& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      const auto& tets = mesh.faces()[f].tets;
+      if (tets[1] != kernel::TetMesh::kNoTet && side(f, tets[0]) == side(f, tets[1])) good = false;
+    }
   });
+  return good;
 }
 
 }  // namespace crest::modes
