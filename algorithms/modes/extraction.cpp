@@ -47,6 +47,9 @@ void Extraction::decide_all(const Workers* workers) {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
   TetRecords records = test_tets(field_, vertices_, scale_, level_, limits_, workers);
+  faces_.reserve(static_cast<std::size_t>(
+      std::count_if(records.signs.begin(), records.signs.end(),
+                    [](const CellSign& s) { return s.finding == Finding::none; })));
   for (Index t = 0; t < count; ++t) {
     const CellSign& sign = records.signs[t];
     const auto corners = field_.mesh.sorted(t);
@@ -185,8 +188,9 @@ std::size_t Extraction::cone_rims(Side side) {
       if (others.size() != 2) continue;
       const Index e = edge_between(others[0], others[1]);
       if (e == kNone) continue;
-      for (const Index r : lines_.roots(faces_.edge(e).line))
-        count += lines_.root(r).side == side ? 1 : 0;
+      const RootNumbers roots = lines_.roots(faces_.edge(e).line);
+      for (std::size_t i = 0; i < roots.size(); ++i)
+        count += lines_.root(roots[i]).side == side ? 1 : 0;
     }
   return count;
 }

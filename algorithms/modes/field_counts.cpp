@@ -4,8 +4,9 @@
 #include <tbb/blocked_range.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cmath>
+#include <vector>
 
 #include "algorithms/modes/tensors.hpp"
 #include "kernel/arithmetic/rational.hpp"
@@ -17,29 +18,38 @@ namespace {
 using kernel::Rational;
 using Four = std::array<Symmetric, 4>;
 
-/// By the pivots of their Gram matrix: its determinant over the product of its diagonal is that of
-/// the cosines' matrix C, whose eigenvalues have sum 4, so that the least is at least 0.42 det C.
-/// The deviators' own errors, of 2^-46 of their sizes, change C by less than 2^-41, roundings by
-/// less than 2^-47. Deviators of size at most 8.
+/// By the inverse of C, the matrix of their cosines: its trace is more than one over the least
+/// eigenvalue of C. The deviators' own errors, of 2^-46 of their sizes, change C by less than
+/// 2^-41, the roundings of its elimination without pivoting by less than 2^-47. Deviators of size
+/// at most 8.
 bool surely_independent(const std::array<const Deviator*, 4>& d) {
-  std::array<std::array<double, 4>, 4> g;
-  double sizes = 1, det = 1;
+  // G = L D L^T, in scale; inverse: L^-1.
+  std::array<std::array<double, 4>, 4> g, inverse;
+  std::array<double, 4> sizes;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = i; k < 4; ++k) g[i][k] = product(d[i]->t, d[k]->t);
+    sizes[i] = g[i][i];
     const double error = 0x1p46 * d[i]->error;
-    if (!(g[i][i] > 0x1p-200 && g[i][i] > error * error)) return false;
-    sizes *= g[i][i];
+    if (!(sizes[i] > 0x1p-200 && sizes[i] > error * error)) return false;
   }
+  double trace = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!(g[i][i] > 0)) return false;
-    det *= g[i][i];
-    const double inverse = 1 / g[i][i];
+    const double over = 1 / g[i][i];
+    inverse[i][i] = 1;
+    for (std::size_t j = 0; j < i; ++j) {
+      double sum = 0;
+      for (std::size_t k = j; k < i; ++k) sum -= g[k][i] * inverse[k][j];
+      inverse[i][j] = sum;
+    }
+    for (std::size_t j = 0; j <= i; ++j) trace += sizes[j] * inverse[i][j] * inverse[i][j] * over;
     for (std::size_t r = i + 1; r < 4; ++r) {
-      const double factor = g[i][r] * inverse;
+      const double factor = g[i][r] * over;
       for (std::size_t k = r; k < 4; ++k) g[r][k] -= factor * g[i][k];
     }
+    for (std::size_t r = i + 1; r < 4; ++r) g[i][r] *= over;
   }
-  return det > 0x1p-38 * sizes;
+  return trace < 0x1p38;
 }
 
 bool are_dependent(const Four& given) {

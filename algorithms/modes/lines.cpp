@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "algorithms/modes/forms.hpp"
 #include "algorithms/modes/mode_function.hpp"
@@ -39,12 +40,7 @@ struct Segment {
     // The division, and twice n levels of averages (at, on), n <= 6, three roundings each.
     error += 48 * kernel::kUnitRoundoff * size + 0x1p-1000;
   }
-  double value(double t) const {
-    auto c = b;
-    for (std::size_t level = 1; level < count; ++level)
-      for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
-    return c[0];
-  }
+  double value(double t) const { return averaged<count - 1>(b, t)[0]; }
   kernel::MaybeSign at(double t) const {
     const double x = value(t);
     if (x > error) return Sign::positive;
@@ -53,9 +49,7 @@ struct Segment {
   }
   /// At t, with the derivative over the degree.
   std::array<double, 2> value_and_slope(double t) const {
-    auto c = b;
-    for (std::size_t level = 1; level + 1 < count; ++level)
-      for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
+    const auto c = averaged<count - 2>(b, t);
     return {(1 - t) * c[0] + t * c[1], c[1] - c[0]};
   }
   /// The coefficients on [low, high].
@@ -91,13 +85,26 @@ struct Segment {
     }
     return rises ? 1 : falls ? -1 : 0;
   }
+
+ private:
+  /// That many levels of de Casteljau's scheme, each in registers of its own.
+  template <std::size_t levels, std::size_t n>
+  static std::array<double, n - levels> averaged(const std::array<double, n>& c, double t) {
+    if constexpr (levels == 0) {
+      return c;
+    } else {
+      std::array<double, n - 1> d;
+      for (std::size_t k = 0; k + 1 < n; ++k) d[k] = (1 - t) * c[k] + t * c[k + 1];
+      return averaged<levels - 1>(d, t);
+    }
+  }
 };
 
 /// Places around the one root in (low, high) up to which, and from which on, at() is certain.
 /// Where the polynomial is monotonic, a value of more than three errors says so: between it and
 /// the stored coefficients' polynomial there is one at most.
 template <std::size_t count>
-std::array<double, 2> certain_up_to(const Segment<count>& f, double low, double high) {
+std::pair<double, double> certain_up_to(const Segment<count>& f, double low, double high) {
   const int growth = f.growth(low, high);
   if (growth == 0) return {low, high};
   double t = 0.5 * (low + high), slope = 0;
@@ -109,14 +116,13 @@ std::array<double, 2> certain_up_to(const Segment<count>& f, double low, double 
     t = next > low && next < high ? next : 0.5 * (t + (value * growth > 0 ? low : high));
   }
   double room = 4 * f.error / std::fabs(slope);
-  std::array<double, 2> r = {low, high};
-  for (int i = 0; i < 3; ++i, room *= 8) {
+  double up_to = low, from = high;
+  for (int i = 0; i < 3 && (up_to == low || from == high); ++i, room *= 8) {
     const double a = t - room, b = t + room;
-    if (a > low && f.value(a) * growth < -3 * f.error) r[0] = std::fmax(r[0], a);
-    if (b < high && f.value(b) * growth > 3 * f.error) r[1] = std::fmin(r[1], b);
-    if (r[0] > low && r[1] < high) break;
+    if (up_to == low && a > low && f.value(a) * growth < -3 * f.error) up_to = a;
+    if (from == high && b < high && f.value(b) * growth > 3 * f.error) from = b;
   }
-  return r;
+  return {up_to, from};
 }
 
 IntegerPolynomial from_form(const auto& form) {
@@ -136,7 +142,7 @@ Side side_of(const Level& level, Sign det) {
 }  // namespace
 
 Index Lines::add(Index a, Index b) {
-  lines_.push_back({a, b, false, {}});
+  lines_.push_back({a, b});
   return static_cast<Index>(lines_.size() - 1);
 }
 
@@ -145,10 +151,9 @@ Lines::RootList Lines::isolated(Index line) {
   const auto forms = real_forms<1>({vertices_.tensor(a), vertices_.tensor(b)});
   const Segment<4> c(forms.c);
   RootList roots;
-  const bool done =
-      level_.neutral()
-          ? isolate_in_doubles(line, c, c, roots)
-          : isolate_in_doubles(line, Segment<7>(level_form(forms, level_)), c, roots);
+  const bool done = level_.neutral()
+                        ? isolate_in_doubles(line, c, c, roots)
+                        : isolate_in_doubles(line, Segment<7>(level_form(forms, level_)), c, roots);
   if (!done) roots = isolate_exactly(line);
   separate(roots);
   return roots;
@@ -167,10 +172,8 @@ void Lines::isolate(std::span<const Index> lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Line& line = lines_[lines[i]];
     line.known = true;
-    for (Root& root : found[i]) {
-      line.roots.push_back(static_cast<Index>(roots_.size()));
-      roots_.push_back(std::move(root));
-    }
+    line.roots = {static_cast<Index>(roots_.size()), static_cast<Index>(found[i].size())};
+    for (Root& root : found[i]) roots_.push_back(std::move(root));
   }
 }
 
@@ -200,8 +203,13 @@ bool Lines::isolate_in_doubles(Index line, const F& f, const C& c, RootList& roo
     const auto before = f.at(low);
     if (!before) return false;
     r.shift = *before == Sign::positive ? 1 : -1;
-    const auto [up_to, from] = certain_up_to(f, low, high);
+    double up_to = low, from = high;
+    bool narrow = false;
     for (int i = 0; i < 60; ++i) {
+      if (!narrow && (i == 0 || i == 3 || i == 6)) {
+        std::tie(up_to, from) = certain_up_to(f, r.low, r.high);
+        narrow = up_to > r.low || from < r.high;
+      }
       const double t = 0.5 * (r.low + r.high);
       if (!(t > r.low && t < r.high)) break;
       const auto s = t <= up_to ? before : t >= from ? kernel::MaybeSign(-*before) : f.at(t);

@@ -41,9 +41,7 @@ class Vertices {
   /// Finds the signs at all vertices of the mesh, by all threads: many faces ask for each.
   void find_signs();
   /// Requires: not is_zero(v). Several threads may ask.
-  PointSigns signs(Index v) {
-    return v < signs_.size() ? signs_[v] : signs_at(v);
-  }
+  PointSigns signs(Index v) { return v < signs_.size() ? signs_[v] : signs_at(v); }
 
   /// Exactly, times one power of two for all. Several threads may ask.
   template <std::size_t N>
