@@ -182,7 +182,8 @@ Outcome work(Run& run, const ModesOptions& o) {
       run.warn("the certificate is about the surfaces; that of the curves: --degenerate alone");
     run.step("certificate", "writing the certificate", [&] {
       const auto bytes = certify::encode(modes::make_certificate(field, zeros, std::move(records)));
-      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      if (run.wanted("-o") || run.wanted("--page") || run.wanted("--picture"))
+        scene.data_digest = certify::hex(certify::data_digest(bytes));
       run.write_certificate("modes", bytes, report.undecided());
     });
   }

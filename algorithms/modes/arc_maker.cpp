@@ -14,7 +14,7 @@ void ArcMaker::collect() {
   for (std::size_t k = 0; k < 3; ++k) {
     const Edge& edge = faces_.edge(face.edges[k]);
     const RootRange range = faces_.roots(face.edges[k]);
-    const auto& list = faces_.lines().roots(edge.line);
+    const RootNumbers list = faces_.lines().roots(edge.line);
     const bool forward = edge.first == face.corners[k];
     for (std::size_t i = 0; i < range.count; ++i) {
       const std::size_t at = range.first + (forward ? i : range.count - 1 - i);

@@ -90,7 +90,7 @@ void CellTopology::add_face(Side side, Index f) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Edge& edge = faces_.edge(face.edges[k]);
     const RootRange range = faces_.roots(face.edges[k]);
-    const auto& list = faces_.lines().roots(edge.line);
+    const RootNumbers list = faces_.lines().roots(edge.line);
     std::size_t start = 0, inside = 0;
     for (std::size_t i = 0; i < range.first + range.count; ++i)
       if (faces_.lines().root(list[i]).side == side) ++(i < range.first ? start : inside);

@@ -7,29 +7,45 @@
 #include <span>
 
 #include "algorithms/modes/positions.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
 
 namespace code = certify::modes_code;
 
+/// Of a record, what some of its trees say; joined in their order. Each edge and arc is in one
+/// part.
+struct RecordPart {
+  certify::ModeLevel level{};
+  std::vector<Index> edges{}, arcs{};  ///< whose places, points the part has
+  bool placed = true;                  ///< every root has found its place
+};
+
+/// Edges of rejected faces, which have no roots.
+std::vector<char> clear_edges(const Faces& faces) {
+  std::vector<char> clear(faces.edge_count(), 0);
+  for (Index f = 0; f < faces.face_count(); ++f)
+    if (faces.face(f).state == State::rejected)
+      for (const Index e : faces.face(f).edges) clear[e] = 1;
+  return clear;
+}
+
 /// Trees of edges, with the roots of their leaves.
 class EdgeRecorder {
  public:
-  /// Edges of rejected faces have no roots.
-  EdgeRecorder(Faces& faces, double mode, certify::ModeLevel& to, RecordedPositions& positions)
-      : faces_(faces), mode_(mode), to_(to), positions_(positions) {
-    for (Index f = 0; f < faces_.face_count(); ++f)
-      if (faces_.face(f).state == State::rejected)
-        for (const Index e : faces_.face(f).edges) {
-          if (clear_.size() <= e) clear_.resize(e + 1, 0);
-          clear_[e] = 1;
-        }
-  }
+  EdgeRecorder(Faces& faces, double mode, const std::vector<char>& clear, RecordPart& to,
+               RecordedPositions& positions)
+      : faces_(faces),
+        mode_(mode),
+        clear_(clear),
+        part_(to),
+        to_(to.level),
+        positions_(positions) {}
 
   void record(Index e, bool clear) {
     const Edge& edge = faces_.edge(e);
-    clear = clear || (e < clear_.size() && clear_[e] != 0);
+    clear = clear || clear_[e] != 0;
     if (edge.middle != kNone) {
       to_.codes.push_back(faces_.vertices().cut(edge.middle).n);
       record(edge.part[0], clear);
@@ -53,24 +69,25 @@ class EdgeRecorder {
                   int level) {
     if (is_near<n>(faces_.vertices(), corners, weights, level * mode_)) ++to_.near;
   }
-  /// Whether every root has found its place.
-  bool placed() const { return placed_; }
 
  private:
   void roots(Index e) {
     const RootRange range = faces_.roots(e);
     to_.codes.push_back(static_cast<std::uint8_t>(code::kRoots + range.count));
-    const auto& list = faces_.lines().roots(faces_.edge(e).line);
+    const RootNumbers list = faces_.lines().roots(faces_.edge(e).line);
     boost::container::small_vector<certify::RootRecord, 6> records;
     for (std::size_t i = 0; i < range.count; ++i) records.push_back(root(e, list[range.first + i]));
-    separate(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
+    separate(e, list.part(range.first, range.count), {records.data(), records.size()});
     to_.roots.insert(to_.roots.end(), records.begin(), records.end());
-    positions_.places[e] = to_.root_places.size();
-    place(e, {list.data() + range.first, range.count}, {records.data(), records.size()});
+    if (range.count > 0) {
+      positions_.places[e] = static_cast<Index>(to_.root_places.size());
+      part_.edges.push_back(e);
+    }
+    place(e, list.part(range.first, range.count), {records.data(), records.size()});
   }
 
   /// The vertices' places, within the enclosures; what has none lies between its neighbours.
-  void place(Index e, std::span<const Index> list, std::span<const certify::RootRecord> records) {
+  void place(Index e, RootNumbers list, std::span<const certify::RootRecord> records) {
     const Edge& edge = faces_.edge(e);
     double last = 0;
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -85,7 +102,7 @@ class EdgeRecorder {
       constexpr double room = 1e-13;
       if (x <= last) x = last + std::fmin(room, (high - last) / 2);
       if (x >= 1) x = std::fmax(1 - room, last + (1 - last) / 2);
-      placed_ = placed_ && last < x && x < 1 && x <= high;
+      part_.placed = part_.placed && last < x && x < 1 && x <= high;
       to_.root_places.push_back(x);
       count_near<2>({edge.second, edge.first}, {x, 1 - x}, records[i].level);
       last = x;
@@ -123,7 +140,7 @@ class EdgeRecorder {
   }
 
   /// Two roots at one place have one enclosure; others that overlap are converted exactly.
-  void separate(Index e, std::span<const Index> list, std::span<certify::RootRecord> records) {
+  void separate(Index e, RootNumbers list, std::span<certify::RootRecord> records) {
     for (std::size_t i = 0; i + 1 < records.size(); ++i) {
       auto &a = records[i], &b = records[i + 1];
       if (a.low == a.high || b.low == b.high || b.low >= a.high) continue;
@@ -140,61 +157,38 @@ class EdgeRecorder {
 
   Faces& faces_;
   double mode_;
+  const std::vector<char>& clear_;
+  RecordPart& part_;
   certify::ModeLevel& to_;
   RecordedPositions& positions_;
-  std::vector<char> clear_;
-  bool placed_ = true;
 };
 
 /// Writes trees in preorder.
-class Recorder {
+class TreeRecorder {
  public:
-  Recorder(Extraction& extraction, certify::ModeLevel& to)
+  TreeRecorder(Extraction& extraction, const std::vector<char>& clear, RecordPart& to,
+               RecordedPositions& positions)
       : extraction_(extraction),
         faces_(extraction.faces()),
-        to_(to),
-        edges_(faces_, extraction.level().value(), to, positions_) {
-    positions_.points.resize(faces_.arcs().size());
-    // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
-    // 2^scale.
-    neutral_ = extraction.level().neutral();
-  }
+        part_(to),
+        to_(to.level),
+        positions_(positions),
+        edges_(faces_, extraction.level().value(), clear, to, positions),
+        // lambda belongs to the deviator itself; here it belongs to 3 times the deviator over
+        // 2^scale.
+        neutral_(extraction.level().neutral()) {}
 
-  void record() {
-    // Faces of the mesh come in their corners' order.
-    std::vector<Index> faces;
-    for (const Index f : extraction_.mesh_faces())
-      if (f != kNone && (faces_.face(f).split >= 0 || faces_.face(f).state != State::rejected))
-        faces.push_back(f);
-    std::vector<std::pair<std::array<Index, 2>, Index>> edges;
-    std::vector<bool> listed(faces_.edge_count());
-    const auto list = [&](Index e) {
-      if (!listed[e]) edges.push_back({{faces_.edge(e).first, faces_.edge(e).second}, e});
-      listed[e] = true;
-    };
-    for (const Index f : faces)
-      for (const Index e : faces_.face(f).edges) list(e);
-    for (const Cone& c : extraction_.cones())
-      if (c.zeros.size() == 2) list(extraction_.edge_between(c.others[0], c.others[1]));
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [corners, e] : edges) {
-      to_.edges.push_back(corners);
-      edges_.record(e, false);
-    }
-    for (const Index f : faces) {
-      to_.faces.push_back(faces_.face(f).corners);
-      face(f);
-    }
-    for (const Extraction::Tree& tree : extraction_.trees()) {
-      to_.tets.push_back(tree.tet);
-      cell(tree.cell);
-    }
-    if (edges_.placed()) return count_placed(extraction_, positions_, to_);
-    to_.root_places.clear();
-    to_.arc_points.clear();
-    to_.points.clear();
-    to_.inner.clear();
-    to_.near = 0;
+  void whole_edge(Index e) {
+    to_.edges.push_back({faces_.edge(e).first, faces_.edge(e).second});
+    edges_.record(e, false);
+  }
+  void whole_face(Index f) {
+    to_.faces.push_back(faces_.face(f).corners);
+    face(f);
+  }
+  void whole_tet(const Extraction::Tree& tree) {
+    to_.tets.push_back(tree.tet);
+    cell(tree.cell);
   }
 
  private:
@@ -202,6 +196,7 @@ class Recorder {
     to_.arcs.push_back({faces_.arcs()[a].numbers[0], faces_.arcs()[a].numbers[1]});
     auto& points = positions_.points[a];
     points.first = to_.points.size();
+    part_.arcs.push_back(a);
     for (const auto& p : extraction_.polyline(a))
       if (p[0] > 0 && p[1] > 0 && p[0] + p[1] < 1) {
         to_.points.push_back({p[0], p[1]});
@@ -286,11 +281,102 @@ class Recorder {
 
   Extraction& extraction_;
   Faces& faces_;
+  RecordPart& part_;
   certify::ModeLevel& to_;
-  RecordedPositions positions_;
+  RecordedPositions& positions_;
   EdgeRecorder edges_;
   bool neutral_;
 };
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Adds what comes next, and moves its places, points and witnesses to where they are then.
+void join(certify::ModeLevel& to, RecordedPositions& positions, RecordPart& part) {
+  certify::ModeLevel& from = part.level;
+  for (const Index e : part.edges) positions.places[e] += static_cast<Index>(to.root_places.size());
+  for (const Index a : part.arcs) positions.points[a].first += to.points.size();
+  for (certify::InnerVertex& v : from.inner)
+    v.witness += static_cast<std::uint32_t>(to.tet_witnesses.size());
+  append(to.edges, from.edges);
+  append(to.faces, from.faces);
+  append(to.tets, from.tets);
+  append(to.codes, from.codes);
+  append(to.roots, from.roots);
+  append(to.face_witnesses, from.face_witnesses);
+  append(to.arcs, from.arcs);
+  append(to.tet_witnesses, from.tet_witnesses);
+  append(to.root_places, from.root_places);
+  append(to.arc_points, from.arc_points);
+  append(to.points, from.points);
+  append(to.inner, from.inner);
+  to.open_tets += from.open_tets;
+  to.near += from.near;
+}
+
+/// The edges and faces of the mesh with trees that are told, in their corners' order.
+struct Told {
+  std::vector<Index> faces{}, edges{};
+
+  explicit Told(Extraction& extraction) {
+    const Faces& trees = extraction.faces();
+    // Faces of the mesh come in their corners' order.
+    for (const Index f : extraction.mesh_faces())
+      if (f != kNone && (trees.face(f).split >= 0 || trees.face(f).state != State::rejected))
+        faces.push_back(f);
+    std::vector<bool> listed(trees.edge_count());
+    const auto list = [&](Index e) {
+      if (!listed[e]) edges.push_back(e);
+      listed[e] = true;
+    };
+    for (const Index f : faces)
+      for (const Index e : trees.face(f).edges) list(e);
+    for (const Cone& c : extraction.cones())
+      if (c.zeros.size() == 2) list(extraction.edge_between(c.others[0], c.others[1]));
+    std::sort(edges.begin(), edges.end(), [&](Index a, Index b) {
+      const Edge &x = trees.edge(a), &y = trees.edge(b);
+      return x.first != y.first ? x.first < y.first : x.second < y.second;
+    });
+  }
+};
+
+/// Trees only share what was found before: they are recorded by all threads, a few hundred at a
+/// time.
+void record_level(Extraction& extraction, certify::ModeLevel& to) {
+  const Told told(extraction);
+  const auto& trees = extraction.trees();
+  const std::vector<char> clear = clear_edges(extraction.faces());
+  RecordedPositions positions{
+      std::vector<Index>(extraction.faces().edge_count(), kNone),
+      std::vector<RecordedPositions::Points>(extraction.faces().arcs().size())};
+  constexpr std::size_t kTrees = 512;
+  const std::size_t count = told.edges.size() + told.faces.size() + trees.size();
+  std::vector<RecordPart> parts((count + kTrees - 1) / kTrees);
+  kernel::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    TreeRecorder recorder(extraction, clear, parts[p], positions);
+    for (std::size_t i = p * kTrees; i < std::min(count, (p + 1) * kTrees); ++i)
+      if (i < told.edges.size())
+        recorder.whole_edge(told.edges[i]);
+      else if (i < told.edges.size() + told.faces.size())
+        recorder.whole_face(told.faces[i - told.edges.size()]);
+      else
+        recorder.whole_tet(trees[i - told.edges.size() - told.faces.size()]);
+  });
+  bool placed = true;
+  for (RecordPart& part : parts) {
+    join(to, positions, part);
+    placed = placed && part.placed;
+    part = {};
+  }
+  if (placed) return count_placed(extraction, positions, to);
+  to.root_places.clear();
+  to.arc_points.clear();
+  to.points.clear();
+  to.inner.clear();
+  to.near = 0;
+}
 
 certify::SurfaceCounts counts_of(const ModeSurface& surface) {
   certify::SurfaceCounts counts;
@@ -312,7 +398,7 @@ ModeResult extract(const ModeField& field, const Level& level, const ModeOptions
   ModeResult r = e.result();
   record.numerator = static_cast<std::uint64_t>(level.p);
   record.denominator = static_cast<std::uint64_t>(level.q);
-  Recorder(e, record).record();
+  record_level(e, record);
   record.positive = counts_of(r.surfaces[0]);
   if (!level.neutral()) record.negative = counts_of(r.surfaces[1]);
   return r;

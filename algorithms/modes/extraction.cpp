@@ -8,21 +8,6 @@
 #include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
-namespace {
-
-/// Tensors times 2^-scale are at most 1.
-int scale_of(const std::vector<Symmetric>& tensors) {
-  double largest = 0;
-  for (const Symmetric& t : tensors)
-    for (const double x : t) largest = std::fmax(largest, std::fabs(x));
-  return largest > 0 ? std::ilogb(largest) + 1 : 0;
-}
-
-std::uint64_t key(Index a, Index b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-
-}  // namespace
 
 Extraction::Extraction(const ModeField& field, const Level& level, const ModeOptions& options,
                        const Workers* workers)
@@ -36,20 +21,16 @@ Extraction::Extraction(const ModeField& field, const Level& level, const ModeOpt
       faces_(vertices_, lines_, level, limits_),
       cells_(faces_, level, limits_),
       mesh_faces_(field.mesh.faces().size(), kNone) {
+  vertices_.find_signs();
   decide_all(workers);
   close_cones();
   list_open();
 }
 
 Index Extraction::edge(Index a, Index b) {
-  const auto [at, fresh] = mesh_edges_.try_emplace(key(a, b), kNone);
-  if (fresh) at->second = faces_.add_edge(std::min(a, b), std::max(a, b));
-  return at->second;
-}
-
-Index Extraction::edge_between(Index a, Index b) const {
-  const auto found = mesh_edges_.find(key(a, b));
-  return found == mesh_edges_.end() ? kNone : found->second;
+  Index e = mesh_edges_.find(a, b);
+  if (e == kNone) mesh_edges_.add(a, b, e = faces_.add_edge(std::min(a, b), std::max(a, b)));
+  return e;
 }
 
 Index Extraction::face(Index mesh_face) {
@@ -66,6 +47,9 @@ void Extraction::decide_all(const Workers* workers) {
   const auto count = static_cast<Index>(field_.mesh.tets().size());
   counts_.total = count;
   TetRecords records = test_tets(field_, vertices_, scale_, level_, limits_, workers);
+  faces_.reserve(static_cast<std::size_t>(
+      std::count_if(records.signs.begin(), records.signs.end(),
+                    [](const CellSign& s) { return s.finding == Finding::none; })));
   for (Index t = 0; t < count; ++t) {
     const CellSign& sign = records.signs[t];
     const auto corners = field_.mesh.sorted(t);
@@ -204,8 +188,9 @@ std::size_t Extraction::cone_rims(Side side) {
       if (others.size() != 2) continue;
       const Index e = edge_between(others[0], others[1]);
       if (e == kNone) continue;
-      for (const Index r : lines_.roots(faces_.edge(e).line))
-        count += lines_.root(r).side == side ? 1 : 0;
+      const RootNumbers roots = lines_.roots(faces_.edge(e).line);
+      for (std::size_t i = 0; i < roots.size(); ++i)
+        count += lines_.root(roots[i]).side == side ? 1 : 0;
     }
   return count;
 }
@@ -248,7 +233,7 @@ Perturbed Extraction::perturbed(Side side) {
     const int det = static_cast<int>(s.det);
     p.vertices += s.f == kernel::Sign::zero && det == static_cast<int>(side) ? 1 : 0;
   }
-  for (const auto& [corners, e] : mesh_edges_) {
+  for (const Index e : mesh_edges_.numbers()) {
     const Lines::Line& line = lines_.line(faces_.edge(e).line);
     // A place touched from below has two roots, one before and one behind it.
     for (std::size_t i = 1; i < line.roots.size(); ++i) {
@@ -277,9 +262,10 @@ ModeResult Extraction::result() {
   std::vector<std::size_t> rims;  // before: a root may be isolated for them
   for (const Side side : sides) rims.push_back(cone_rims(side));
   r.surfaces.resize(sides.size());
-  kernel::parallel_for(std::size_t{0}, sides.size(),
-                       [&](std::size_t i) { r.surfaces[i] = surface(sides[i], rims[i]); });
-  for (std::size_t i = 0; i < sides.size(); ++i) r.surfaces[i].perturbed = perturbed(sides[i]);
+  kernel::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t i) {
+    r.surfaces[i] = surface(sides[i], rims[i]);
+    r.surfaces[i].perturbed = perturbed(sides[i]);
+  });
   r.counts = counts_;
   r.undecided = open_;
   r.exhausted = cells_.exhausted();

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "algorithms/modes/cells.hpp"
+#include "algorithms/modes/edge_table.hpp"
 #include "algorithms/modes/modes.hpp"
 #include "algorithms/modes/pieces.hpp"
 #include "algorithms/modes/surface_builder.hpp"
@@ -34,7 +35,8 @@ class Extraction {
   Faces& faces() { return faces_; }
   /// By face of the mesh: its number among the trees'; kNone: it has none.
   const std::vector<Index>& mesh_faces() const { return mesh_faces_; }
-  Index edge_between(Index a, Index b) const;
+  /// kNone: no tree has it.
+  Index edge_between(Index a, Index b) const { return mesh_edges_.find(a, b); }
   /// The tree's root on the face opposite a cone's zero corner. Requires: it has one.
   Index face_of(const Cone& cone) const { return mesh_faces_[opposite_face(cone)]; }
   /// The inner points of an arc's polyline, after result().
@@ -72,7 +74,7 @@ class Extraction {
   std::vector<Tree> trees_;
   std::vector<Cone> cones_;
   std::vector<Index> mesh_faces_;
-  std::unordered_map<std::uint64_t, Index> mesh_edges_;
+  EdgeTable mesh_edges_;
   ModeCounts counts_;
   std::vector<Index> open_;
   std::unordered_set<Index> open_faces_;  ///< leaves at open cells

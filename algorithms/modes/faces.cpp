@@ -217,7 +217,7 @@ bool Faces::is_closed(Index f) {
 }
 
 RootRange Faces::roots(Index e) {
-  const auto& list = lines_.roots(edges_[e].line);
+  const RootNumbers list = lines_.roots(edges_[e].line);
   Edge& edge = edges_[e];
   if (edge.first_root == kNone) {
     const auto below = [&](const Dyadic& t) {

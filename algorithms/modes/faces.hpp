@@ -72,6 +72,11 @@ class Faces {
   Faces(Vertices& vertices, Lines& lines, const Level& level, const Limits& limits)
       : vertices_(vertices), lines_(lines), level_(level), limits_(limits) {}
 
+  /// Room for the trees of so many tetrahedra, as many have.
+  void reserve(std::size_t tets) {
+    edges_.reserve(4 * tets);
+    faces_.reserve(5 * tets);
+  }
   /// An edge of the mesh, or the inner one of a face.
   Index add_edge(Index first, Index second);
   Index add_face(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges, int depth,

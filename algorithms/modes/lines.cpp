@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "algorithms/modes/forms.hpp"
 #include "algorithms/modes/mode_function.hpp"
@@ -23,13 +24,14 @@ using kernel::Sign;
 namespace {
 
 /// Bernstein coefficients of a polynomial on a segment, each within `error` of the exact one.
+template <std::size_t count>
 struct Segment {
-  std::array<double, 7> b{};
-  std::size_t count = 0;
+  std::array<double, count> b{};
   double error = 0;
 
   template <class B>
-  explicit Segment(const kernel::Form<Real, B>& f) : count(B::count), error(f.error) {
+  explicit Segment(const kernel::Form<Real, B>& f) : error(f.error) {
+    static_assert(B::count == count);
     double size = 0;
     for (std::size_t i = 0; i < count; ++i) {
       b[i] = f.s[i] / B::weights[i];
@@ -38,20 +40,20 @@ struct Segment {
     // The division, and twice n levels of averages (at, on), n <= 6, three roundings each.
     error += 48 * kernel::kUnitRoundoff * size + 0x1p-1000;
   }
-  double value(double t) const {
-    auto c = b;
-    for (std::size_t level = 1; level < count; ++level)
-      for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
-    return c[0];
-  }
+  double value(double t) const { return averaged<count - 1>(b, t)[0]; }
   kernel::MaybeSign at(double t) const {
     const double x = value(t);
     if (x > error) return Sign::positive;
     if (x < -error) return Sign::negative;
     return std::nullopt;
   }
-  /// A sign on all of [low, high], if the coefficients there show one.
-  kernel::MaybeSign on(double low, double high) const {
+  /// At t, with the derivative over the degree.
+  std::array<double, 2> value_and_slope(double t) const {
+    const auto c = averaged<count - 2>(b, t);
+    return {(1 - t) * c[0] + t * c[1], c[1] - c[0]};
+  }
+  /// The coefficients on [low, high].
+  std::array<double, count> part(double low, double high) const {
     auto c = b;
     for (std::size_t level = 1; level < count; ++level)  // to [low, 1]
       for (std::size_t k = 0; k + level < count; ++k) c[k] = (1 - low) * c[k] + low * c[k + 1];
@@ -59,6 +61,11 @@ struct Segment {
     // To [low, high]: the left part, a column at a time from the right.
     for (std::size_t level = 1; level < count; ++level)
       for (std::size_t k = count - 1; k >= level; --k) c[k] = (1 - t) * c[k - 1] + t * c[k];
+    return c;
+  }
+  /// A sign on all of [low, high], if the coefficients there show one.
+  kernel::MaybeSign on(double low, double high) const {
+    const auto c = part(low, high);
     bool positive = true, negative = true;
     for (std::size_t k = 0; k < count; ++k) {
       positive = positive && c[k] > error;
@@ -68,7 +75,55 @@ struct Segment {
     if (negative) return Sign::negative;
     return std::nullopt;
   }
+  /// 1, -1: increasing, decreasing on [low, high], as coefficients show; 0: they do not.
+  int growth(double low, double high) const {
+    const auto c = part(low, high);
+    bool rises = true, falls = true;
+    for (std::size_t k = 1; k < count; ++k) {
+      rises = rises && c[k] - c[k - 1] > 2.01 * error;
+      falls = falls && c[k - 1] - c[k] > 2.01 * error;
+    }
+    return rises ? 1 : falls ? -1 : 0;
+  }
+
+ private:
+  /// That many levels of de Casteljau's scheme, each in registers of its own.
+  template <std::size_t levels, std::size_t n>
+  static std::array<double, n - levels> averaged(const std::array<double, n>& c, double t) {
+    if constexpr (levels == 0) {
+      return c;
+    } else {
+      std::array<double, n - 1> d;
+      for (std::size_t k = 0; k + 1 < n; ++k) d[k] = (1 - t) * c[k] + t * c[k + 1];
+      return averaged<levels - 1>(d, t);
+    }
+  }
 };
+
+/// Places around the one root in (low, high) up to which, and from which on, at() is certain.
+/// Where the polynomial is monotonic, a value of more than three errors says so: between it and
+/// the stored coefficients' polynomial there is one at most.
+template <std::size_t count>
+std::pair<double, double> certain_up_to(const Segment<count>& f, double low, double high) {
+  const int growth = f.growth(low, high);
+  if (growth == 0) return {low, high};
+  double t = 0.5 * (low + high), slope = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto [value, s] = f.value_and_slope(t);
+    slope = static_cast<double>(count - 1) * s;
+    if (std::fabs(value) <= f.error) break;
+    const double next = t - value / slope;
+    t = next > low && next < high ? next : 0.5 * (t + (value * growth > 0 ? low : high));
+  }
+  double room = 4 * f.error / std::fabs(slope);
+  double up_to = low, from = high;
+  for (int i = 0; i < 3 && (up_to == low || from == high); ++i, room *= 8) {
+    const double a = t - room, b = t + room;
+    if (up_to == low && a > low && f.value(a) * growth < -3 * f.error) up_to = a;
+    if (from == high && b < high && f.value(b) * growth > 3 * f.error) from = b;
+  }
+  return {up_to, from};
+}
 
 IntegerPolynomial from_form(const auto& form) {
   using B = typename std::decay_t<decltype(form)>::Basis;
@@ -86,23 +141,20 @@ Side side_of(const Level& level, Sign det) {
 
 }  // namespace
 
-struct Lines::Polynomials {
-  Segment f, c;
-};
-
 Index Lines::add(Index a, Index b) {
-  lines_.push_back({a, b, false, {}});
+  lines_.push_back({a, b});
   return static_cast<Index>(lines_.size() - 1);
 }
 
 Lines::RootList Lines::isolated(Index line) {
   const Index a = lines_[line].a, b = lines_[line].b;
   const auto forms = real_forms<1>({vertices_.tensor(a), vertices_.tensor(b)});
-  const Segment c(forms.c);
+  const Segment<4> c(forms.c);
   RootList roots;
-  if (!isolate_in_doubles(line, {level_.neutral() ? c : Segment(level_form(forms, level_)), c},
-                          roots))
-    roots = isolate_exactly(line);
+  const bool done = level_.neutral()
+                        ? isolate_in_doubles(line, c, c, roots)
+                        : isolate_in_doubles(line, Segment<7>(level_form(forms, level_)), c, roots);
+  if (!done) roots = isolate_exactly(line);
   separate(roots);
   return roots;
 }
@@ -120,10 +172,8 @@ void Lines::isolate(std::span<const Index> lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Line& line = lines_[lines[i]];
     line.known = true;
-    for (Root& root : found[i]) {
-      line.roots.push_back(static_cast<Index>(roots_.size()));
-      roots_.push_back(std::move(root));
-    }
+    line.roots = {static_cast<Index>(roots_.size()), static_cast<Index>(found[i].size())};
+    for (Root& root : found[i]) roots_.push_back(std::move(root));
   }
 }
 
@@ -144,23 +194,30 @@ double Lines::crossing(Index line, const Root& r) const {
   return 0.5 * (low + high);
 }
 
-bool Lines::isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const {
-  const auto places = kernel::triage_unit_places({p.f.b.data(), p.f.count}, p.f.error);
+template <class F, class C>
+bool Lines::isolate_in_doubles(Index line, const F& f, const C& c, RootList& roots) const {
+  const auto places = kernel::triage_unit_places({f.b.data(), f.b.size()}, f.error);
   if (!places) return false;
   for (const auto& [low, high] : *places) {
     Root r{line, Side::neutral, 0, low, high, 0, {}};
-    const auto before = p.f.at(low);
+    const auto before = f.at(low);
     if (!before) return false;
     r.shift = *before == Sign::positive ? 1 : -1;
+    double up_to = low, from = high;
+    bool narrow = false;
     for (int i = 0; i < 60; ++i) {
+      if (!narrow && (i == 0 || i == 3 || i == 6)) {
+        std::tie(up_to, from) = certain_up_to(f, r.low, r.high);
+        narrow = up_to > r.low || from < r.high;
+      }
       const double t = 0.5 * (r.low + r.high);
       if (!(t > r.low && t < r.high)) break;
-      const auto s = p.f.at(t);
+      const auto s = t <= up_to ? before : t >= from ? kernel::MaybeSign(-*before) : f.at(t);
       if (!s) break;
       (*s == *before ? r.low : r.high) = t;
     }
     if (!level_.neutral()) {
-      const auto det = p.c.on(r.low, r.high);
+      const auto det = c.on(r.low, r.high);
       if (!det) return false;
       r.side = side_of(level_, *det);
     }

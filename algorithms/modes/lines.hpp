@@ -24,6 +24,16 @@ struct Root {
   std::optional<kernel::AlgebraicNumber> number;  ///< the place; made when needed
 };
 
+/// Consecutive numbers of roots.
+struct RootNumbers {
+  Index first = 0, count = 0;
+  Index operator[](std::size_t i) const { return first + static_cast<Index>(i); }
+  std::size_t size() const { return count; }
+  RootNumbers part(std::size_t begin, std::size_t size) const {
+    return {(*this)[begin], static_cast<Index>(size)};
+  }
+};
+
 class Lines {
  public:
   explicit Lines(Vertices& vertices, const Level& level) : vertices_(vertices), level_(level) {}
@@ -33,11 +43,11 @@ class Lines {
   struct Line {
     Index a, b;
     bool known = false;
-    std::vector<Index> roots;  ///< in their order along the line
+    RootNumbers roots{};  ///< in their order along the line
   };
   const Line& line(Index l) const { return lines_[l]; }
   /// Isolates them at the first call.
-  const std::vector<Index>& roots(Index line) {
+  RootNumbers roots(Index line) {
     if (!lines_[line].known) isolate({&line, 1});
     return lines_[line].roots;
   }
@@ -55,10 +65,10 @@ class Lines {
   std::array<kernel::Rational, 2> bounds(Index root, long bits);
 
  private:
-  struct Polynomials;
   using RootList = std::vector<Root>;
   RootList isolated(Index line);
-  bool isolate_in_doubles(Index line, const Polynomials& p, RootList& roots) const;
+  template <class F, class C>
+  bool isolate_in_doubles(Index line, const F& f, const C& c, RootList& roots) const;
   double crossing(Index line, const Root& root) const;
   RootList isolate_exactly(Index line);
   static void separate(RootList& roots);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "algorithms/modes/mode_function.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
@@ -176,6 +178,23 @@ class Paths {
     });
     return good;
   }
+  /// Whether a walk from the first comes past all. False, too, where there are many.
+  bool are_one_loop() const {
+    if (paths_.empty() || paths_.size() > 16) return false;
+    unsigned left = (1U << paths_.size()) - 2;
+    std::size_t end = paths_[0].points.back();
+    for (std::size_t i = 0; i < paths_.size();) {
+      const auto& [from, to] = std::pair(paths_[i].points.front(), paths_[i].points.back());
+      if ((left >> i & 1U) == 0 || (from != end && to != end)) {
+        ++i;
+        continue;
+      }
+      left &= ~(1U << i);
+      end = from == end ? to : from;
+      i = 0;
+    }
+    return left == 0;
+  }
   std::vector<Link> segments() const {
     std::vector<Link> r;
     for (const Path& path : paths_)
@@ -190,11 +209,11 @@ class Paths {
     double place;      ///< from its corner on
   };
   /// The roots around a face, as they are numbered there.
-  std::vector<Start> roots_around(const Face& face) {
-    std::vector<Start> all;
+  boost::container::small_vector<Start, 12> roots_around(const Face& face) {
+    boost::container::small_vector<Start, 12> all;
     for (std::size_t k = 0; k < 3; ++k) {
       const Edge& edge = faces_.edge(face.edges[k]);
-      std::vector<double> places;
+      boost::container::small_vector<double, 8> places;
       list_places(face.edges[k], places);
       const bool backward = edge.first != face.corners[k];
       if (backward) std::reverse(places.begin(), places.end());
@@ -209,16 +228,16 @@ class Paths {
     return all;
   }
   /// Of an edge's roots, on its line.
-  void list_places(Index e, std::vector<double>& places) {
+  void list_places(Index e, boost::container::small_vector<double, 8>& places) {
     const Edge& edge = faces_.edge(e);
     if (edge.middle != kNone) {
       for (const Index part : edge.part) list_places(part, places);
       return;
     }
-    const auto found = positions_.places.find(e);
-    if (found == positions_.places.end()) return;
+    const Index first = positions_.places[e];
+    if (first == kNone) return;
     for (std::size_t i = 0; i < faces_.roots(e).count; ++i)
-      places.push_back(edge.from + record_.root_places[found->second + i] * (edge.to - edge.from));
+      places.push_back(edge.from + record_.root_places[first + i] * (edge.to - edge.from));
   }
 
   CornerWeights weights(const std::array<Index, 4>& corners, Index vertex) {
@@ -298,6 +317,7 @@ class Counter {
     if (paths_.plane().points.size() > kMostVertices ||
         !paths_.plane().is_simple(paths_.segments()))
       return false;
+    if (count == 1 && paths_.are_one_loop()) return true;
     std::map<Index, const Paths::Path*> path_of;
     for (const Paths::Path& path : paths_.list()) path_of[path.arc] = &path;
     const auto pieces =
@@ -394,27 +414,34 @@ template bool is_near<4>(const Vertices&, const std::array<Index, 4>&, const std
                          double);
 
 bool is_embedded(const kernel::TetMesh& mesh) {
-  std::vector<int> signs;  // of the corners in ascending order
-  for (Index t = 0; t < mesh.tets().size(); ++t) {
-    const auto given = mesh.tets()[t];
-    int sign = mesh.orientation(t);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t k = i + 1; k < 4; ++k)
-        if (given[i] > given[k]) sign = -sign;
-    if (sign == 0) return false;
-    signs.push_back(sign);
-  }
+  using Range = tbb::blocked_range<std::size_t>;
+  std::vector<signed char> signs(mesh.tets().size());  // of the corners in ascending order
+  std::atomic<bool> good{true};
+  kernel::parallel_for(Range(0, signs.size(), 4096), [&](const Range& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      const auto given = mesh.tets()[t];
+      int sign = mesh.orientation(static_cast<Index>(t));
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = i + 1; k < 4; ++k)
+          if (given[i] > given[k]) sign = -sign;
+      if (sign == 0) good = false;
+      signs[t] = static_cast<signed char>(sign);
+    }
+  });
+  if (!good) return false;
   // The side of a face, corners ascending, on which the other corner is.
-  const auto side = [&](const kernel::TetMesh::Face& face, Index tet) {
-    const auto v = mesh.sorted(tet);
-    std::size_t apart = 3;
-    while (apart > 0 && v[apart] == face.corners[apart - 1]) --apart;
+  const auto side = [&](std::size_t face, Index tet) {
+    const auto& faces = mesh.faces_of(tet);
+    const auto apart = std::find(faces.begin(), faces.end(), face) - faces.begin();
     return apart % 2 == 1 ? signs[tet] : -signs[tet];
   };
-  return std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](const auto& face) {
-    return face.tets[1] == kernel::TetMesh::kNoTet ||
-           side(face, face.tets[0]) != side(face, face.tets[1]);
+  kernel::parallel_for(Range(0, mesh.faces().size(), 4096), [&](const Range& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      const auto& tets = mesh.faces()[f].tets;
+      if (tets[1] != kernel::TetMesh::kNoTet && side(f, tets[0]) == side(f, tets[1])) good = false;
+    }
   });
+  return good;
 }
 
 }  // namespace crest::modes

@@ -4,7 +4,6 @@
 // Which pieces of a record have polylines that project along their witness to simple, nested
 // polygons (claim 6, theorem 16). In doubles with room to spare: what is not clearly so is not
 // counted.
-#include <unordered_map>
 #include <vector>
 
 #include "algorithms/modes/extraction.hpp"
@@ -14,7 +13,7 @@ namespace crest::modes {
 
 /// Where the record has an edge's places, an arc's points.
 struct RecordedPositions {
-  std::unordered_map<Index, std::size_t> places;  ///< of a leaf edge: the first
+  std::vector<Index> places;  ///< of a leaf edge: the first; kNone: it has none
   struct Points {
     std::size_t first = 0, count = 0;
   };

@@ -353,7 +353,7 @@ void SurfaceBuilder::add_cone(Index tet, Index apex, Index f) {
 
 void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {
   const RootRange range = faces_.roots(e);
-  const auto& list = faces_.lines().roots(faces_.edge(e).line);
+  const RootNumbers list = faces_.lines().roots(faces_.edge(e).line);
   for (std::size_t i = 0; i < range.count; ++i) {
     const Index root = list[range.first + i];
     if (faces_.lines().root(root).side != side_) continue;

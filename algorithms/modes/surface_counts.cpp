@@ -2,6 +2,7 @@
 #include "algorithms/modes/surface_counts.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "kernel/geometry/disjoint_sets.hpp"
@@ -19,17 +20,26 @@ struct TriangleSide {
   bool forward;  ///< the triangle goes from a to b
 };
 
+/// By a, b, triangle: by the first corner in one pass, then each corner's few.
 std::vector<TriangleSide> sides_of(const ModeSurface& s) {
-  std::vector<TriangleSide> sides;
-  sides.reserve(3 * s.triangles.size());
-  for (Index t = 0; t < s.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = s.triangles[t][k], b = s.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  std::sort(sides.begin(), sides.end(), [](const TriangleSide& x, const TriangleSide& y) {
-    return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);
-  });
+  std::vector<std::size_t> end(s.points.size() + 1, 0);
+  const auto for_each = [&](const auto& use) {
+    for (Index t = 0; t < s.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = s.triangles[t][k], b = s.triangles[t][(k + 1) % 3];
+        use(TriangleSide{std::min(a, b), std::max(a, b), t, a < b});
+      }
+  };
+  for_each([&](const TriangleSide& side) { ++end[side.a + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<TriangleSide> sides(3 * s.triangles.size());
+  for_each([&](const TriangleSide& side) { sides[end[side.a]++] = side; });
+  const auto at = [&](std::size_t i) { return sides.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t a = 0; a < s.points.size(); ++a)
+    std::sort(at(a == 0 ? 0 : end[a - 1]), at(end[a]),
+              [](const TriangleSide& x, const TriangleSide& y) {
+                return x.b != y.b ? x.b < y.b : x.triangle < y.triangle;
+              });
   return sides;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "kernel/polynomial/dyadic.hpp"
 
@@ -33,6 +34,14 @@ struct ExactTensor {
   Entries<kernel::Integer> t;
   long exponent = 0;
 };
+
+/// Tensors times 2^-scale are below 1.
+inline int scale_of(const std::vector<Symmetric>& tensors) {
+  double largest = 0;
+  for (const Symmetric& t : tensors)
+    for (const double x : t) largest = std::max(largest, std::fabs(x));
+  return largest > 0 ? std::ilogb(largest) + 1 : 0;
+}
 
 /// D of T 2^-scale. Each entry is two sums of at most 4 max |T|, each rounded once: 8 u max |T|.
 /// 2^-1070 covers what scaling loses to underflow.

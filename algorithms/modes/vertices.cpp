@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/modes/vertices.hpp"
 
+#include <tbb/blocked_range.h>
+
 #include "kernel/arithmetic/approximate.hpp"
+#include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
 namespace {
@@ -57,7 +60,17 @@ const ExactTensor& Vertices::exact_one(Index v) {
   return exact_.emplace(v, std::move(t)).first->second;
 }
 
-PointSigns Vertices::signs(Index v) {
+void Vertices::find_signs() {
+  std::vector<PointSigns> found(mesh_size_);
+  using Range = tbb::blocked_range<Index>;
+  kernel::parallel_for(Range(0, mesh_size_, 1024), [&](const Range& range) {
+    for (Index v = range.begin(); v < range.end(); ++v)
+      if (!is_zero(v)) found[v] = signs_at(v);
+  });
+  signs_ = std::move(found);
+}
+
+PointSigns Vertices::signs_at(Index v) {
   // The bounds of forms.hpp, for one tensor.
   const Deviator& t = tensors_[v];
   constexpr double u = kernel::kUnitRoundoff;

@@ -38,8 +38,10 @@ class Vertices {
 
   const Deviator& tensor(Index v) const { return tensors_[v]; }
   bool is_zero(Index v) const { return v < mesh_size_ && is_isotropic(given_[v]); }
+  /// Finds the signs at all vertices of the mesh, by all threads: many faces ask for each.
+  void find_signs();
   /// Requires: not is_zero(v). Several threads may ask.
-  PointSigns signs(Index v);
+  PointSigns signs(Index v) { return v < signs_.size() ? signs_[v] : signs_at(v); }
 
   /// Exactly, times one power of two for all. Several threads may ask.
   template <std::size_t N>
@@ -65,6 +67,7 @@ class Vertices {
     return r;
   }
   const ExactTensor& exact_one(Index v);
+  PointSigns signs_at(Index v);
   PointSigns exact_signs(Index v);
   std::span<const Symmetric> given_;
   int scale_;
@@ -72,6 +75,7 @@ class Vertices {
   Index mesh_size_;
   std::vector<Deviator> tensors_;
   std::vector<Cut> cuts_;
+  std::vector<PointSigns> signs_;  ///< of the mesh's vertices, after find_signs()
   // What was asked for, under the mutex.
   std::unordered_map<Index, ExactTensor> exact_;
   std::unordered_map<Index, PointSigns> exact_signs_;
