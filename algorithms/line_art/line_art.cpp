@@ -117,11 +117,12 @@ void make_strokes(const Tracer& tracer, const HatchOptions& options, Drawing& dr
   }
   // Alone, or in what the fishbones left.
   add_even_streamlines(tracer, tone.brightest, Family::rib, first);
+  fill_gaps(tracer, tone.brightest, Family::rib, first);
 }
 
 /// Of the first layer.
 void measure(const Buffers& b, const std::vector<float>& ink, const std::vector<Hatch>& hatches,
-             const OwnedArea& owned, HatchCounts& counts) {
+             const OwnedArea& owned, double spacing, HatchCounts& counts) {
   std::vector<double> lengths, spacings;
   for (std::size_t h = 0; h < owned.spacing.size(); ++h)
     spacings.insert(spacings.end(), owned.spacing[h].begin(), owned.spacing[h].end());
@@ -140,7 +141,8 @@ void measure(const Buffers& b, const std::vector<float>& ink, const std::vector<
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (ink[k] == 0) continue;
     ++wanted;
-    bare += owned.owner[k].first == kNone;
+    const auto [h, v] = owned.owner[k];
+    bare += h == kNone || norm(b.centre(k) - hatches[h].stroke.points[v]) > spacing;
   }
   counts.bare = wanted > 0 ? bare / wanted : 0;
 }
@@ -163,6 +165,8 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   drawing.regions = options.steering.regions;
   const View& view = drawing.view;
   const double unit = unit_of(view, drawing.scene), spacing = options.tone.spacing;
+  const CrossHatching crossing{options.cross_hatch, options.tone.darkest};
+  const bool cross_hatch = crosses(options.steering.regions, crossing);
   DirectionField field;
   phase("field", [&] {
     FieldOptions o;
@@ -182,7 +186,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   phase("buffers", [&] {
     buffers = fill_buffers({mesh, frames, field}, view, barriers, options.light, options.crease);
     if (options.look) options.look(buffers);
-    steer(options.steering.regions, buffers);
+    steer(options.steering.regions, crossing, buffers);
   });
   std::vector<Hatch> first, second;
   OwnedArea owned;
@@ -192,11 +196,12 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
                  first);
     name_faces(drawing, first);
     owned = owned_area(buffers, first, 1.5 * spacing);
-    if (!options.cross_hatch) return;
+    if (!cross_hatch) return;
     if (options.cross_field) follow_first_layer(first, owned, buffers);
     // Where the families change places its lines end, or they would run along the first.
-    add_even_streamlines({buffers, barriers, singular, spacing, false}, options.tone.darkest,
-                         Family::backbone, second);
+    const Tracer across(buffers, barriers, singular, spacing, false);
+    add_even_streamlines(across, options.tone.darkest, Family::backbone, second);
+    fill_gaps(across, options.tone.darkest, Family::backbone, second);
     name_faces(drawing, second);
   });
   // What tone is made of is what will be painted.
@@ -205,17 +210,17 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     const ToneOptions& tone = options.tone;
     const bool bands = options.tone_style == ToneStyle::bands;
     const std::vector<float> ink = layer_ink(buffers, tone);
-    const std::vector<float> crossing = crossing_ink(buffers, tone, bands);
+    const std::vector<float> second_ink = crossing_ink(buffers, tone, bands);
     const OwnedArea owned_second = owned_area(buffers, second, 1.5 * spacing);
     std::vector<Layer> layers;
     if (options.tone_style == ToneStyle::width) layers.push_back({first, ink, owned});
     if (bands) set_bands(buffers, ink, tone, first);
-    if (options.cross_hatch) layers.push_back({second, crossing, owned_second});
+    if (cross_hatch) layers.push_back({second, second_ink, owned_second});
     set_widths(buffers, layers, tone);
     const auto black = crossed(coverage(buffers, first), coverage(buffers, second));
-    const auto wanted = options.cross_hatch ? crossed(ink, crossing) : ink;
+    const auto wanted = cross_hatch ? crossed(ink, second_ink) : ink;
     drawing.counts.tone = tone_error(tone_cells(buffers, black, wanted, owned, spacing));
-    measure(buffers, ink, first, owned, drawing.counts);
+    measure(buffers, ink, first, owned, spacing, drawing.counts);
   });
   for (std::vector<Hatch>* layer : {&first, &second})
     for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));

@@ -15,9 +15,37 @@ using kernel::dot, kernel::norm;
 using kernel::operator+, kernel::operator-, kernel::operator*;
 
 constexpr float kDark = 0.5F;  // luminance: more black than white
-constexpr double kStop = 0.6;  // spacings
 constexpr double kHug = 0.6;   // spacings
 constexpr double kBrief = 5;   // spacings: shorter lines along a contour are dashes
+
+/// How close lines come, in spacings.
+struct Closeness {
+  double start = 0.98, stop = 0.6;              ///< to other lines
+  double contour = 0.3, contour_in_dark = 0.3;  ///< where they start
+};
+constexpr Closeness kFilling = {0.8, 0.5, 0.3, 0.15};
+
+bool dark(const Buffers& b, const Vec2& p) {
+  const auto at = b.at(p);
+  return at && b.luminance[*at] < kDark;
+}
+
+bool hatchable(const Buffers& b, const Vec2& p, double brightest) {
+  const auto at = b.at(p);
+  return at && b.face[*at] != kNone && static_cast<double>(b.luminance[*at]) < brightest;
+}
+
+Vec2 page(const Buffers& b) {
+  return {b.width * b.pixel, b.height * b.pixel};
+}
+
+/// Does a line come back to itself? Its own points count from half a turn on.
+bool comes_round(const std::vector<Vec2>& own, const Vec2& p, double spacing, double stop) {
+  const auto apart = static_cast<std::size_t>(3 * spacing / Tracer::kStep);
+  for (std::size_t i = 0; i + apart < own.size(); ++i)
+    if (norm(own[i] - p) < stop * spacing) return true;
+  return false;
+}
 
 Hatch joined(const Trace& back, const Trace& ahead) {
   Hatch hatch;
@@ -32,8 +60,10 @@ Hatch joined(const Trace& back, const Trace& ahead) {
 
 class EvenLines {
  public:
-  EvenLines(const Tracer& tracer, double brightest, Family family, std::vector<Hatch>& lines)
+  EvenLines(const Tracer& tracer, double brightest, Family family, const Closeness& close,
+            std::vector<Hatch>& lines)
       : tracer_(tracer),
+        close_(close),
         s_(tracer.spacing()),
         brightest_(brightest),
         family_(family),
@@ -60,7 +90,6 @@ class EvenLines {
     const auto& points = lines_[line].stroke.points;
     for (Index i = 0; i < points.size(); ++i) points_.add(points[i], line, i);
   }
-  static Vec2 page(const Buffers& b) { return {b.width * b.pixel, b.height * b.pixel}; }
 
   /// Every few pixels, the most curved first.
   std::vector<std::size_t> by_curvature() const {
@@ -78,26 +107,25 @@ class EvenLines {
     return order;
   }
 
-  bool hatchable(const Vec2& p) const {
-    const auto at = tracer_.buffers().at(p);
-    return at && tracer_.buffers().face[*at] != kNone &&
-           tracer_.buffers().luminance[*at] < brightest_;
+  bool starts_at(const Vec2& seed) const {
+    const Buffers& b = tracer_.buffers();
+    if (!hatchable(b, seed, brightest_) || tracer_.near_singularity(seed)) return false;
+    const double clear = dark(b, seed) ? close_.contour_in_dark : close_.contour;
+    return !tracer_.barriers().nearest(seed, clear * s_) &&
+           !(points_.distance(seed, s_) < close_.start * s_);
   }
 
   void try_seed(const Vec2& seed) {
-    if (!hatchable(seed) || tracer_.near_singularity(seed)) return;
-    if (tracer_.barriers().nearest(seed, 0.3 * s_)) return;
-    if (points_.distance(seed, s_) < 0.98 * s_) return;
+    if (!starts_at(seed)) return;
     const auto d = tracer_.direction(seed, family_, {0, 0});
     if (!d) return;
     const auto line = static_cast<Index>(lines_.size());
-    // The line itself comes round, too: its own points count from half a turn on.
     std::vector<Vec2> own;
+    const double near = close_.stop * s_;
     const auto stop = [&](const Vec2& p, Index) {
-      if (!hatchable(p) || points_.distance(p, kStop * s_) < kStop * s_) return true;
-      const std::size_t apart = static_cast<std::size_t>(3 * s_ / Tracer::kStep);
-      for (std::size_t i = 0; i + apart < own.size(); ++i)
-        if (norm(own[i] - p) < kStop * s_) return true;
+      if (!hatchable(tracer_.buffers(), p, brightest_) || points_.distance(p, near) < near ||
+          comes_round(own, p, s_, close_.stop))
+        return true;
       own.push_back(p);
       return false;
     };
@@ -124,10 +152,67 @@ class EvenLines {
   }
 
   const Tracer& tracer_;
+  Closeness close_;
   double s_, brightest_;
   Family family_;
   LinePoints points_;
   std::deque<Vec2> seeds_;
+  std::vector<Hatch>& lines_;
+};
+
+/// Lets free ends go on, as near to other lines as gaps are filled.
+class LongerEnds {
+ public:
+  LongerEnds(const Tracer& tracer, double brightest, Family family, std::vector<Hatch>& lines)
+      : tracer_(tracer),
+        brightest_(brightest),
+        family_(family),
+        points_(page(tracer.buffers()), tracer.spacing(), tracer.barriers()),
+        lines_(lines) {
+    for (Index l = 0; l < lines.size(); ++l)
+      for (const Vec2& p : lines[l].stroke.points) points_.add(p, l, 0);
+  }
+
+  void run() {
+    for (Index l = 0; l < lines_.size(); ++l) {
+      kernel::stop_point();
+      Hatch& h = lines_[l];
+      if (h.stroke.points.size() < 2) continue;
+      if (h.free_end) h.free_end = go_on(l);
+      std::reverse(h.stroke.points.begin(), h.stroke.points.end());
+      if (h.free_start) h.free_start = go_on(l);
+      std::reverse(h.stroke.points.begin(), h.stroke.points.end());
+    }
+  }
+
+ private:
+  /// From the last point on; is the new end free?
+  bool go_on(Index line) {
+    auto& points = lines_[line].stroke.points;
+    const double near = kFilling.stop * tracer_.spacing();
+    std::vector<Vec2> own = points;
+    const auto stop = [&](const Vec2& p, Index) {
+      const auto others = [&](Index other, Index) { return other != line; };
+      if (!hatchable(tracer_.buffers(), p, brightest_) ||
+          points_.distance(p, near, others) < near ||
+          comes_round(own, p, tracer_.spacing(), kFilling.stop))
+        return true;
+      own.push_back(p);
+      return false;
+    };
+    const Vec2 end = points.back(), ahead = end - points[points.size() - 2];
+    const Trace more = tracer_.trace(end, ahead, family_, std::numbers::pi, stop);
+    for (std::size_t i = 1; i < more.points.size(); ++i) {
+      points.push_back(more.points[i]);
+      points_.add(more.points[i], line, 0);
+    }
+    return more.end != Trace::End::contour;
+  }
+
+  const Tracer& tracer_;
+  double brightest_;
+  Family family_;
+  LinePoints points_;
   std::vector<Hatch>& lines_;
 };
 
@@ -157,8 +242,7 @@ bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
   std::size_t close = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i) {
     // In the dark a line beside the contour is no dash: without it a white slit is seen.
-    const auto at = tracer.buffers().at(stroke.points[i]);
-    if (at && tracer.buffers().luminance[*at] < kDark) continue;
+    if (dark(tracer.buffers(), stroke.points[i])) continue;
     const auto near = tracer.barriers().nearest(stroke.points[i], reach);
     const Vec2 d = stroke.points[i] - stroke.points[i - 1];
     const double n = norm(d);
@@ -169,7 +253,13 @@ bool hugs_contour(const Tracer& tracer, const Stroke& stroke) {
 
 void add_even_streamlines(const Tracer& tracer, double brightest, Family family,
                           std::vector<Hatch>& lines) {
-  EvenLines(tracer, brightest, family, lines).run();
+  EvenLines(tracer, brightest, family, {}, lines).run();
+}
+
+void fill_gaps(const Tracer& tracer, double brightest, Family family, std::vector<Hatch>& lines) {
+  const Tracer heedless = tracer.heedless();
+  LongerEnds(heedless, brightest, family, lines).run();
+  EvenLines(heedless, brightest, family, kFilling, lines).run();
 }
 
 std::vector<Hatch> random_streamlines(const Tracer& tracer, double brightest, double width) {

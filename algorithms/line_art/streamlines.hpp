@@ -22,10 +22,15 @@ bool too_short(const Hatch& hatch, double spacing);
 bool hugs_contour(const Tracer& tracer, const Stroke& stroke);
 
 /// Lines added to those there are: a new one starts at the spacing from an old one and stops at
-/// half of it; `family`: ribs, or the crossing layer along backbones. Pixels darker than
+/// 0.6 of it; `family`: ribs, or the crossing layer along backbones. Pixels darker than
 /// `brightest` are hatched. Cost: linear in the points, for a bounded number of them a cell.
 void add_even_streamlines(const Tracer& tracer, double brightest, Family family,
                           std::vector<Hatch>& lines);
+
+/// What is still white though it is to be hatched: free ends go on, then lines are added that start
+/// at 0.8 spacings from an old one; all stop at half a spacing, none at singularities, where the
+/// field only turns. In the dark they start nearer to a contour, too. Cost: as above.
+void fill_gaps(const Tracer& tracer, double brightest, Family family, std::vector<Hatch>& lines);
 
 /// The thesis' first approach: seeds at random (always the same), each stroke over (1 - c) of its
 /// length, none in highlights, those near silhouettes first.

@@ -72,6 +72,9 @@ class Tracer {
   Tracer(const Buffers& buffers, const Barriers& barriers, std::vector<Vec2> singular,
          double spacing, bool crosses);
 
+  /// One that goes past singularities.
+  Tracer heedless() const { return {buffers_, barriers_, {}, spacing_, crosses_}; }
+
   const Buffers& buffers() const { return buffers_; }
   const Barriers& barriers() const { return barriers_; }
   double spacing() const { return spacing_; }

@@ -169,10 +169,11 @@ TEST_CASE(
     "A drawing's bytes do not depend on the number of threads, and a sidecar makes it again") {
   const auto mesh = ring(24, 14);
   HatchOptions options;
+  options.cross_field = options.cross_hatch = true;
   const Drawing drawing = draw(mesh, {1, 0.8, 1.2}, options);
   std::string svg = io::svg_of(drawing), pdf = io::pdf_of(drawing), eps = io::eps_of(drawing);
-  {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  for (const std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const Drawing again = draw(mesh, {1, 0.8, 1.2}, options);
     CHECK(io::svg_of(again) == svg);
     CHECK(io::pdf_of(again) == pdf);
@@ -188,4 +189,74 @@ TEST_CASE(
   CHECK(io::svg_of(steered) == svg);
   const Drawing other = draw(mesh, {1, 0.9, 1.2}, {});
   CHECK_THROWS_WITH(io::read_sidecar(path, other.view), Catch::Contains("of another view"));
+}
+
+TEST_CASE("A region has cross hatching of its own, and a sidecar keeps that") {
+  const auto mesh = ring(24, 14);
+  const auto count = [](const Drawing& drawing, bool right) {
+    const auto beyond = [](const Stroke& s, double x) {
+      return std::any_of(s.points.begin(), s.points.end(), [&](const Vec2& p) { return p[0] > x; });
+    };
+    return std::count_if(drawing.hatches.begin(), drawing.hatches.end(), [&](const Stroke& s) {
+      return s.kind == StrokeKind::cross && (right ? beyond(s, 31) : !beyond(s, 29));
+    });
+  };
+  HatchOptions options;
+  options.light.light = {0, 0, -1};  // dark all over
+  Region right;
+  right.rings = {{{30, 0}, {60, 0}, {60, 60}, {30, 60}}};
+  for (const bool on_page : {false, true}) {
+    options.cross_hatch = on_page;
+    options.steering.regions = {};
+    const Drawing plain = draw(mesh, {1, 0.8, 1.2}, options);
+    CHECK((count(plain, true) > 5) == on_page);
+    right.cross = !on_page;
+    options.steering.regions = {right};
+    const Drawing drawing = draw(mesh, {1, 0.8, 1.2}, options);
+    CHECK((count(drawing, true) > 5) == !on_page);
+    CHECK((count(drawing, false) > 5) == on_page);
+    const TemporaryFolder folder;
+    const std::string path = (folder / "sidecar.json").string();
+    io::write_atomically(path, io::sidecar_of(drawing));
+    const Steering again = io::read_sidecar(path, drawing.view);
+    REQUIRE(again.regions.size() == 1);
+    CHECK(again.regions[0].cross == right.cross);
+  }
+}
+
+TEST_CASE("Random strokes ink a flat patch as independent ones of their lengths do") {
+  // Painted one over another, shares of 1 - c in all cover 1 - exp(c - 1).
+  Drawing nothing;
+  nothing.view.page = {60, 60};
+  const Barriers none(nothing.scene, nothing.view, nothing.contours);
+  double before = 1;
+  for (const double c : {0.1, 0.35, 0.5, 0.65, 0.8, 0.93}) {
+    Buffers b;
+    b.width = b.height = 500;
+    const std::size_t n = 500 * 500;
+    b.face.assign(n, 0);
+    b.luminance.assign(n, static_cast<float>(c));
+    b.closed.assign(n, 0);
+    b.normal.assign(n, {0, 0, 1});
+    b.rib.assign(n, {1, 0});
+    b.backbone.assign(n, {0, 1});
+    const ToneOptions options;
+    const auto lines = random_streamlines({b, none, {}, options.spacing, false}, options.brightest,
+                                          0.35 * options.spacing);
+    const std::vector<float> black = coverage(b, lines);
+    double share = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      if (k % 500 > 70 && k % 500 < 430) share += static_cast<double>(black[k]) / (500.0 * 359);
+    CHECK(share == Approx(1 - std::exp(c - 1)).margin(0.03));
+    CHECK(share < before);
+    before = share;
+  }
+  for (const double c : {0.96, 1.0}) {
+    Buffers b;
+    b.width = b.height = 50;
+    b.face.assign(2500, 0);
+    b.luminance.assign(2500, static_cast<float>(c));
+    b.normal.assign(2500, {0, 0, 1});
+    CHECK(random_streamlines({b, none, {}, 0.8, false}, 0.95, 0.28).empty());
+  }
 }
