@@ -73,7 +73,7 @@ std::vector<Index> vertex_order(const Surface& surface, const CodedOrder& order)
   for (std::size_t f = 0; f < order.faces.size(); ++f) {
     Index h = order.corners[f];
     for (const Index v : order.faces[f]) {
-      vertices[v] = surface.from(h);
+      if (vertices[v] == kNone) vertices[v] = surface.from(h);
       h = next_half(h);
     }
   }
@@ -220,15 +220,17 @@ Encoded encode(Index vertices, std::span<const Triangle> faces, std::span<const 
   set(Section::connectivity, coded.bytes);
   Bytes geometry, numbers, order;
   std::vector<Point> places;
-  const Surface decoded(vertices, coded.order.faces);
+  std::optional<Surface> decoded;
+  if (options.places != Places::none || c.has_attributes)
+    decoded.emplace(vertices, coded.order.faces);
   if (options.places != Places::none) {
     for (const Index v : result.vertex_order) places.push_back(points[v]);
     const std::vector<Point> in_order = std::move(places);
-    geometry = encode_places(decoded, in_order, result.vertex_order, options, places);
+    geometry = encode_places(*decoded, in_order, result.vertex_order, options, places);
     set(Section::positions, geometry);
   }
   if (c.has_attributes) {
-    numbers = encode_all(decoded, attributes, result.vertex_order, coded.order.corners);
+    numbers = encode_all(*decoded, attributes, result.vertex_order, coded.order.corners);
     set(Section::attributes, numbers);
   }
   std::vector<Triangle> final_faces = coded.order.faces;

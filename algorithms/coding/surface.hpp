@@ -41,9 +41,11 @@ class Surface {
   }
 
   /// The component of a face; components are numbered by their first faces.
-  Index component(Index f) const { return component_[f]; }
+  Index component(Index f) const { return component_[faces_[f][0]]; }
   /// The first half-edge of each boundary loop, ascending.
   const std::vector<Index>& loops() const { return loops_; }
+  /// Half-edges without a twin.
+  std::size_t side_count() const { return sides_; }
   /// The boundary half-edge after the boundary half-edge h.
   Index next_on_boundary(Index h) const;
 
@@ -53,7 +55,9 @@ class Surface {
 
   std::span<const Triangle> faces_;
   kernel::CornerTable table_;
-  std::vector<Index> component_, loops_;
+  std::vector<Index> component_;  ///< of a vertex
+  std::vector<Index> loops_;
+  std::size_t sides_ = 0;
   Counts counts_;
 };
 

@@ -28,8 +28,7 @@ struct NodeCode {
 class Original {
  public:
   Original(const Surface& surface, kernel::StripExits exits, CodedOrder& order)
-      : surface_(surface),
-        order_(order),
+      : order_(order),
         tree_(kernel::grow_strips(surface.table(), surface.faces(), exits)),
         nodes_(kernel::postorder(tree_)),
         slot_(3 * std::size_t{surface.face_count()}, kNone) {}
@@ -64,7 +63,6 @@ class Original {
  private:
   void put(Index slot, Index h) { slot_[h] = slot; }
 
-  const Surface& surface_;
   CodedOrder& order_;
   kernel::StripTree tree_;
   std::vector<Index> nodes_, slot_;

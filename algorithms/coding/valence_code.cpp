@@ -14,12 +14,12 @@ namespace {
 /// The mesh that is coded: what comes next, and which slot is where.
 class Original {
  public:
-  Original(const ClosedSurface& surface, CodedOrder& order)
-      : s_(surface),
-        order_(order),
-        seen_(surface.valence.size(), 0),
-        done_(surface.origin.size() / 3, 0),
-        slot_(surface.origin.size(), kNone) {}
+  /// `surface` is used up: vertices are marked when met, and of half-edges along active loops the
+  /// twin, which is not needed any more, gives way to the slot.
+  Original(ClosedSurface& surface, CodedOrder& order) : s_(surface), order_(order) {
+    order_.corners.reserve(s_.faces);
+    edge_.reserve(s_.vertices);
+  }
 
   bool has_extra() const { return s_.extra(s_.from(s_.starts[component_])); }
   void start() {
@@ -30,42 +30,41 @@ class Original {
     }
     // The loop runs against the triangle: its slots are corners 0, 2, 1.
     const auto base = static_cast<Index>(edge_.size() - 3);
-    put(base, s_.twin[previous(gate_)]);
-    put(base + 2, s_.twin[next(gate_)]);
-    put(base + 1, s_.twin[gate_]);
-    finish(gate_);
+    put(base, s_.twin(previous(gate_)));
+    put(base + 2, s_.twin(next(gate_)));
+    put(base + 1, s_.twin(gate_));
+    finish();
   }
   /// The valence of the k-th corner of the first triangle.
   Index start_valence(std::size_t k) const {
     Index h = s_.starts[component_];
     for (; k > 0; --k) h = next(h);
-    return s_.valence[s_.from(h)];
+    return s_.valence[s_.from(h)] & ~kMark;
   }
   void approach(Index f) { gate_ = edge_[f]; }
-  Index slots() const { return static_cast<Index>(edge_.size()); }
-  bool is_new() const { return !seen_[apex()]; }
+  bool is_new() const { return (s_.valence[apex()] & kMark) == 0; }
   bool apex_is_extra() const { return s_.extra(apex()); }
-  Index valence() const { return s_.valence[apex()]; }
+  Index valence() const { return s_.valence[apex()] & ~kMark; }
   /// The triangle at the gate is joined to the slot x, a new one or the second half of one.
   void join(Index f, Index x) {
     if (x == edge_.size()) edge_.push_back(kNone);
     meet(apex());
-    put(f, s_.twin[previous(gate_)]);
-    put(x, s_.twin[next(gate_)]);
-    finish(gate_);
+    put(f, s_.twin(previous(gate_)));
+    put(x, s_.twin(next(gate_)));
+    finish();
   }
   void force(Index before) {
-    put(before, s_.twin[next(gate_)]);
-    finish(gate_);
+    put(before, s_.twin(next(gate_)));
+    finish();
   }
-  void close() { finish(gate_); }
+  void close() { finish(); }
   /// The slot that the triangle at the gate meets; `after`: its free edges between the triangle and
   /// its next slot.
   Index meeting(Index& after) const {
     after = 0;
-    Index g = next(s_.twin[previous(gate_)]);
-    for (; !done_[s_.twin[g] / 3]; g = next(s_.twin[g])) ++after;
-    return slot_[g];
+    Index g = next(s_.twin(previous(gate_)));
+    for (; (s_.twin(g) & kMark) == 0; g = next(s_.twin(g))) ++after;
+    return s_.twin(g) & ~kMark;
   }
   /// What the first half of a split slot keeps: nothing changes for the edge that stays.
   void split(Index x, Index second) {
@@ -74,23 +73,22 @@ class Original {
   }
 
  private:
-  static Index next(Index h) { return kernel::next_half(h); }
-  static Index previous(Index h) { return kernel::previous_half(h); }
+  static constexpr Index kMark = Index{1} << 31;
+
+  static Index next(Index h) { return ClosedSurface::next(h); }
+  static Index previous(Index h) { return ClosedSurface::previous(h); }
   Index apex() const { return s_.from(previous(gate_)); }
   void put(Index slot, Index h) {
     edge_[slot] = h;
-    slot_[h] = slot;
+    s_.twin(h) = slot | kMark;
   }
-  void meet(Index v) { seen_[v] = 1; }
-  void finish(Index h) {
-    done_[h / 3] = 1;
-    if (h / 3 < s_.faces) order_.corners.push_back(h);
+  void meet(Index v) { s_.valence[v] |= kMark; }
+  void finish() {
+    if (gate_ / 4 < s_.faces) order_.corners.push_back(gate_ - gate_ / 4);
   }
 
-  const ClosedSurface& s_;
+  ClosedSurface& s_;
   CodedOrder& order_;
-  std::vector<std::uint8_t> seen_, done_;
-  std::vector<Index> slot_;  ///< of a half-edge along an active loop
   std::vector<Index> edge_;  ///< of a slot: the half-edge to the next slot, on the side to come
   Index gate_ = kNone, component_ = 0;
 };
@@ -267,7 +265,7 @@ class ValenceRoutine {
 }  // namespace
 
 Bytes encode_valences(const Surface& surface, CodedOrder& order) {
-  const ClosedSurface closed(surface);
+  ClosedSurface closed(surface);
   Original original(closed, order);
   RangeEncoder range;
   ValenceRoutine routine(range, original, surface.counts(), kNone);

@@ -18,21 +18,45 @@ namespace {
                    "the mesh manifold and orient it");
 }
 
-/// Half-edges by the vertex they start at.
+/// A half-edge with the other two corners of its face.
+struct Leaving {
+  Index half, end, third;
+};
+
+/// Half-edges by the vertex they start at: those of v end at end[v].
 struct Buckets {
-  std::vector<Index> begin, halves;
+  std::vector<Index> end;
+  std::vector<Leaving> list;
 };
 
 Buckets by_start(Index vertices, std::span<const Triangle> faces) {
   Buckets b;
-  b.begin.assign(vertices + 1, 0);
+  // One place further: filling moves each beginning to its end.
+  b.end.assign(std::size_t{vertices} + 1, 0);
   for (const Triangle& t : faces)
-    for (const Index v : t) ++b.begin[v + 1];
-  std::partial_sum(b.begin.begin(), b.begin.end(), b.begin.begin());
-  b.halves.resize(3 * faces.size());
-  std::vector<Index> next(b.begin.begin(), b.begin.end() - 1);
-  for (Index h = 0; h < b.halves.size(); ++h) b.halves[next[faces[h / 3][h % 3]]++] = h;
+    for (const Index v : t) ++b.end[v + 1];
+  std::partial_sum(b.end.begin(), b.end.end(), b.end.begin());
+  b.list.resize(3 * faces.size());
+  Index h = 0;
+  for (const auto& [p, q, r] : faces) {
+    b.list[b.end[p]++] = {h, q, r};
+    b.list[b.end[q]++] = {h + 1, r, p};
+    b.list[b.end[r]++] = {h + 2, p, q};
+    h += 3;
+  }
   return b;
+}
+
+/// Faces from the one at h on counter-clockwise, to the boundary or back; `most` at most: each fan
+/// of several would end early.
+std::size_t fan_size(const std::vector<Index>& opposite, Index first, std::size_t most) {
+  std::size_t seen = 0;
+  Index h = first;
+  do {
+    ++seen;
+    h = opposite[previous_half(h)];
+  } while (h != kNone && h != first && seen < most);
+  return seen;
 }
 
 }  // namespace
@@ -41,46 +65,40 @@ CornerTable::CornerTable(Index vertices, std::span<const Triangle> faces) {
   if (faces.empty()) throw InputError("mesh: it has no faces; give a triangle mesh");
   for (Index f = 0; f < faces.size(); ++f) require_three_vertices(f, faces[f], vertices);
   const Buckets starts = by_start(vertices, faces);
-  const auto end_of = [&](Index h) { return faces[h / 3][(h % 3 + 1) % 3]; };
   opposite_.assign(3 * faces.size(), kNone);
   half_of_.assign(vertices, kNone);
-  // Where the last half-edge v -> w stands, for the v at hand.
-  std::vector<Index> to(vertices, kNone);
+  // The last half-edge v -> w, at w, for the v at hand.
+  struct Last {
+    Index v, half, third;
+  };
+  std::vector<Last> to(vertices, Last{kNone, kNone, kNone});
+  Index broken = kNone;
   for (Index v = 0; v < vertices; ++v) {
-    const std::span<const Index> out{starts.halves.data() + starts.begin[v],
-                                     starts.halves.data() + starts.begin[v + 1]};
-    for (const Index h : out) {
-      Index& seen = to[end_of(h)];
-      if (seen != kNone && faces[seen / 3][seen % 3] == v)
-        refuse_pair(faces, seen / 3, h / 3, v, end_of(h));
-      seen = h;
+    const Index begin = v == 0 ? 0 : starts.end[v - 1];
+    const std::span<const Leaving> out{starts.list.data() + begin, starts.end[v] - begin};
+    for (const auto& [h, w, third] : out) {
+      if (to[w].v == v) refuse_pair(faces, to[w].half / 3, h / 3, v, w);
+      to[w] = {v, h, third};
     }
-    // w -> v with w in a face of v: the half-edge after next of one that starts at v.
-    for (const Index h : out) {
-      const Index in = previous_half(h), w = faces[in / 3][in % 3], back = to[w];
-      if (back == kNone || faces[back / 3][back % 3] != v) continue;
-      opposite_[in] = back;
-      if (same_corners(faces[in / 3], faces[back / 3])) refuse_pair(faces, in / 3, back / 3, v, w);
+    // w -> v with w in a face of v: the half-edge before one that starts at v.
+    for (const auto& [h, third, w] : out) {
+      const Last& back = to[w];
+      if (back.v != v) continue;
+      const Index in = previous_half(h);
+      opposite_[in] = back.half;
+      opposite_[back.half] = in;
+      if (third == back.third) refuse_pair(faces, in / 3, back.half / 3, v, w);
     }
+    // All that starts or ends at v is paired now.
+    for (const Leaving& leaving : out)
+      if (half_of_[v] == kNone || opposite_[leaving.half] == kNone) half_of_[v] = leaving.half;
+    if (out.empty() || fan_size(opposite_, half_of_[v], out.size()) != out.size())
+      broken = std::min(broken, v);
   }
-  for (Index v = 0; v < vertices; ++v) {
-    const std::span<const Index> out{starts.halves.data() + starts.begin[v],
-                                     starts.halves.data() + starts.begin[v + 1]};
-    if (out.empty())
-      throw InputError(name("vertex", v) + ": it belongs to no face; remove isolated vertices");
-    half_of_[v] = out.front();
-    for (const Index h : out)
-      if (opposite_[h] == kNone) half_of_[v] = h;
-    // Counter-clockwise from the boundary, if there is one: each fan of several would end early.
-    std::size_t seen = 0;
-    Index h = half_of_[v];
-    do {
-      ++seen;
-      h = opposite_[previous_half(h)];
-    } while (h != kNone && h != half_of_[v] && seen < out.size());
-    if (seen != out.size())
-      throw InputError(name("vertex", v) + ": several fans of faces meet in it; split it");
-  }
+  if (broken == kNone) return;
+  throw InputError(name("vertex", broken) +
+                   (half_of_[broken] == kNone ? ": it belongs to no face; remove isolated vertices"
+                                              : ": several fans of faces meet in it; split it"));
 }
 
 }  // namespace crest::kernel

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Meshes for the tests of coding and strips: generated ones and those of the shared data.
+// Generated meshes for the tests of coding and strips.
 #include <algorithm>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "algorithms/coding/coding.hpp"
 #include "algorithms/sampling/random_triangulations.hpp"
-#include "io/read/surface_reader.hpp"
+#include "kernel/arithmetic/vec3.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/shared_data.hpp"
 
 namespace crest::tests {
 
@@ -20,47 +18,6 @@ struct PlainMesh {
   std::vector<kernel::Triangle> faces;
   kernel::Index vertices() const { return static_cast<kernel::Index>(points.size()); }
 };
-
-/// The oriented manifolds of the shared data, polygons cut into triangles.
-inline const std::vector<std::string> kSharedMeshes = {"anchor.off",
-                                                       "armadillo.off",
-                                                       "b9_mesh.off",
-                                                       "bones.off",
-                                                       "bunny_3k.off",
-                                                       "cheese.off",
-                                                       "cube_no_bottom.obj",
-                                                       "dino.off",
-                                                       "disk.obj",
-                                                       "double-torus-example.off",
-                                                       "elephant.off",
-                                                       "fandisk.off",
-                                                       "featuretype.STL",
-                                                       "fertility.off",
-                                                       "head.off",
-                                                       "homer.obj",
-                                                       "horse.ply",
-                                                       "joint.off",
-                                                       "kitten.obj",
-                                                       "knot1.off",
-                                                       "lilium.obj",
-                                                       "lion-head.off",
-                                                       "man.off",
-                                                       "max-planck_decimated.obj",
-                                                       "penguin.obj",
-                                                       "pinion.off",
-                                                       "plane_holes.obj",
-                                                       "rocker-arm.obj",
-                                                       "rotor.off",
-                                                       "spot.obj",
-                                                       "springer.obj",
-                                                       "stanford-bunny.obj",
-                                                       "stratocaster.ply",
-                                                       "torus.obj"};
-
-inline PlainMesh read_plain(const std::string& path) {
-  io::SurfaceFile file = io::read_surface(path);
-  return {std::move(file.points), std::move(file.faces)};
-}
 
 /// A torus of m times n squares, each cut in two.
 inline PlainMesh torus_grid(kernel::Index m, kernel::Index n) {

@@ -8,7 +8,8 @@
 #include "algorithms/coding/positions.hpp"
 #include "algorithms/coding/verify.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/coding/meshes.hpp"
+#include "tests/coding/shared_meshes.hpp"
+#include "tests/coding/stream_digests.hpp"
 
 namespace crest::tests {
 namespace {
@@ -156,6 +157,12 @@ TEST_CASE("what is no oriented manifold is refused with its element") {
   CHECK(refused(3, {{0, 1, 1}}) != "");
   CHECK(refused(3, {{0, 1, 3}}) != "");
   CHECK(refused(0, {}) != "");
+}
+
+TEST_CASE("the bytes of streams are those of every compiler, and of the first version") {
+  int count = 0;
+  CHECK(digest_of_streams(count) == "39fb9bc956e07e84");
+  CHECK(count == 88);
 }
 
 }  // namespace

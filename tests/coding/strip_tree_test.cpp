@@ -7,7 +7,7 @@
 #include "algorithms/coding/surface.hpp"
 #include "algorithms/coding/thesis_codes.hpp"
 #include "kernel/geometry/disjoint_sets.hpp"
-#include "tests/coding/meshes.hpp"
+#include "tests/coding/shared_meshes.hpp"
 
 namespace crest::tests {
 namespace {
