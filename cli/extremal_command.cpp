@@ -91,7 +91,6 @@ std::string certify_result(Run& run, std::optional<ExtremalCertificate>& certifi
 
 Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& result,
                const std::string& digest, const kernel::SampledGrid* image) {
-  fill_report(run.report(), result);
   for (const std::string& warning : extremal_warnings(result)) run.warn(warning);
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_extremal(path, result, digest); });
@@ -110,6 +109,7 @@ Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& resul
       return scene;
     });
   });
+  fill_report(run.report(), result);  // last: a long report takes as much as the mesh
   const bool certified =
       !run.wanted("--certificate") || (!digest.empty() && result.undecided.empty());
   return {extremal_summary(result), {"li2010extremal"}, certified ? kDone : kNotCertified};

@@ -70,8 +70,9 @@ Counts Assembly::counts(const MeasuredMesh& mesh) const {
   return c;
 }
 
-Result Assembly::result(const MeasuredMesh& mesh, const ValuesAt& values) const {
+Result Assembly::result(MeasuredMesh mesh, const ValuesAt& values) const {
   Result r;
+  r.counts = counts(mesh);
   r.dimension = grid_.dimension();
   const double plane = std::min(grid_.spacing[0], grid_.spacing[1]);
   const double least = r.dimension == 2 ? plane : std::min(plane, grid_.spacing[2]);
@@ -86,7 +87,6 @@ Result Assembly::result(const MeasuredMesh& mesh, const ValuesAt& values) const 
   for (const Index e : records_.undecided) add(e, false);
   for (const CriticalRecord& e : records_.critical)
     if (e.state == EdgeState::type_undecided) add(e.edge, true);
-  r.counts = counts(mesh);
   return r;
 }
 

@@ -18,7 +18,7 @@ class Assembly {
 
   /// `critical`: of all critical edges. Requires: it is among the meshes that the records are for.
   MeasuredMesh mesh(bool critical) const;
-  Result result(const MeasuredMesh& mesh, const ValuesAt& values) const;
+  Result result(MeasuredMesh mesh, const ValuesAt& values) const;
   Result result(bool critical, const ValuesAt& values) const {
     return result(mesh(critical), values);
   }

@@ -67,12 +67,9 @@ GradientBounds gradient_bounds(const std::array<Controls, 3>& v, const Vec3& w) 
 /// Derivatives of a cell's splines in index units; s carries its sign.
 class Derivatives {
  public:
-  Derivatives(const Fields& fields, const Node& v) : fields_(fields) {
+  Derivatives(const Fields& fields, const Node& v) : fields_(fields), cell_(v) {
     scalar_ = fields.coefficients(fields.scalars(), v);
     for (double& x : scalar_) x *= fields.sign();
-    if (fields.structure())
-      for (std::size_t t = 0; t < fields.tensors().size(); ++t)
-        tensor_[t] = fields.coefficients(fields.tensors()[t], v);
   }
   Controls scalar(std::array<int, 3> orders) const {
     Controls c = scalar_;
@@ -91,8 +88,15 @@ class Derivatives {
     }
     return r;
   }
+  /// Of T, where it is not the Hessian.
+  std::array<Coefficients, 6> tensor_coefficients() const {
+    std::array<Coefficients, 6> r;
+    for (std::size_t t = 0; t < fields_.tensors().size(); ++t)
+      r[t] = fields_.coefficients(fields_.tensors()[t], cell_);
+    return r;
+  }
   /// dT along an axis, T in world units.
-  std::array<Controls, 6> tensor(int axis) const {
+  std::array<Controls, 6> tensor(int axis, const std::array<Coefficients, 6>& coefficients) const {
     const Vec3& d = fields_.grid().spacing;
     std::array<Controls, 6> r{};
     if (!fields_.structure()) {
@@ -104,7 +108,7 @@ class Derivatives {
     for (std::size_t t = 0; t < fields_.tensors().size(); ++t) {
       std::array<int, 3> orders{};
       orders[static_cast<std::size_t>(axis)] = 1;
-      r[fields_.entry(t)] = tensor_[t];
+      r[fields_.entry(t)] = coefficients[t];
       kernel::to_spline_net<double, 3>(r[fields_.entry(t)], orders);
     }
     return r;
@@ -114,8 +118,8 @@ class Derivatives {
 
  private:
   const Fields& fields_;
+  Node cell_;
   Coefficients scalar_;
-  std::array<Coefficients, 6> tensor_;
 };
 
 /// Is grad g in one cone, and is s_nn positive?
@@ -134,14 +138,14 @@ class RegularTest {
     slack_ = 4 * kSlack * nets.gradient_size;
     tensor_slack_ = kSlack * nets.tensor_size;
     // Index units to diag(d) Hess: each column over its spacing.
-    const Vec3& d = fields.grid().spacing;
+    const Vec3 inverse{1 / spacing[0], 1 / spacing[1], 1 / spacing[2]};
     double square = 0;
     for (std::size_t i = 0; i < 64; ++i) {
       double sum = 0;
       for (std::size_t row = 0; row < 3; ++row) {
         double h = 0, own = 0;
         for (std::size_t col = 0; col < 3; ++col) {
-          const double x = hessian_[entry(row, col)][i] / d[col];
+          const double x = hessian_[entry(row, col)][i] * inverse[col];
           h += x * w[col];
           own += x * x;
         }
@@ -180,12 +184,11 @@ class RegularTest {
   }
 
   bool extremal() const {
-    const Vec3& d = fields_.grid().spacing;
+    const Tensor factors = world_hessian({1, 1, 1, 1, 1, 1}, fields_.grid().spacing);
     double low = HUGE_VAL, square = 0;
     for (std::size_t i = 0; i < 64; ++i) {
       Tensor h;
-      for (std::size_t n = 0; n < 6; ++n) h[n] = hessian_[n][i];
-      h = world_hessian(h, d);
+      for (std::size_t n = 0; n < 6; ++n) h[n] = hessian_[n][i] * factors[n];
       low = std::min(low, kernel::dot(w_, product(h, w_)));
       square = std::max(square, h[0] * h[0] + h[1] * h[1] + h[2] * h[2] +
                                     2 * (h[3] * h[3] + h[4] * h[4] + h[5] * h[5]));
@@ -214,8 +217,10 @@ class RegularTest {
     const auto [u, v] = kernel::frame_across(w_);
     const auto fu = form(u, w_), fv = form(v, w_);
     Vec3 r{};
+    std::array<Coefficients, 6> coefficients;
+    if (fields_.structure()) coefficients = made_.tensor_coefficients();
     for (int k = 0; k < fields_.grid().dimension(); ++k) {
-      const auto dt = made_.tensor(k);
+      const auto dt = made_.tensor(k, coefficients);
       Controls across, norm;
       for (std::size_t i = 0; i < 64; ++i) {
         const double a = apply(fu, dt, i), b = apply(fv, dt, i);

@@ -52,7 +52,8 @@ struct MeasuredMesh {
 };
 /// What the fields have at places, in units of the grid.
 using ValuesAt = std::function<std::vector<AtPlace>(std::span<const Vec3>)>;
-/// The points, polygons and components of a result.
-void write_mesh(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& values, Result& result);
+/// The points, polygons and components of a result. Parts of the mesh are thrown away as they are
+/// written.
+void write_mesh(const Grid& grid, MeasuredMesh& mesh, const ValuesAt& values, Result& result);
 
 }  // namespace crest::extremal

@@ -6,6 +6,7 @@
 
 #include "algorithms/extremal/fields.hpp"
 #include "kernel/arithmetic/rational.hpp"
+#include "kernel/polynomial/spline_net.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -115,6 +116,35 @@ std::pair<kernel::Symmetric3<Rational>, kernel::Vector3<Rational>> Fields::exact
     t = node_hessian(l, grid_.spacing, sign_);
   if (grid_.dimension() == 2) t[2] = -2 * (abs(t[0]) + abs(t[1]) + abs(t[3])) - 1;
   return {t, node_gradient(l, grid_.spacing, sign_)};
+}
+
+ExactLocal Fields::exact_at(const Node& v, const Vec3& t) const {
+  std::array<std::array<std::array<Rational, 4>, 3>, 3> w;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int order = 0; order < 3; ++order)
+      w[k][static_cast<std::size_t>(order)] = kernel::spline_weights(Rational(t[k]), order);
+  const auto value = [&](const std::vector<float>& spline, std::size_t a, std::size_t b,
+                         std::size_t c) {
+    const Coefficients near = coefficients(spline, v);
+    kernel::SplineCell<Rational, 3> cell;
+    std::copy(near.begin(), near.end(), cell.begin());
+    return kernel::spline_value<Rational, 3>(cell, {w[0][a], w[1][b], w[2][c]});
+  };
+  const Rational s(sign_), x(grid_.spacing[0]), y(grid_.spacing[1]), z(grid_.spacing[2]);
+  ExactLocal r;
+  r.value = value(scalars_, 0, 0, 0);
+  r.hessian = {s * value(scalars_, 2, 0, 0) / (x * x), s * value(scalars_, 0, 2, 0) / (y * y),
+               s * value(scalars_, 0, 0, 2) / (z * z), s * value(scalars_, 1, 1, 0) / (x * y),
+               s * value(scalars_, 0, 1, 1) / (y * z), s * value(scalars_, 1, 0, 1) / (x * z)};
+  r.tensor = r.hessian;
+  if (structure_) {
+    r.tensor = {0, 0, 0, 0, 0, 0};
+    for (std::size_t i = 0; i < tensors_.size(); ++i)
+      r.tensor[entry(i)] = value(tensors_[i], 0, 0, 0);
+  }
+  if (grid_.dimension() == 2)
+    r.tensor[2] = -2 * (abs(r.tensor[0]) + abs(r.tensor[1]) + abs(r.tensor[3])) - 1;
+  return r;
 }
 
 }  // namespace crest::extremal

@@ -316,10 +316,15 @@ Coefficients Fields::coefficients(const std::vector<float>& spline, const Node& 
           static_cast<std::size_t>(std::clamp(v[k] - 1 + i, 0, grid_.size[k] - 1)) *
           grid_.stride[k];
   Coefficients r;
+  const bool inside = v[0] > 0 && v[0] + 2 < grid_.size[0];  // four that follow one another
   for (std::size_t z = 0, n = 0; z < 4; ++z)
-    for (std::size_t y = 0; y < 4; ++y)
-      for (std::size_t x = 0; x < 4; ++x, ++n)
-        r[n] = static_cast<double>(spline[at[2][z] + at[1][y] + at[0][x]]);
+    for (std::size_t y = 0; y < 4; ++y, n += 4) {
+      const float* const row = spline.data() + at[2][z] + at[1][y];
+      if (inside)
+        std::copy_n(row + at[0][0], 4, r.begin() + static_cast<std::ptrdiff_t>(n));
+      else
+        for (std::size_t x = 0; x < 4; ++x) r[n + x] = static_cast<double>(row[at[0][x]]);
+    }
   return r;
 }
 
@@ -337,25 +342,40 @@ Local Fields::at(const Node& v, const Vec3& t) const {
   for (std::size_t k = 0; k < 3; ++k)
     for (int order = 0; order < 3; ++order)
       w[k][static_cast<std::size_t>(order)] = kernel::spline_weights(t[k], order);
-  const auto value = [&](const Coefficients& c, std::size_t a, std::size_t b, std::size_t d) {
-    return kernel::spline_value<double, 3>(c, {w[0][a], w[1][b], w[2][d]});
+  // One axis after the other, as spline_value does; derivatives share what they have in common.
+  const auto along = [&](std::size_t axis, std::size_t order, const auto& c, auto& out) {
+    const auto& u = w[axis][order];
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = u[0] * c[4 * i] + u[1] * c[4 * i + 1] + u[2] * c[4 * i + 2] + u[3] * c[4 * i + 3];
+  };
+  std::array<std::array<double, 16>, 3> by_x;
+  std::array<std::array<std::array<double, 4>, 3>, 3> by_xy;
+  const auto value = [&](std::size_t a, std::size_t b, std::size_t e) {
+    std::array<double, 1> out;
+    along(2, e, by_xy[a][b], out);
+    return out[0];
   };
   const Coefficients l = coefficients(scalars_, v);
+  for (std::size_t a = 0; a < 3; ++a) {
+    along(0, a, l, by_x[a]);
+    for (std::size_t b = 0; a + b < 3; ++b) along(1, b, by_x[a], by_xy[a][b]);
+  }
   const Vec3& d = grid_.spacing;
   Local r;
-  r.value = value(l, 0, 0, 0);
+  r.value = value(0, 0, 0);
   r.s = sign_ * r.value;
-  r.gradient = {sign_ * value(l, 1, 0, 0) / d[0], sign_ * value(l, 0, 1, 0) / d[1],
-                sign_ * value(l, 0, 0, 1) / d[2]};
-  const Tensor h = {value(l, 2, 0, 0), value(l, 0, 2, 0), value(l, 0, 0, 2),
-                    value(l, 1, 1, 0), value(l, 0, 1, 1), value(l, 1, 0, 1)};
+  r.gradient = {sign_ * value(1, 0, 0) / d[0], sign_ * value(0, 1, 0) / d[1],
+                sign_ * value(0, 0, 1) / d[2]};
+  const Tensor h = {value(2, 0, 0), value(0, 2, 0), value(0, 0, 2),
+                    value(1, 1, 0), value(0, 1, 1), value(1, 0, 1)};
   r.hessian = world_hessian(h, d);
   for (double& x : r.hessian) x *= sign_;
   r.tensor = r.hessian;
   if (structure_) {
     r.tensor = {};
     for (std::size_t i = 0; i < tensors_.size(); ++i)
-      r.tensor[entry(i)] = value(coefficients(tensors_[i], v), 0, 0, 0);
+      r.tensor[entry(i)] = kernel::spline_value<double, 3>(coefficients(tensors_[i], v),
+                                                           {w[0][0], w[1][0], w[2][0]});
   }
   if (grid_.dimension() == 2) r.tensor[2] = below(r.tensor);
   return r;

@@ -35,6 +35,12 @@ struct Local {
   double s;
 };
 
+/// The same, exactly.
+struct ExactLocal {
+  kernel::Symmetric3<kernel::Rational> hessian, tensor;
+  kernel::Rational value;
+};
+
 class Fields {
  public:
   /// Throws kernel::InputError as extract does. `samples` are not kept. The grid is the refined
@@ -60,6 +66,8 @@ class Fields {
   Coefficients coefficients(const std::vector<float>& spline, const Node& v) const;
   /// At t of the cell [v, v + 1].
   Local at(const Node& v, const Vec3& t) const;
+  /// The same of t as it stands, exactly.
+  ExactLocal exact_at(const Node& v, const Vec3& t) const;
   /// What n and its sign are made from at a node, with bounds of the errors in every entry.
   struct AtNode {
     Tensor tensor;

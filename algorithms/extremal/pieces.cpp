@@ -65,13 +65,17 @@ std::size_t Owners::of(const Vec3& place) const {
 Result assemble(const VolumeFrame& frame, const Options& options, Records joined,
                 const ValuesAt& values, certify::ExtremalCertificate* certificate) {
   Assembly assembly(refined(frame.grid(), options.refine), options, std::move(joined));
-  const MeasuredMesh mesh = assembly.mesh(options.critical);
+  MeasuredMesh mesh = assembly.mesh(options.critical);
   if (certificate != nullptr) {
     certificate->data = data_of(frame.grid(), options);
-    record_claims(assembly, options.critical ? assembly.mesh(false) : mesh, *certificate);
+    // Not by ?:, which would copy the mesh, the largest of all that there is by now.
+    if (options.critical)
+      record_claims(assembly, assembly.mesh(false), *certificate);
+    else
+      record_claims(assembly, mesh, *certificate);
   }
   assembly.drop_faces();
-  return assembly.result(mesh, values);
+  return assembly.result(std::move(mesh), values);
 }
 
 Result extract_in_pieces(const VolumeFrame& frame, const Options& options,

@@ -2,6 +2,7 @@
 #include "algorithms/extremal/placing.hpp"
 
 #include "algorithms/extremal/direction.hpp"
+#include "kernel/predicates/direction_sign.hpp"
 
 namespace crest::extremal {
 namespace {
@@ -44,13 +45,46 @@ Vec3 projected(const Fields& fields, const Node& cell, Vec3 t) {
   return t;
 }
 
+namespace {
+
+/// The level where it is that much or more, exactly, or less: trim.hpp asks for its sign alone.
+double with_sign(double level, bool kept) {
+  return kept ? std::max(level, 0.0) : std::min(level, -0x1p-1000);
+}
+/// Relative to the coefficients and to Hess s: below, rationals decide.
+constexpr double kTie = 0x1p-32;
+
+}  // namespace
+
 double level_at(const Fields& fields, const Levels& levels, const Node& cell, const Vec3& t) {
   const Local l = fields.at(cell, t);
   double r = HUGE_VAL;
-  if (levels.value) r = l.value - *levels.value;
+  if (levels.value) {
+    r = l.value - *levels.value;
+    double size = std::fabs(*levels.value);  // the coefficients', about
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = fields.grid().spacing[k];
+      size = std::max({size, d * std::fabs(l.gradient[k]), d * d * std::fabs(l.hessian[k])});
+    }
+    if (std::fabs(r) <= kTie * size)
+      r = with_sign(r, fields.exact_at(cell, t).value >= kernel::Rational(*levels.value));
+  }
   if (levels.strength > 0) {
     const Vec3 n = dominant_direction(l.tensor);
-    r = std::min(r, kernel::dot(n, product(l.hessian, n)) - levels.strength);
+    double above = kernel::dot(n, product(l.hessian, n)) - levels.strength, size = levels.strength;
+    for (const double x : l.hessian) size = std::max(size, std::fabs(x));
+    double tensor_size = 0;
+    for (const double x : l.tensor) tensor_size = std::max(tensor_size, std::fabs(x));
+    // The rule asks for a direction that is certain; without one the checker refuses the place.
+    if (std::fabs(above) <= kTie * size &&
+        kernel::cone_margin(l.tensor, tensor_size, 0x1p-40 * tensor_size, n) > 0) {
+      ExactLocal exact = fields.exact_at(cell, t);
+      for (std::size_t k = 0; k < 3; ++k) exact.hessian[k] -= kernel::Rational(levels.strength);
+      const auto sign =
+          kernel::exact_form_sign(exact.tensor, exact.hessian, kernel::lift<kernel::Rational>(n));
+      above = with_sign(above, sign != kernel::Sign::negative);
+    }
+    r = std::min(r, above);
   }
   return r;
 }

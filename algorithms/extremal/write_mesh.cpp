@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/extremal/components.hpp"
 
@@ -28,9 +29,7 @@ void turn_normals(Result& result) {
 }
 
 /// Points that polygons use, in their order, with n.
-void write_points(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& values,
-                  Result& result) {
-  const TrimmedMesh& t = mesh.trimmed;
+void write_points(const Grid& grid, TrimmedMesh& t, const ValuesAt& values, Result& result) {
   std::vector<Index> number(t.points.size(), kernel::kNone), kept;
   for (const Index v : t.corners) number[v] = 0;
   for (Index v = 0; v < number.size(); ++v) {
@@ -41,6 +40,8 @@ void write_points(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& va
   std::vector<Vec3> places;
   places.reserve(kept.size());
   for (const Index v : kept) places.push_back(t.points[v]);
+  t.points = {};
+  kept = {};
   const Vec3& d = grid.spacing;
   const double least = std::min({d[0], d[1], result.dimension == 2 ? d[0] : d[2]});
   result.normals.reserve(places.size());
@@ -51,16 +52,18 @@ void write_points(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& va
   }
   for (Vec3& x : places) x = grid.position(x);
   result.points = std::move(places);
-  result.first = t.first;
-  result.corners.reserve(t.corners.size());
-  for (const Index v : t.corners) result.corners.push_back(number[v]);
+  result.first = std::move(t.first);
+  result.corners = std::move(t.corners);
+  for (Index& v : result.corners) v = number[v];
+  result.first.shrink_to_fit();  // both grew by doubling
+  result.corners.shrink_to_fit();
   for (const Feature& f : t.features)
     result.features.push_back({number[f.a], number[f.b], f.reason});
   if (result.dimension == 3) turn_normals(result);
 }
 
-void write_polygons(const MeasuredMesh& mesh, const ValuesAt& values, Result& result) {
-  result.component = mesh.measured.component_of;
+void write_polygons(MeasuredMesh& mesh, const ValuesAt& values, Result& result) {
+  result.component = std::move(mesh.measured.component_of);
   std::vector<Vec3> places;
   places.reserve(mesh.trimmed.source.size());
   for (const Index p : mesh.trimmed.source) places.push_back(mesh.sheets.polygons[p].zero);
@@ -78,11 +81,12 @@ void write_polygons(const MeasuredMesh& mesh, const ValuesAt& values, Result& re
 
 }  // namespace
 
-void write_mesh(const Grid& grid, const MeasuredMesh& mesh, const ValuesAt& values,
-                Result& result) {
-  write_points(grid, mesh, values, result);
+void write_mesh(const Grid& grid, MeasuredMesh& mesh, const ValuesAt& values, Result& result) {
+  mesh.sheets.vertices = {};
+  mesh.sheets.edges = {};
+  write_points(grid, mesh.trimmed, values, result);
   write_polygons(mesh, values, result);
-  result.components = mesh.measured.components;
+  result.components = std::move(mesh.measured.components);
 }
 
 }  // namespace crest::extremal

@@ -70,11 +70,12 @@ class CellProver {
         nets_(fields),
         inverse_(*std::ranges::max_element(fields.inverse_spacing)) {}
 
-  /// Throws Reject. `a` is read for regular cells. Returns whether the box test holds, too.
-  bool prove(u32 cell, std::uint8_t stated, const ExtremalDirection& w,
+  /// Throws Reject, naming the cell so. `a` is read for regular cells. Returns whether the box test
+  /// holds, too.
+  bool prove(u32 lowest, u32 cell, std::uint8_t stated, const ExtremalDirection& w,
              const ExtremalDirection& a) {
     const bool regular = stated >= code::kRegular;
-    nets_.move_to(cell, regular || fields_.hessian);
+    nets_.move_to(lowest, regular || fields_.hessian);
     const Frame frame(w);
     make_tensors();
     const Cone cone = test_cone(t_, frame);
@@ -215,18 +216,18 @@ class CellProver {
 };
 
 template <unsigned dimension>
-void check_codes(const ExtremalCertificate& c, const Fields& fields, Cells& cells) {
-  parallel_for((cells.ids.size() + kBatch - 1) / kBatch,
-               [&] { return std::make_unique<CellProver<dimension>>(fields); },
-               [&](auto& prover, size_t batch) {
-                 const size_t end = std::min(cells.ids.size(), (batch + 1) * kBatch);
-                 for (size_t i = batch * kBatch; i < end; ++i)
-                   if (c.codes[i] != code::kOpen)
-                     cells.boxed[cells.ids[i]] = prover->prove(
-                         cells.ids[i], c.codes[i], c.directions[cells.directions[i]],
-                         c.codes[i] < code::kRegular ? c.directions[cells.directions[i]]
-                                                     : c.gradients[cells.gradients[i]]);
-               });
+void check_codes(const ExtremalCertificate& c, const Splines& splines, Cells& cells) {
+  splines.for_items(
+      cells.ids.size(), kBatch, [&](size_t i) { return cells.ids[i]; },
+      [](const Fields& fields) { return std::make_unique<CellProver<dimension>>(fields); },
+      [&](auto& prover, const Window& window, size_t i) {
+        if (c.codes[i] == code::kOpen) return;
+        const ExtremalDirection& w = c.directions[cells.directions[i]];
+        const u32 cell = cells.ids[i];
+        cells.set_boxed(
+            cell, prover->prove(window.node(splines.grid(), cell), cell, c.codes[i], w,
+                                c.codes[i] < code::kRegular ? w : c.gradients[cells.gradients[i]]));
+      });
 }
 
 /// Bezier values are means of coefficients, so first by these.
@@ -245,25 +246,39 @@ bool is_low(const Fields& fields, u32 cell, float level) {
 /// Exactly, where doubles do not decide: a plateau may lie just below the level.
 bool is_below_exactly(const Fields& fields, u32 cell, double level);
 
+/// The cells between two nodes.
+template <class Visit>
+void for_cells(const Grid& grid, const std::array<Place, 2>& corners, const Visit& visit) {
+  const auto& [low, high] = corners;
+  const u32 top = std::max(high[2], low[2] + 1);  // an image has one layer
+  for (u32 z = low[2]; z < top; ++z)
+    for (u32 y = low[1]; y < high[1]; ++y)
+      for (u32 x = low[0]; x < high[0]; ++x) visit(x + y * grid.stride[1] + z * grid.stride[2]);
+}
+
 template <unsigned dimension>
-void check_unlisted(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
-  const Grid& grid = fields.grid;
+void check_unlisted(const ExtremalCertificate& c, const Splines& splines, const Cells& cells) {
+  const Grid& grid = splines.grid();
   const double level = c.data.min_value;
   float above = static_cast<float>(level);  // floats below it are below the level
   if (static_cast<double>(above) < level) above = std::nextafter(above, HUGE_VALF);
-  const u32 row = grid.nodes[0];
   parallel_for(
-      grid.count / row, [&] { return std::make_unique<CellProver<dimension>>(fields); },
-      [&](auto& prover, size_t i) {
-        const u32 first = static_cast<u32>(i) * row;
-        if (!grid.is_cell(first)) return;
-        for (u32 cell = first; cell + 1 < first + row; ++cell) {
-          if (cells.code[cell] != Cells::kUnlisted) continue;
-          require(c.data.has_min_value, "cell {}: it is not listed", cell);
-          require(is_low(fields, cell, above) || prover->is_below(cell, level) ||
-                      is_below_exactly(fields, cell, level),
-                  "cell {}: it is not listed, but L may reach the least value", cell);
-        }
+      splines.blocks(), [] { return 0; },
+      [&](int, size_t block) {
+        const auto b = static_cast<u32>(block);
+        if (c.data.has_min_value && splines.is_low(b, above)) return;
+        splines.with_window(b, false, [&](const Window& window) {
+          const Fields& fields = *window.fields;
+          const auto prover = std::make_unique<CellProver<dimension>>(fields);
+          for_cells(grid, splines.corners(b), [&](u32 cell) {
+            if (cells.code(cell) != Cells::kUnlisted) return;
+            require(c.data.has_min_value, "cell {}: it is not listed", cell);
+            const u32 own = window.node(grid, cell);
+            require(is_low(fields, own, above) || prover->is_below(own, level) ||
+                        is_below_exactly(fields, own, level),
+                    "cell {}: it is not listed, but L may reach the least value", cell);
+          });
+        });
       });
 }
 
@@ -328,9 +343,7 @@ bool is_below_exactly(const Fields& fields, u32 cell, double level) {
 }  // namespace
 
 Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
-  Cells cells;
-  cells.code.resize(grid.count);
-  std::fill(cells.code.begin(), cells.code.end(), Cells::kUnlisted);
+  Cells cells(grid);
   std::uint64_t total = 0;
   for (const CellRun& run : c.cells) total += run.length;
   require(total == c.codes.size(), "cells: {} in runs, {} codes", total, c.codes.size());
@@ -345,10 +358,7 @@ Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
     require(grid.is_cell(run.first) && grid.is_cell(final) &&
                 run.first / grid.nodes[0] == final / grid.nodes[0],
             "cells: a run leaves its row");
-    for (u32 cell = run.first; cell < last; ++cell) {
-      cells.code[cell] = c.codes[cells.ids.size()];
-      cells.ids.push_back(cell);
-    }
+    for (u32 cell = run.first; cell < last; ++cell) cells.list(cell, c.codes[cells.ids.size()]);
     end = last;
   }
   u32 directions = 0, gradients = 0;
@@ -361,15 +371,13 @@ Cells list_cells(const ExtremalCertificate& c, const Grid& grid) {
   return cells;
 }
 
-void check_cells(const ExtremalCertificate& c, const Fields& fields, Cells& cells) {
-  cells.boxed.resize(fields.grid.count);
-  std::fill(cells.boxed.begin(), cells.boxed.end(), std::uint8_t{0});
-  if (fields.grid.dimension == 3) {
-    check_codes<3>(c, fields, cells);
-    check_unlisted<3>(c, fields, cells);
+void check_cells(const ExtremalCertificate& c, const Splines& splines, Cells& cells) {
+  if (splines.grid().dimension == 3) {
+    check_codes<3>(c, splines, cells);
+    check_unlisted<3>(c, splines, cells);
   } else {
-    check_codes<2>(c, fields, cells);
-    check_unlisted<2>(c, fields, cells);
+    check_codes<2>(c, splines, cells);
+    check_unlisted<2>(c, splines, cells);
   }
 }
 

@@ -74,17 +74,17 @@ void verify_extremal(std::span<const std::uint8_t> data, std::span<const std::ui
                          ": --input cannot compare samples; compare the data digest with the one "
                          "in the output");
   check_weights(c.data);
-  const Fields fields = make_fields(c.data);
+  const Splines splines(c.data);
   c.data.samples = {};  // What follows is about the coefficients.
-  const Grid& grid = fields.grid;
+  const Grid& grid = splines.grid();
   prove(verdict, "data: {} x {} x {} samples, sigma {}; digests match", grid.nodes[0],
         grid.nodes[1], grid.nodes[2], c.data.sigma);
   Cells cells = list_cells(c, grid);
-  check_cells(c, fields, cells);
+  check_cells(c, splines, cells);
   say_cells(c, verdict);
   c.gradients = {};  // What is proven is thrown away: the longest lists of the certificate.
   cells.gradients = {};
-  const Edges edges = check_edges(c, fields, cells);
+  const Edges edges = check_edges(c, splines, cells);
   c.directions = {};
   cells.directions = {};
   cells.ids = {};
@@ -92,7 +92,7 @@ void verify_extremal(std::span<const std::uint8_t> data, std::span<const std::ui
   prove(verdict, "edges: g changes its sign on {}; {} faces round which n is not orientable",
         edges.critical.size(), c.odd_faces);
   const Mesh mesh = build_mesh(grid, edges, squares);
-  Components found = count_components(mesh, trim(c, fields, mesh));
+  Components found = count_components(mesh, trim(c, splines, mesh));
   find_isotopic(c, grid, cells, edges, squares, mesh, found);
   require_components(c, found);
   say_components(c, verdict);

@@ -16,9 +16,11 @@ struct Cluster {
 class Clusters {
  public:
   Clusters(const Grid& grid, const Cells& cells, const Edges& edges, const Squares& squares)
-      : grid_(grid), cells_(cells), edges_(edges), squares_(squares), number_(grid.count) {
-    std::fill(number_.begin(), number_.end(), kNothing);
-  }
+      : grid_(grid),
+        cells_(cells),
+        edges_(edges),
+        squares_(squares),
+        number_(grid.count, kNothing) {}
 
   /// The cluster of a cell, flooded when it is first asked for.
   Cluster of(u32 cell) {
@@ -29,32 +31,33 @@ class Clusters {
 
  private:
   bool is_regular(u32 cell) const {
-    return cells_.code[cell] == code::kRegular || cells_.code[cell] == code::kRegularExtremal;
+    const std::uint8_t stated = cells_.code(cell);
+    return stated == code::kRegular || stated == code::kRegularExtremal;
   }
 
   void flood(u32 seed) {
     const auto number = static_cast<u32>(clusters_.size());
     clusters_.push_back({});
     std::vector<u32> waiting{seed};
-    number_[seed] = number;
+    number_.at(seed) = number;
     while (!waiting.empty()) {
       const u32 cell = waiting.back();
       waiting.pop_back();
       Cluster& cluster = clusters_[number];
-      cluster.extremal &= cells_.code[cell] == code::kRegularExtremal;
+      cluster.extremal &= cells_.code(cell) == code::kRegularExtremal;
       const Place p = grid_.place(cell);
       if (touches_border(p)) {  // what lies beyond is not proven
         cluster.good = false;
         continue;
       }
-      cluster.good &= cells_.boxed[cell] != 0 && has_one_sheet(cell);
+      cluster.good &= cells_.is_boxed(cell) && has_one_sheet(cell);
       for_neighbours(cell, [&](u32 other) {
-        if (cells_.code[other] == code::kEmpty || number_[other] == number) return;
+        if (cells_.code(other) == code::kEmpty || number_[other] == number) return;
         if (!is_regular(other)) {
           cluster.good = false;
           return;
         }
-        number_[other] = number;
+        number_.at(other) = number;
         waiting.push_back(other);
       });
     }
@@ -107,7 +110,7 @@ class Clusters {
   const Cells& cells_;
   const Edges& edges_;
   const Squares& squares_;
-  Buffer<u32> number_;
+  Sparse<u32> number_;
   std::vector<Cluster> clusters_;
 };
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <memory>
 
-#include "certify/container/parallel.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/extremal/incidence.hpp"
 #include "certify/extremal/signs.hpp"
@@ -50,15 +49,15 @@ NodeSign node_sign(const Fields& fields, u32 node) {
 /// Signs at the nodes of edges that no empty cell decides.
 class NodeSigns {
  public:
-  NodeSigns(const Fields& fields, const ExtremalCertificate& c, const Cells& cells,
+  NodeSigns(const Splines& splines, const ExtremalCertificate& c, const Cells& cells,
             const Edges& edges)
-      : place_(fields.grid.count) {
-    const Grid& grid = fields.grid;
-    std::fill(place_.begin(), place_.end(), kNothing);
+      : place_(splines.grid().count, kNothing) {
+    const Grid& grid = splines.grid();
     std::vector<u32> nodes;
     const auto want = [&](u32 node) {
-      if (place_[node] != kNothing) return;
-      place_[node] = static_cast<u32>(nodes.size());
+      u32& place = place_.at(node);
+      if (place != kNothing) return;
+      place = static_cast<u32>(nodes.size());
       nodes.push_back(node);
     };
     for (size_t i = 0; i < cells.ids.size(); ++i) {
@@ -75,25 +74,22 @@ class NodeSigns {
       want(node + grid.stride[axis]);
     }
     signs_.resize(nodes.size());
-    constexpr size_t kBatch = 256;
-    parallel_for((nodes.size() + kBatch - 1) / kBatch, [] { return 0; },
-                 [&](int, size_t batch) {
-                   const size_t end = std::min(nodes.size(), (batch + 1) * kBatch);
-                   for (size_t i = batch * kBatch; i < end; ++i)
-                     signs_[i] = node_sign(fields, nodes[i]);
-                 });
+    splines.for_items(
+        nodes.size(), 256, [&](size_t i) { return nodes[i]; }, [](const Fields&) { return 0; },
+        [&](int, const Window& window, size_t i) {
+          signs_[i] = node_sign(*window.fields, window.node(grid, nodes[i]));
+        });
   }
   const NodeSign& operator[](u32 node) const { return signs_[place_[node]]; }
 
  private:
-  Buffer<u32> place_;
+  Sparse<u32> place_;
   std::vector<NodeSign> signs_;
 };
 
 /// Edges of cells that are not open.
-void test_edges_of_cells(const ExtremalCertificate& c, const Fields& fields, const Cells& cells,
+void test_edges_of_cells(const ExtremalCertificate& c, const Grid& grid, const Cells& cells,
                          const NodeSigns& nodes, Edges& edges) {
-  const Grid& grid = fields.grid;
   for (size_t i = 0; i < cells.ids.size(); ++i) {
     if (c.codes[i] == code::kOpen || c.codes[i] == code::kEmpty) continue;
     const Vec w = Frame(c.directions[cells.directions[i]]).w;
@@ -106,36 +102,60 @@ void test_edges_of_cells(const ExtremalCertificate& c, const Fields& fields, con
       return sign[corner];
     };
     for_edges_of_cell(grid, cells.ids[i], [&](u32 edge, unsigned low, unsigned high) {
-      if (edges.state[edge] != Edges::kUntested) return;
-      edges.state[edge] = sign_at(low) == sign_at(high) ? Edges::kPlain : Edges::kCritical;
+      std::uint8_t& state = edges.state.at(edge);
+      if (state == Edges::kUntested)
+        state = sign_at(low) == sign_at(high) ? Edges::kPlain : Edges::kCritical;
     });
   }
+}
+
+/// Where the tree of every listed edge starts, and its leaves: one more than there are edges.
+struct TreeStarts {
+  std::vector<u32> nodes, leaves;
+};
+TreeStarts find_trees(const ExtremalCertificate& c) {
+  TreeStarts starts;
+  u32 node = 0, leaf = 0;
+  const auto start = [&] {
+    starts.nodes.push_back(node);
+    starts.leaves.push_back(leaf);
+  };
+  for (size_t i = 0; i < c.edges.size(); ++i) {
+    start();
+    for (std::uint64_t missing = 1; missing > 0;) {
+      require(node < c.trees.size(), "trees: they end early");
+      const bool split = c.trees[node++] == code::kSplit;
+      missing = split ? missing + 1 : missing - 1;
+      leaf += split ? 0 : 1;
+    }
+  }
+  start();
+  require(node == c.trees.size(), "trees: {} nodes, {} needed", c.trees.size(), node);
+  return starts;
 }
 
 /// Reads the trees of listed edges.
 class TreeReader {
  public:
-  TreeReader(const ExtremalCertificate& c, const Fields& fields) : c_(c), fields_(fields) {}
+  TreeReader(const ExtremalCertificate& c, const TreeStarts& starts) : c_(c), starts_(starts) {}
 
-  /// How n at the low end, as stored, goes over into n at the high end: 1 or -1. Throws Reject.
-  int transport(u32 edge, const NodeSign& low, const NodeSign& high) {
-    const auto [node, axis] = edge_place(fields_.grid, edge);
-    edge_ = edge;
+  /// How n at the low end of the i-th edge, as stored, goes over into n at the high end: 1 or -1.
+  /// Throws Reject.
+  int transport(size_t i, const EdgeNet<double>& net, const NodeSign& low, const NodeSign& high) {
+    edge_ = c_.edges[i];
+    node_ = starts_.nodes[i];
+    leaf_ = starts_.leaves[i];
     leaves_.clear();
     middles_.clear();
-    read(edge_net<double>(fields_, node, axis), 0);
+    read(net, 0);
     int product = orientation(low, leaves_.front()) * orientation(high, leaves_.back());
-    for (size_t i = 0; i < middles_.size(); ++i)
-      product *= orientation(middles_[i], leaves_[i]) * orientation(middles_[i], leaves_[i + 1]);
+    for (size_t k = 0; k < middles_.size(); ++k)
+      product *= orientation(middles_[k], leaves_[k]) * orientation(middles_[k], leaves_[k + 1]);
     return product;
-  }
-  void require_end() const {
-    require(node_ == c_.trees.size(), "trees: {} nodes, {} needed", c_.trees.size(), node_);
   }
 
  private:
   void read(const EdgeNet<double>& net, unsigned depth) {
-    require(node_ < c_.trees.size(), "trees: they end early");
     if (c_.trees[node_++] == code::kLeaf) {
       const Frame frame(c_.leaves[leaf_++]);
       require(test_cone(doubles<4>(net.t, net.t_size), frame).holds, "edge {}: the cone test fails",
@@ -152,25 +172,32 @@ class TreeReader {
   }
 
   const ExtremalCertificate& c_;
-  const Fields& fields_;
+  const TreeStarts& starts_;
   size_t node_ = 0, leaf_ = 0;
   u32 edge_ = 0;
   std::vector<Vec> leaves_;
   std::vector<NodeSign> middles_;  ///< without signs
 };
 
-void test_listed_edges(const ExtremalCertificate& c, const Fields& fields, const NodeSigns& nodes,
+void test_listed_edges(const ExtremalCertificate& c, const Splines& splines, const NodeSigns& nodes,
                        Edges& edges) {
-  const Grid& grid = fields.grid;
-  TreeReader trees(c, fields);
-  for (const u32 edge : c.edges) {
+  const Grid& grid = splines.grid();
+  for (const u32 edge : c.edges)
     require(edges.state[edge] == Edges::kUntested, "edge {}: listed, but a cell tests it", edge);
-    const auto [node, axis] = edge_place(grid, edge);
-    const NodeSign &low = nodes[node], &high = nodes[node + grid.stride[axis]];
-    const int product = low.sign * high.sign * trees.transport(edge, low, high);
-    edges.state[edge] = product > 0 ? Edges::kPlain : Edges::kCritical;
-  }
-  trees.require_end();
+  const TreeStarts starts = find_trees(c);
+  std::vector<std::int8_t> products(c.edges.size());
+  splines.for_items(
+      c.edges.size(), 64, [&](size_t i) { return edge_place(grid, c.edges[i]).node; },
+      [&](const Fields&) { return TreeReader(c, starts); },
+      [&](TreeReader& reader, const Window& window, size_t i) {
+        const auto [node, axis] = edge_place(grid, c.edges[i]);
+        const NodeSign &low = nodes[node], &high = nodes[node + grid.stride[axis]];
+        const auto net = edge_net<double>(*window.fields, window.node(grid, node), axis);
+        products[i] =
+            static_cast<std::int8_t>(low.sign * high.sign * reader.transport(i, net, low, high));
+      });
+  for (size_t i = 0; i < c.edges.size(); ++i)
+    edges.state.at(c.edges[i]) = products[i] > 0 ? Edges::kPlain : Edges::kCritical;
 }
 
 /// Proves that s_nn has one sign where g is zero.
@@ -198,61 +225,64 @@ class TypeProver {
   unsigned left_ = kPieces;
 };
 
-/// Returns how many pieces that took.
-unsigned check_type(const Fields& fields, const Cells& cells, u32 edge, std::uint8_t type) {
-  if (type == code::kUndecidedType) return 0;
-  const Grid& grid = fields.grid;
-  const bool extremal = type == code::kExtremalEdge;
-  if (is_inside(grid, edge))
-    for (const u32 cell : cells_round(grid, edge))
-      if (cell != kNothing && cells.code[cell] == code::kRegularExtremal) {
-        require(extremal, "edge {}: stated as merely critical, but s_nn > 0", edge);
-        return 0;
-      }
-  const auto [node, axis] = edge_place(grid, edge);
-  TypeProver prover(extremal ? 1 : -1);
-  require(prover.prove(edge_net<double>(fields, node, axis), 0), "edge {}: its type is not proven",
-          edge);
-  return prover.pieces();
+/// Is its type proven by a cell? Throws Reject if a cell refutes it.
+bool is_type_of_cell(const Grid& grid, const Cells& cells, u32 edge, std::uint8_t type) {
+  if (!is_inside(grid, edge)) return false;
+  for (const u32 cell : cells_round(grid, edge))
+    if (cell != kNothing && cells.code(cell) == code::kRegularExtremal) {
+      require(type == code::kExtremalEdge, "edge {}: stated as merely critical, but s_nn > 0",
+              edge);
+      return true;
+    }
+  return false;
 }
 
-void check_types(const ExtremalCertificate& c, const Fields& fields, const Cells& cells,
+void check_types(const ExtremalCertificate& c, const Splines& splines, const Cells& cells,
                  Edges& edges) {
-  for (u32 edge = 0; edge < edges.state.size(); ++edge)
-    if (edges.is_critical(edge)) edges.critical.push_back(edge);
+  const Grid& grid = splines.grid();
+  edges.state.for_each([&](size_t edge, std::uint8_t state) {
+    if (state >= Edges::kCritical) edges.critical.push_back(static_cast<u32>(edge));
+  });
   require_equal(static_cast<std::int64_t>(c.types.size()), edges.critical.size(), "critical edges");
-  constexpr size_t kBatch = 64;
+  std::vector<u32> asked;
+  for (u32 i = 0; i < c.types.size(); ++i)
+    if (c.types[i] != code::kUndecidedType &&
+        !is_type_of_cell(grid, cells, edges.critical[i], c.types[i]))
+      asked.push_back(i);
   std::atomic<std::uint64_t> pieces{0};
-  parallel_for((c.types.size() + kBatch - 1) / kBatch, [] { return 0; },
-               [&](int, size_t batch) {
-                 const size_t end = std::min(c.types.size(), (batch + 1) * kBatch);
-                 for (size_t i = batch * kBatch; i < end; ++i)
-                   pieces += check_type(fields, cells, edges.critical[i], c.types[i]);
-                 require(pieces <= kPiecesEach * (c.types.size() + kMoreEdges),
-                         "types: they take too many pieces of edges");
-               });
+  splines.for_items(
+      asked.size(), 64, [&](size_t i) { return edge_place(grid, edges.critical[asked[i]]).node; },
+      [](const Fields&) { return 0; },
+      [&](int, const Window& window, size_t i) {
+        const u32 edge = edges.critical[asked[i]];
+        const auto [node, axis] = edge_place(grid, edge);
+        TypeProver prover(c.types[asked[i]] == code::kExtremalEdge ? 1 : -1);
+        require(prover.prove(edge_net<double>(*window.fields, window.node(grid, node), axis), 0),
+                "edge {}: its type is not proven", edge);
+        require((pieces += prover.pieces()) <= kPiecesEach * (c.types.size() + kMoreEdges),
+                "types: they take too many pieces of edges");
+      });
   for (size_t i = 0; i < c.types.size(); ++i)
-    edges.state[edges.critical[i]] = static_cast<std::uint8_t>(Edges::kCritical + c.types[i]);
+    edges.state.at(edges.critical[i]) = static_cast<std::uint8_t>(Edges::kCritical + c.types[i]);
 }
 
 }  // namespace
 
-Edges check_edges(const ExtremalCertificate& c, const Fields& fields, const Cells& cells) {
-  const Grid& grid = fields.grid;
-  Edges edges;
-  edges.state.resize(size_t{grid.dimension} * grid.count);
-  std::fill(edges.state.begin(), edges.state.end(), Edges::kUntested);
+Edges check_edges(const ExtremalCertificate& c, const Splines& splines, const Cells& cells) {
+  const Grid& grid = splines.grid();
+  Edges edges(grid);
   for (size_t i = 0; i < c.edges.size(); ++i)
     require(is_edge(grid, c.edges[i]) && (i == 0 || c.edges[i - 1] < c.edges[i]),
             "edges: {} is none, or not in order", c.edges[i]);
   for (size_t i = 0; i < cells.ids.size(); ++i)
     if (c.codes[i] == code::kEmpty)
-      for_edges_of_cell(grid, cells.ids[i],
-                        [&](u32 edge, unsigned, unsigned) { edges.state[edge] = Edges::kPlain; });
-  const NodeSigns nodes(fields, c, cells, edges);
-  test_edges_of_cells(c, fields, cells, nodes, edges);
-  test_listed_edges(c, fields, nodes, edges);
-  check_types(c, fields, cells, edges);
+      for_edges_of_cell(grid, cells.ids[i], [&](u32 edge, unsigned, unsigned) {
+        edges.state.at(edge) = Edges::kPlain;
+      });
+  const NodeSigns nodes(splines, c, cells, edges);
+  test_edges_of_cells(c, grid, cells, nodes, edges);
+  test_listed_edges(c, splines, nodes, edges);
+  check_types(c, splines, cells, edges);
   return edges;
 }
 

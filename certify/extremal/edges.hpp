@@ -10,8 +10,10 @@ namespace crest::certify::extremal {
 struct Edges {
   static constexpr std::uint8_t kUntested = 0, kPlain = 1, kCritical = 2;  ///< + type
 
-  Buffer<std::uint8_t> state;  ///< of every edge
+  Sparse<std::uint8_t> state;  ///< of every edge
   std::vector<u32> critical;   ///< ascending
+
+  explicit Edges(const Grid& grid) : state(size_t{grid.dimension} * grid.count, kUntested) {}
 
   bool is_critical(u32 edge) const { return state[edge] >= kCritical; }
   bool is_extremal(u32 edge) const {
@@ -23,6 +25,6 @@ struct Edges {
 };
 
 /// Requires: the cells' codes are proven. Throws Reject unless trees and types hold.
-Edges check_edges(const ExtremalCertificate& c, const Fields& fields, const Cells& cells);
+Edges check_edges(const ExtremalCertificate& c, const Splines& splines, const Cells& cells);
 
 }  // namespace crest::certify::extremal

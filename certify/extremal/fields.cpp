@@ -106,7 +106,7 @@ void smooth_along(double* layer, const Grid& grid, unsigned axis,
 /// layers are held than the weights reach.
 template <class Make>
 Buffer<float> smooth(const Make& make, const Grid& grid,
-                     const std::array<std::vector<double>, 3>& weights, double& most) {
+                     const std::array<std::vector<double>, 3>& weights) {
   const unsigned last = grid.dimension - 1;
   const std::vector<double>& w = weights[last];
   const size_t n = grid.nodes[last], size = layer_size(grid), radius = w.size() - 1;
@@ -134,9 +134,7 @@ Buffer<float> smooth(const Make& make, const Grid& grid,
     }
     for (size_t j = 0; j < size; ++j) {
       const float x = out[k * size + j] = static_cast<float>(sum[j]);
-      const double length = std::fabs(static_cast<double>(x));
-      finite = (length < HUGE_VAL) & finite;
-      most = std::max(most, length);
+      finite = (std::fabs(x) < HUGE_VALF) & finite;
     }
   }
   require(finite, "coefficients: one is not finite");
@@ -180,14 +178,6 @@ Buffer<float> halve_grid(const Buffer<float>& coefficients, const Grid& grid) {
   return out;
 }
 
-void halve_grid(Fields& fields) {
-  fields.l = halve_grid(fields.l, fields.grid);
-  for (auto& t : fields.t)
-    if (!t.empty()) t = halve_grid(t, fields.grid);
-  fields.grid = Grid(fields.grid.dimension, halved(fields.grid));
-  for (unsigned k = 0; k < fields.grid.dimension; ++k) fields.spacing[k] /= 2;
-}
-
 /// Central differences along an axis in one layer.
 void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis, double spacing,
                  size_t layer, double* out) {
@@ -206,7 +196,7 @@ void differences(const Buffer<double>& samples, const Grid& grid, unsigned axis,
 
 /// The smoothed products of two differences.
 Buffer<float> smooth_product(const Buffer<double>& samples, const Fields& fields, unsigned i,
-                             unsigned j, const ExtremalData& data, double& most) {
+                             unsigned j, const ExtremalData& data) {
   const Grid& grid = fields.grid;
   std::vector<double> other(layer_size(grid));
   const auto product = [&](size_t k, double* layer) {
@@ -214,7 +204,7 @@ Buffer<float> smooth_product(const Buffer<double>& samples, const Fields& fields
     differences(samples, grid, j, fields.spacing[j], k, other.data());
     for (size_t n = 0; n < other.size(); ++n) layer[n] = layer[n] * other[n];
   };
-  return smooth(product, grid, data.tensor_weights, most);
+  return smooth(product, grid, data.tensor_weights);
 }
 
 /// The weights of offsets 0 to R, normalised.
@@ -280,15 +270,25 @@ Fields make_fields(const ExtremalData& data) {
   if (!data.hessian)
     for (unsigned i = 0; i < grid.dimension; ++i)
       for (unsigned j = i; j < grid.dimension; ++j)
-        fields.t[kComponent[i][j]] = smooth_product(samples, fields, i, j, data, fields.most_t);
+        fields.t[kComponent[i][j]] = smooth_product(samples, fields, i, j, data);
   const auto as_it_is = [&](size_t k, double* layer) {
     std::copy_n(samples.data() + k * layer_size(grid), layer_size(grid), layer);
   };
-  fields.l = smooth(as_it_is, grid, data.weights, fields.most_l);
-  for (unsigned level = 0; level < data.refine; ++level) halve_grid(fields);
+  fields.l = smooth(as_it_is, grid, data.weights);
   for (unsigned k = 0; k < 3; ++k)
     fields.inverse_spacing[k] = k < data.dimension ? 1 / fields.spacing[k] : 0;
   return fields;
+}
+
+void halve_grid(Fields& fields) {
+  fields.l = halve_grid(fields.l, fields.grid);
+  for (auto& t : fields.t)
+    if (!t.empty()) t = halve_grid(t, fields.grid);
+  fields.grid = Grid(fields.grid.dimension, halved(fields.grid));
+  for (unsigned k = 0; k < fields.grid.dimension; ++k) {
+    fields.spacing[k] /= 2;
+    fields.inverse_spacing[k] = 1 / fields.spacing[k];
+  }
 }
 
 }  // namespace crest::certify::extremal

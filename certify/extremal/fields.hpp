@@ -48,12 +48,14 @@ struct Fields {
   Vec spacing, inverse_spacing;  ///< of an image the third inverse is 0
   Buffer<float> l;
   std::array<Buffer<float>, 6> t;  ///< empty with `hessian`; components without z with an image
-  double most_l = 0, most_t = 0;   ///< of the coefficients' sizes
 };
 
 /// Requires the stored weights to be those of the sigmas (SPEC.md, "Weights"). Throws Reject.
 void check_weights(const ExtremalData& data);
-/// Throws Reject for samples that no double holds, coefficients that are not finite.
+/// On the grid of the samples. Throws Reject for samples that no double holds, coefficients that
+/// are not finite.
 Fields make_fields(const ExtremalData& data);
+/// The same splines on the grid of half the spacing.
+void halve_grid(Fields& fields);
 
 }  // namespace crest::certify::extremal

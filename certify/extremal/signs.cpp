@@ -87,6 +87,26 @@ struct Quadratic {
   }
 };
 
+/// The characteristic polynomial of T, and adj(x I - T) : M, which at lambda1 is a positive
+/// multiple of n^T M n.
+struct Polynomials {
+  Rational trace, minors, determinant;
+  Quadratic form;
+
+  Polynomials(const ExactMatrix& t, const ExactMatrix& m) {
+    const ExactMatrix adjugate_t = adjugate(t);
+    trace = t[0] + t[1] + t[2];
+    minors = adjugate_t[0] + adjugate_t[1] + adjugate_t[2];
+    determinant = t[0] * adjugate_t[0] + t[3] * adjugate_t[3] + t[5] * adjugate_t[5];
+    // adj(x I - T) = x^2 I + x (T - trace I) + adj T.
+    const Rational trace_m = m[0] + m[1] + m[2];
+    form = {trace_m, product(t, m) - trace * trace_m, product(adjugate_t, m)};
+  }
+  Rational characteristic(const Rational& x) const {
+    return ((x - trace) * x + minors) * x - determinant;
+  }
+};
+
 }  // namespace
 
 Vec likely_direction(const Matrix& t) {
@@ -144,22 +164,36 @@ bool vanishes(const ExactMatrix& t, const ExactVector& v) {
   return is_dominant(t, u);
 }
 
+bool vanishes(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m) {
+  const Polynomials p(t, m);
+  const auto& [a, b, c] = p.form;
+  // Above lambda2, by the cone test: a root of the characteristic polynomial from here on is
+  // lambda1.
+  const Rational q = dot(w, times(t, w)) / dot(w, w);
+  if (a == 0 && b == 0) return c == 0;
+  Rational root;  // that a common factor would have
+  if (a == 0) {
+    root = -c / b;
+  } else {
+    // Divided by the form: what is left has degree 1.
+    const Rational third = p.trace + b / a;  // its root, if it is a factor
+    const Rational slope = p.minors - c / a + third * (b / a);
+    const Rational rest = third * (c / a) - p.determinant;
+    if (slope == 0) return rest == 0 && third < q;
+    root = -rest / slope;
+  }
+  return root >= q && p.form.at(root) == 0 && p.characteristic(root) == 0;
+}
+
 int sign_at(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m) {
-  const ExactMatrix adjugate_t = adjugate(t);
-  const Rational trace = t[0] + t[1] + t[2], minors = adjugate_t[0] + adjugate_t[1] + adjugate_t[2];
-  const Rational determinant = t[0] * adjugate_t[0] + t[3] * adjugate_t[3] + t[5] * adjugate_t[5];
-  const auto characteristic = [&](const Rational& x) {
-    return Rational(((x - trace) * x + minors) * x - determinant);
-  };
-  // adj(x I - T) = x^2 I + x (T - trace I) + adj T.
-  const Rational trace_m = m[0] + m[1] + m[2];
-  const Quadratic f{trace_m, product(t, m) - trace * trace_m, product(adjugate_t, m)};
+  const Polynomials p(t, m);
+  const Quadratic& f = p.form;
   // Between lambda2 and lambda1, by the cone test; lambda1 is the one root beyond.
   Rational low = dot(w, times(t, w)) / dot(w, w), step = 0;
   for (const Rational& x : t) step += abs(x);
   step *= Rational(0x1p-30);
   Rational high = low + step;
-  while (characteristic(high) < 0) {
+  while (p.characteristic(high) < 0) {
     low = high;
     step *= 2;
     high = low + step;
@@ -167,7 +201,7 @@ int sign_at(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m) {
   for (int i = 0; i < 1000; ++i) {
     const Rational middle = (low + high) / 2, value = f.at(middle);
     if (abs(value) > f.slope(low, high) * (high - low) / 2) return sign(value);
-    (characteristic(middle) < 0 ? low : high) = middle;
+    (p.characteristic(middle) < 0 ? low : high) = middle;
   }
   throw Undecided("a sign at a point could not be decided");
 }

@@ -30,6 +30,8 @@ using ExactVector = std::array<kernel::Rational, 3>;
 
 /// Is n . v zero? Requires: lambda1 of T is simple.
 bool vanishes(const ExactMatrix& t, const ExactVector& v);
+/// Is n^T M n zero? Requires: the cone test holds for w.
+bool vanishes(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m);
 /// The sign of the trace of adj(lambda1 I - T) M, a positive multiple of n^T M n, which must not be
 /// zero. Requires: the cone test holds for w. Throws Undecided after 2^-1000.
 int sign_at(const ExactMatrix& t, const ExactVector& w, const ExactMatrix& m);

@@ -63,7 +63,7 @@ bool Squares::touches_listed(u32 edge) const {
     for (const u32 j : {0U, 1U}) {
       if (i > p[a] || (b != axis && j > p[b])) continue;
       const u32 cell = node - i * grid_.stride[a] - (b == axis ? 0 : j * grid_.stride[b]);
-      if (cells_.code[cell] != Cells::kUnlisted) return true;
+      if (cells_.code(cell) != Cells::kUnlisted) return true;
     }
   return false;
 }

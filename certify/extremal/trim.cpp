@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/extremal/trim.hpp"
 
-#include "certify/container/parallel.hpp"
 #include "certify/container/reject.hpp"
 #include "certify/extremal/signs.hpp"
 
@@ -119,7 +118,7 @@ bool is_high(const Fields& fields, const Spot& spot, double level) {
          216 * Rational(level);
 }
 
-/// s_nn > strength?
+/// s_nn >= strength?
 bool is_strong(const Fields& fields, const Spot& spot, double strength) {
   double t_size = 0, h_size = 0;
   const SpotFields<double> near(fields, spot);
@@ -135,13 +134,14 @@ bool is_strong(const Fields& fields, const Spot& spot, double strength) {
   for (size_t i = 0; i < 3; ++i) m[i] -= 216 * Rational(strength);
   ExactVector w;
   for (size_t k = 0; k < 3; ++k) w[k] = Rational(direction.frame.w[k]);
-  return sign_at(exact.tensor(t_size), w, m) > 0;
+  const ExactMatrix tensor = exact.tensor(t_size);
+  return vanishes(tensor, w, m) || sign_at(tensor, w, m) > 0;
 }
 
 }  // namespace
 
-Kept trim(const ExtremalCertificate& c, const Fields& fields, const Mesh& mesh) {
-  const Grid& grid = fields.grid;
+Kept trim(const ExtremalCertificate& c, const Splines& splines, const Mesh& mesh) {
+  const Grid& grid = splines.grid();
   const size_t vertices = mesh.vertex_cells.size(), polygons = mesh.polygons.size();
   const bool cuts = c.data.has_min_value || c.data.min_strength > 0;
   require_equal(static_cast<std::int64_t>(c.vertices.size()), vertices, "vertices");
@@ -149,26 +149,29 @@ Kept trim(const ExtremalCertificate& c, const Fields& fields, const Mesh& mesh) 
                 "points on edges");
   Kept kept{std::vector<std::uint8_t>(vertices, 1), std::vector<std::uint8_t>(polygons, 1)};
   if (!cuts) return kept;
-  const auto is_kept = [&](const Spot& spot) {
+  const auto is_kept = [&](const Fields& fields, const Spot& spot) {
     return (!c.data.has_min_value || is_high(fields, spot, c.data.min_value)) &&
            (c.data.min_strength == 0 || is_strong(fields, spot, c.data.min_strength));
   };
-  constexpr size_t kBatch = 256;
-  parallel_for((vertices + polygons + kBatch - 1) / kBatch, [] { return 0; },
-               [&](int, size_t batch) {
-                 const size_t end = std::min(vertices + polygons, (batch + 1) * kBatch);
-                 for (size_t i = batch * kBatch; i < end; ++i) {
-                   if (i < vertices) {
-                     const auto& at = c.vertices[i];
-                     kept.vertices[i] = is_kept({mesh.vertex_cells[i], {at[0], at[1], at[2]}});
-                     continue;
-                   }
-                   const auto [node, axis] = edge_place(grid, mesh.polygons[i - vertices]);
-                   Spot spot{node, {0, 0, 0}};
-                   spot.at[axis] = c.fan_points[i - vertices];
-                   kept.fans[i - vertices] = is_kept(spot);
-                 }
-               });
+  splines.for_items(
+      vertices + polygons, 256,
+      [&](size_t i) {
+        return i < vertices ? mesh.vertex_cells[i]
+                            : edge_place(grid, mesh.polygons[i - vertices]).node;
+      },
+      [](const Fields&) { return 0; },
+      [&](int, const Window& window, size_t i) {
+        if (i < vertices) {
+          const auto& at = c.vertices[i];
+          kept.vertices[i] = is_kept(
+              *window.fields, {window.node(grid, mesh.vertex_cells[i]), {at[0], at[1], at[2]}});
+          return;
+        }
+        const auto [node, axis] = edge_place(grid, mesh.polygons[i - vertices]);
+        Spot spot{window.node(grid, node), {0, 0, 0}};
+        spot.at[axis] = c.fan_points[i - vertices];
+        kept.fans[i - vertices] = is_kept(*window.fields, spot);
+      });
   return kept;
 }
 

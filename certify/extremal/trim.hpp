@@ -6,8 +6,8 @@
 
 namespace crest::certify::extremal {
 
-/// Throws Reject unless there are as many places as the mesh has corners; Undecided where s_nn is
-/// equal to the least strength, or n not certain.
-Kept trim(const ExtremalCertificate& c, const Fields& fields, const Mesh& mesh);
+/// Throws Reject unless there are as many places as the mesh has corners; Undecided where n is
+/// not certain.
+Kept trim(const ExtremalCertificate& c, const Splines& splines, const Mesh& mesh);
 
 }  // namespace crest::certify::extremal

@@ -81,6 +81,7 @@ vtkSmartPointer<vtkPolyData> extremal_poly_data(const Result& r, const std::stri
   vtkNew<vtkDoubleArray> normals;
   normals->SetName("normal");
   normals->SetNumberOfComponents(3);
+  normals->Allocate(static_cast<vtkIdType>(3 * r.normals.size()));
   for (const auto& n : r.normals) normals->InsertNextTuple(n.data());
   data.add_point_array(normals);
   if (!data_digest.empty()) data.fields().add("data_digest", data_digest);

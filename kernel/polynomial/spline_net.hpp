@@ -42,16 +42,48 @@ constexpr std::size_t spline_count(int dim) {
 template <class T, int Dim>
 using SplineCell = std::array<T, spline_count(Dim)>;
 
+/// The same for blocks of `stride` neighbours, in place. Doubles: factors 1/3 and 1/6 are rounded,
+/// so that controls may differ from spline_bezier's by a few units in the last place.
+template <int order, class T, std::size_t size>
+void to_bezier(std::array<T, size>& c, std::size_t stride) {
+  const T third = T(1) / T(3), sixth = T(1) / T(6), half = T(1) / T(2);
+  for (std::size_t high = 0; high < size; high += 4 * stride)
+    for (std::size_t low = high; low < high + stride; ++low) {
+      T &c0 = c[low], &c1 = c[low + stride], &c2 = c[low + 2 * stride], &c3 = c[low + 3 * stride];
+      if constexpr (order == 0) {
+        const T a = c1 + c1, b = c2 + c2;
+        const T first = (c0 + (a + a) + c2) * sixth, last = (c1 + (b + b) + c3) * sixth;
+        const T second = (a + c2) * third, next = (c1 + b) * third;
+        c0 = first, c1 = second, c2 = next, c3 = last;
+      } else if constexpr (order == 1) {
+        const T b0 = (c2 - c0) * half, b1 = c2 - c1, b2 = (c3 - c1) * half;
+        c0 = b0, c1 = (b0 + (b1 + b1)) * third, c2 = ((b1 + b1) + b2) * third, c3 = b2;
+      } else {
+        const T d0 = c0 - (c1 + c1) + c2, d1 = c1 - (c2 + c2) + c3;
+        if constexpr (order == 2)
+          c0 = d0, c1 = ((d0 + d0) + d1) * third, c2 = (d0 + (d1 + d1)) * third, c3 = d1;
+        else
+          c0 = c1 = c2 = c3 = d1 - d0;
+      }
+    }
+}
+
 /// The net of a derivative, in place of the coefficients.
 template <class T, int Dim>
 void to_spline_net(SplineCell<T, Dim>& c, const std::array<int, Dim>& orders) {
-  for (std::size_t axis = 0, stride = 1; axis < Dim; ++axis, stride *= 4)
-    for (std::size_t high = 0; high < c.size(); high += 4 * stride)
-      for (std::size_t low = high; low < high + stride; ++low) {
-        const auto b = spline_bezier(c[low], c[low + stride], c[low + 2 * stride],
-                                     c[low + 3 * stride], orders[axis]);
-        for (std::size_t i = 0; i < 4; ++i) c[low + i * stride] = b[i];
-      }
+  for (std::size_t axis = 0, stride = 1; axis < Dim; ++axis, stride *= 4) switch (orders[axis]) {
+      case 0:
+        to_bezier<0>(c, stride);
+        break;
+      case 1:
+        to_bezier<1>(c, stride);
+        break;
+      case 2:
+        to_bezier<2>(c, stride);
+        break;
+      default:
+        to_bezier<3>(c, stride);
+    }
 }
 
 /// The weights of c0 .. c3 in the derivative at t of [0, 1].

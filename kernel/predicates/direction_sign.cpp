@@ -45,6 +45,18 @@ class Guess {
            dot(b_, b_) * dot(v, v) * length_ * length_ * trace_ * trace_;
   }
 
+  /// The form's sign at w, if it is proven to be that at n.
+  MaybeSign form_sign(const Symmetric3<Rational>& m) const {
+    if (!(trace_ > 0 && minor_ > 0)) return std::nullopt;
+    const Rational form = dot(w_, product(m, w_));
+    const Rational square =
+        m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + 2 * (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]);
+    if (form * form * minor_ * minor_ >
+        4 * dot(b_, b_) * length_ * length_ * length_ * trace_ * trace_ * square)
+      return sign_of(form);
+    return std::nullopt;
+  }
+
   /// About how many bits of w are n's: of |b|^2 W tr^2 / minor^2, half.
   unsigned bits() const {
     const Rational square = dot(b_, b_) * length_ * trace_ * trace_ / (minor_ * minor_);
@@ -89,6 +101,31 @@ bool is_zero(const Symmetric3<Rational>& t, const Exact3& v, const Exact3& w) {
   return is_dominant(u);
 }
 
+/// Does f, of form sign, vanish at lambda1?
+bool is_form_zero(const Symmetric3<Rational>& t, const Symmetric3<Rational>& m, const Exact3& w) {
+  const Symmetric3<Rational> adj = adjugate(t);
+  const Rational trace = t[0] + t[1] + t[2], minors = adj[0] + adj[1] + adj[2];
+  const Rational det = t[0] * adj[0] + t[3] * adj[3] + t[5] * adj[5];
+  const auto inner = [](const Symmetric3<Rational>& a, const Symmetric3<Rational>& b) {
+    return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
+                    2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]));
+  };
+  // adj(x I - T) = x^2 I + x (T - trace I) + adj T.
+  const Rational a = m[0] + m[1] + m[2], b = inner(t, m) - trace * a, c = inner(adj, m);
+  const Rational q = dot(w, product(t, w)) / dot(w, w);
+  if (a == 0) {
+    if (b == 0) return c == 0;
+    const Rational x = -c / b;
+    return x >= q && ((x - trace) * x + minors) * x == det;
+  }
+  // p = f (x / a + ..) + slope x + rest
+  const Rational third = trace + b / a;  // p's third root, if f divides it
+  const Rational slope = minors + third * b / a - c / a, rest = third * c / a - det;
+  if (slope == 0) return rest == 0 && third < q;
+  const Rational x = -rest / slope;
+  return x >= q && (a * x + b) * x + c == 0;
+}
+
 }  // namespace
 
 MaybeSign triage_direction_sign(const Symmetric3<double>& t, double t_error, const Vec3& v,
@@ -115,6 +152,17 @@ Sign exact_direction_sign(const Symmetric3<Rational>& t, const Exact3& v, const 
     const Guess guess(t, x);
     if (guess.proves(v)) return sign_of(dot(x, v));
     // A step triples the bits.
+    x = rounded(guess.improved(), 64 + 4 * guess.bits());
+  }
+}
+
+Sign exact_form_sign(const Symmetric3<Rational>& t, const Symmetric3<Rational>& m,
+                     const Exact3& w) {
+  if (is_form_zero(t, m, w)) return Sign::zero;
+  Exact3 x = w;
+  for (;;) {
+    const Guess guess(t, x);
+    if (const MaybeSign s = guess.form_sign(m)) return *s;
     x = rounded(guess.improved(), 64 + 4 * guess.bits());
   }
 }

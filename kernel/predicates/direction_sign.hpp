@@ -17,9 +17,17 @@
 // Symbolic: the sign of the first coordinate of n that is not zero; it stands for adding the
 // gradient of eps x + eps^2 y + eps^3 z to v.
 //
+// Form sign: of n^T M n, M symmetric, by f(x) = tr(adj(x I - T) M), which at lambda1 is a positive
+// multiple of it; p is T's characteristic polynomial. Zero iff f(lambda1) = 0, decided without
+// lambda1: f = 0; or f, of degree 1, has its root in common with p, and that is not below q =
+// w.Tw/W, as of p's roots lambda1 alone is; or f, of degree 2, divides p and p's third root is
+// below q (lambda1 is simple: that or a root of f); or else p mod f has its root in common with f,
+// not below q. If it is not zero, |n^T M n - w^T M w / W| <= 2 tan theta |M| decides for some w
+// near n.
+//
 // Laws. (1) odd in v; odd in w. (2) the same for positive multiples of v and w, for T + c I and
 // positive multiples of T. (3) the same for all w that pass the cone test on one side. (4)
-// symbolic: never zero.
+// symbolic: never zero. (5) form sign: odd in M, the same for M + v v^T where n . v = 0.
 #include <array>
 
 #include "kernel/arithmetic/rational.hpp"
@@ -36,6 +44,10 @@ Sign exact_direction_sign(const Symmetric3<Rational>& t, const Vector3<Rational>
                           const Vector3<Rational>& w);
 /// The sign of the first coordinate of n that is not zero.
 Sign symbolic_direction_sign(const Symmetric3<Rational>& t, const Vector3<Rational>& w);
+
+/// The sign of n^T M n. Requires: w passes the cone test at t. Zero means exactly zero.
+Sign exact_form_sign(const Symmetric3<Rational>& t, const Symmetric3<Rational>& m,
+                     const Vector3<Rational>& w);
 
 /// Requires: w, a unit vector to 2^-50, passes the cone test at t. Never zero.
 Decision direction_sign(const Symmetric3<double>& t, const Vec3& v, const Vec3& w);

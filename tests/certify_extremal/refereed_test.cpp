@@ -184,9 +184,9 @@ TEST_CASE("extremal: which regular cells have a box is as the reference finds") 
   std::size_t boxed = 0;
   for (const std::uint32_t n : {16U, 18U}) {
     const auto c = reference_extremal(with_level(sampled({n, n, n}, sphere(0.7, 0.28), 1.6), 0.4));
-    const auto fields = extremal::make_fields(c.data);
-    auto cells = extremal::list_cells(c, fields.grid);
-    extremal::check_cells(c, fields, cells);
+    const extremal::Splines splines(c.data);
+    auto cells = extremal::list_cells(c, splines.grid());
+    extremal::check_cells(c, splines, cells);
     const ReferenceFields reference(c.data);
     std::size_t place = 0, direction = 0;
     for (const std::uint32_t cell : listed(c)) {
@@ -194,7 +194,7 @@ TEST_CASE("extremal: which regular cells have a box is as the reference finds") 
       if (stated == code::kOpen) continue;
       const ExtremalDirection& w = c.directions[direction++];
       const bool holds = stated >= code::kRegular && is_boxed(reference, cell, w);
-      CHECK((cells.boxed[cell] != 0) == holds);
+      CHECK(cells.is_boxed(cell) == holds);
       boxed += holds ? 1 : 0;
     }
   }
@@ -204,22 +204,23 @@ TEST_CASE("extremal: which regular cells have a box is as the reference finds") 
 TEST_CASE("extremal: one cell that fails the box test takes its cluster's isotopy") {
   const auto c = reference_extremal(with_level(sampled({22, 22, 22}, sphere(0.7, 0.28), 1.6), 0.4));
   require_accepted(c);
-  const auto fields = extremal::make_fields(c.data);
-  const auto& grid = fields.grid;
+  const extremal::Splines splines(c.data);
+  const auto& grid = splines.grid();
   auto cells = extremal::list_cells(c, grid);
-  extremal::check_cells(c, fields, cells);
-  const auto edges = extremal::check_edges(c, fields, cells);
+  extremal::check_cells(c, splines, cells);
+  const auto edges = extremal::check_edges(c, splines, cells);
   const extremal::Squares squares(c, grid, cells, edges);
   const auto mesh = extremal::build_mesh(grid, edges, squares);
   const auto isotopic = [&] {
-    auto found = extremal::count_components(mesh, extremal::trim(c, fields, mesh));
+    auto found = extremal::count_components(mesh, extremal::trim(c, splines, mesh));
     extremal::find_isotopic(c, grid, cells, edges, squares, mesh, found);
     return found.list.at(0).isotopic;
   };
   CHECK(isotopic());
-  const auto one = std::ranges::find(cells.boxed, std::uint8_t{1});
-  REQUIRE(one != cells.boxed.end());
-  *one = 0;
+  const auto one =
+      std::ranges::find_if(cells.ids, [&](std::uint32_t cell) { return cells.is_boxed(cell); });
+  REQUIRE(one != cells.ids.end());
+  cells.set_boxed(*one, false);
   CHECK_FALSE(isotopic());
 }
 

@@ -158,3 +158,67 @@ TEST_CASE("direction sign: the laws, and the stages agree") {
   }
   CHECK(failures.report() == "");
 }
+
+TEST_CASE("form sign: zeros, where the direction sign knows them, and signs") {
+  Failures failures;
+  std::size_t zeros = 0;
+  for (const Family family : {Family::generic, Family::small_integers}) {
+    Draw d(5, family);
+    for (std::uint64_t i = 0; i < scaled(300); ++i) {
+      const Tensor t = d.coin() ? draw_tensor(d, family) : degenerate(d);
+      const Vec3 v = draw_vector(d, family), o = draw_vector(d, family),
+                 w0 = draw_vector(d, family);
+      if (exact_cone_test(t, w0) != Sign::positive) continue;
+      const auto e = lifted<Rational>(t);
+      const auto a = lift<Rational>(v), b = lift<Rational>(o), w = lift<Rational>(w0);
+      // M = a b^T + b a^T: twice (n . a)(n . b).
+      Symmetric3<Rational> m = {2 * a[0] * b[0],           2 * a[1] * b[1],
+                                2 * a[2] * b[2],           a[0] * b[1] + a[1] * b[0],
+                                a[1] * b[2] + a[2] * b[1], a[0] * b[2] + a[2] * b[0]};
+      const Sign sign = exact_direction_sign(e, a, w) * exact_direction_sign(e, b, w);
+      zeros += sign == Sign::zero ? 1 : 0;
+      failures.expect(exact_form_sign(e, m, w) == sign, "a product's sign is right for", t, v, o,
+                      w0);
+      for (Rational& x : m) x = -x;
+      failures.expect(exact_form_sign(e, m, w) == -sign, "law 5 holds for", t, v, o, w0);
+    }
+  }
+  CHECK(failures.report() == "");
+  CHECK(zeros > 20);
+}
+
+TEST_CASE("form sign: T less its eigenvalues, forms that divide the characteristic polynomial") {
+  // A rational rotation.
+  const Rational f = Rational(1) / 3;
+  const std::array<Vector3<Rational>, 3> axes = {
+      {{f, 2 * f, 2 * f}, {2 * f, f, -2 * f}, {2 * f, -2 * f, f}}};
+  const auto made = [&](const Rational& x, const Rational& y, const Rational& z) {
+    Symmetric3<Rational> r = {0, 0, 0, 0, 0, 0};
+    const std::array<Rational, 3> values = {x, y, z};
+    constexpr std::size_t kPairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 6; ++i)
+        r[i] += values[k] * axes[k][kPairs[i][0]] * axes[k][kPairs[i][1]];
+    return r;
+  };
+  const Symmetric3<Rational> t = made(5, 2, -1);
+  for (const Vector3<Rational>& w : {axes[0], Vector3<Rational>{1, 3, 2}}) {
+    const auto sign = [&](int x, int y, int z) { return exact_form_sign(t, made(x, y, z), w); };
+    for (int y = -3; y <= 3; ++y)
+      for (int z = -3; z <= 3; ++z) {
+        CAPTURE(y, z);
+        CHECK(sign(0, y, z) == Sign::zero);  // y = -z: of degree 1; y = z = 0: none
+        CHECK(sign(1, y, z) == Sign::positive);
+        CHECK(sign(-1, y, z) == Sign::negative);
+      }
+  }
+  // lambda1 = sqrt 2: M = (T^2 - 2) + k e_z e_z^T.
+  const Symmetric3<Rational> s = {1, -1, 0, 1, 0, 0};
+  for (const int k : {-1, 0, 1})
+    CHECK(exact_form_sign(s, {0, 0, Rational(k), 0, 0, 0}, {2, 1, 0}) == Sign::zero);
+  // n = (1 + sqrt 2, 1, 0): n^T M n = 0 for M = xx - 2 xy - yy, which divides p.
+  CHECK(exact_form_sign(s, {1, -1, 0, -1, 0, 0}, {2, 1, 0}) == Sign::zero);
+  CHECK(exact_form_sign(s, {1, -1, 1, -1, 0, 0}, {2, 1, 0}) == Sign::zero);
+  CHECK(exact_form_sign(s, {1 + Rational(1) / 1000000000, -1, 1, -1, 0, 0}, {2, 1, 0}) ==
+        Sign::positive);
+}
