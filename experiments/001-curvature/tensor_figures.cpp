@@ -104,7 +104,8 @@ void figure_3(const std::string& folder, int width) {
   write_close_up(folder + "/figure-3.3-b-right.svg", mesh, mean);
 }
 
-/// The four test triangulations (of a tube the half that faces the eye), coarser than those of the tables so that triangles are seen.
+/// The four test triangulations (of a tube the half that faces the eye), coarser than those of the
+/// tables so that triangles are seen.
 void figure_4(const std::string& folder) {
   const TestMesh meshes[] = {
       random_diagonals(torus(), 40, 24, 1), perturbed_delaunay(torus(), 40, 24, 1),

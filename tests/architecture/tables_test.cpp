@@ -21,8 +21,37 @@ std::string lacking(const std::string& line) {
   return text;
 }
 
-/// Tables that are not made anew yet, and why.
-const std::map<std::string, const char*> kExceptions = {};
+/// Why a table is not made anew yet.
+constexpr const char* kTimes = "times: it wants a quiet machine";
+constexpr const char* kMinutes = "many minutes of work";
+constexpr const char* kPeer = "it wants the peer's program";
+
+/// Of experiments/, without .md. A table that is made anew leaves the list.
+const std::map<std::string, const char*> kExceptions = {
+    {"000-extremal/tables/point_surfaces", kMinutes},
+    {"000-extremal/tables/scaling", kTimes},
+    {"000-extremal/tables/sheets_hessian_refined", kMinutes},
+    {"001-curvature/tables/curvature_speed", kTimes},
+    {"001-curvature/tables/curvature_speed_all", kTimes},
+    {"001-features/tables/thinning_speed", kTimes},
+    {"001-line-art/tables/contour_table", kTimes},
+    {"001-line-art/tables/line_figures", kMinutes},
+    {"002-ridges/tables/mesh_ranks", kTimes},
+    {"002-ridges/tables/recheck", kTimes},
+    {"002-ridges/tables/salience", kMinutes},
+    {"002-ridges/tables/smooth_phases", kTimes},
+    {"003-reeb/tables/checker_cost", kTimes},
+    {"003-reeb/tables/growth", kTimes},
+    {"003-reeb/tables/pipeline_speed", kTimes},
+    {"004-modes/tables/blocks", kTimes},
+    {"004-modes/tables/marching_peer", kTimes},
+    {"peers/coding/tables/draco", kPeer},
+    {"peers/extremal/tables/teem", kPeer},
+    {"peers/reeb/tables/vtk_reeb", kTimes},
+    {"peers/ridges/tables/ellipsoid-159k", kTimes},
+    {"peers/splines/tables/multilevel", kTimes},
+    {"peers/splines/tables/volume_peers", kTimes},
+};
 
 }  // namespace
 
@@ -38,7 +67,9 @@ TEST_CASE("a table's first line has command, commit and kind of machine") {
     const auto lines = lines_of(path);
     REQUIRE(!lines.empty());
     INFO("lacks" << lacking(lines[0]) << ": " << lines[0]);
-    const bool open = kExceptions.count(path) == 1;
+    const auto exception = kExceptions.find(path.substr(12, path.size() - 15));
+    const bool open = exception != kExceptions.end();
+    INFO((open ? exception->second : "not excepted"));
     excepted += open;
     CHECK(lacking(lines[0]).empty() != open);
   }
