@@ -30,7 +30,6 @@ constexpr const char* kPeer = "it wants the peer's program";
 const std::map<std::string, const char*> kExceptions = {
     {"000-extremal/tables/point_surfaces", kMinutes},
     {"000-extremal/tables/scaling", kTimes},
-    {"000-extremal/tables/sheets_hessian_refined", kMinutes},
     {"001-curvature/tables/curvature_speed", kTimes},
     {"001-curvature/tables/curvature_speed_all", kTimes},
     {"001-features/tables/thinning_speed", kTimes},
