@@ -28,6 +28,8 @@ struct CloseUpLine {
 struct CloseUp {
   Vec3 centre{};
   double radius = 1;
+  double reach = 1.5;  ///< radii within which triangles are drawn
+  Vec3 towards{};      ///< the eye; zero: the mean normal of the ball
   std::vector<std::string> dots = {};
   std::vector<CloseUpLine> lines = {};
 };
@@ -45,7 +47,8 @@ struct Eye {
 
   Eye(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, const CloseUp& c)
       : towards{}, centre(c.centre), scale(0.5 * kSide / c.radius) {
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (dot(c.towards, c.towards) > 0) towards = c.towards;
+    for (Index v = 0; v < mesh.vertex_count() && dot(c.towards, c.towards) == 0; ++v) {
       const Vec3 d = mesh.points()[v] - centre;
       if (dot(d, d) <= c.radius * c.radius) towards = towards + normals[v];
     }
@@ -65,7 +68,7 @@ struct Eye {
 
 }  // namespace close_up_detail
 
-/// Writes .svg. Triangles whose corners are within 1.5 radii and that face the eye, far ones first.
+/// Writes .svg. Triangles whose corners are within reach and that face the eye, far ones first.
 /// Throws: kernel::InputError (write_atomically).
 inline void write_close_up(const std::string& path, const kernel::TriangleMesh& mesh,
                            const CloseUp& c) {
@@ -75,7 +78,7 @@ inline void write_close_up(const std::string& path, const kernel::TriangleMesh& 
   const auto& p = mesh.points();
   const auto inside = [&](Index v) {
     const Vec3 d = p[v] - c.centre;
-    return dot(d, d) <= 2.25 * c.radius * c.radius;
+    return dot(d, d) <= c.reach * c.reach * c.radius * c.radius;
   };
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{0}\" viewBox=\"0 0 {0} "
@@ -104,7 +107,8 @@ inline void write_close_up(const std::string& path, const kernel::TriangleMesh& 
   svg += "</g>\n<g stroke-linecap=\"round\">\n";
   for (const CloseUpLine& line : c.lines) {
     const Vec3 d = line.from - c.centre;
-    if (dot(line.normal, eye.towards) < 0 || dot(d, d) > 2.25 * c.radius * c.radius) continue;
+    if (dot(line.normal, eye.towards) < 0 || dot(d, d) > c.reach * c.reach * c.radius * c.radius)
+      continue;
     const auto a = eye.at(line.from), b = eye.at(line.to);
     svg += fmt::format(
         "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", a[0],

@@ -18,16 +18,17 @@ namespace {
 using curvature::Method;
 using curvature::Quantity;
 
-/// Both focal surfaces of faces with given normals: K, then H.
+/// Both focal surfaces of faces with given normals: K, then H, times scale.
 void focal_pair(const std::string& name, const kernel::TriangleMesh& mesh,
-                const std::vector<Vec3>& normals, int width) {
+                const std::vector<Vec3>& normals, double scale, int width) {
   io::ColourPicture picture;
   picture.width = width;
   picture.view = Vec3{-0.3, 0.8, -0.55};
+  picture.stroke = 2;
   for (const Quantity q : {Quantity::gaussian, Quantity::mean}) {
     picture.label = q == Quantity::gaussian ? "gaussian curvature" : "mean curvature";
     io::write_focal_picture(fmt::format("{}-{}.png", name, q == Quantity::gaussian ? "K" : "H"),
-                            mesh, curvature::focal_of_triangles(mesh, normals, q, 0.08, 12),
+                            mesh, curvature::focal_of_triangles(mesh, normals, q, scale, 12),
                             picture);
   }
 }
@@ -56,13 +57,13 @@ void six_directions(const std::string& path, const kernel::TriangleMesh& mesh,
 void figure_2(const std::string& folder, int width) {
   const kernel::TriangleMesh triangle({{0, 0, 0}, {1, 0, 0}, {0.4, 0.9, 0}}, {{0, 1, 2}});
   const std::vector<Vec3> normals = {{0.35, 0.1, 1}, {-0.35, 0.25, 1}, {0.1, 0.4, 1}};
-  focal_pair(folder + "/figure-3.2-a", triangle, normals, width);
+  focal_pair(folder + "/figure-3.2-a", triangle, normals, 0.08, width);
   six_directions(folder + "/figure-3.2-a-directions.svg", triangle, normals);
   for (const double factor : {0.5, 1.0, 2.0}) {
     std::vector<Vec3> scaled = normals;
     scaled[0] = factor * scaled[0];
     const std::string name = fmt::format("{}/figure-3.2-b-{}", folder, factor);
-    focal_pair(name, triangle, scaled, width);
+    focal_pair(name, triangle, scaled, 0.08, width);
     six_directions(name + "-directions.svg", triangle, scaled);
   }
 }
@@ -73,7 +74,7 @@ void figure_3(const std::string& folder, int width) {
   const kernel::TriangleMesh pair({{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 0.15}},
                                   {{0, 1, 2}, {0, 2, 3}});
   focal_pair(folder + "/figure-3.3-a", pair,
-             {{-0.3, -0.35, 1}, {0.4, -0.2, 1}, {0.25, 0.45, 1}, {-0.5, 0.1, 1}}, width);
+             {{-0.3, -0.35, 1}, {0.4, -0.2, 1}, {0.25, 0.45, 1}, {-0.5, 0.1, 1}}, 0.09, width);
   const TestMesh test = perturbed_delaunay(torus(), 20, 14, 3);
   const kernel::TriangleMesh mesh(test.points, test.faces);
   curvature::Options options;
@@ -84,6 +85,7 @@ void figure_3(const std::string& folder, int width) {
   CloseUp each, mean;
   each.centre = mean.centre = mesh.points()[v];
   each.radius = mean.radius = 0.7;
+  each.reach = mean.reach = 4;
   const auto strokes = [&](CloseUp& view, const Vec3& p, const curvature::PointCurvature& c) {
     const auto add = [&](const Vec3& d, const char* colour) {
       view.lines.push_back({p - 0.12 * d, p + 0.12 * d, result.normals[v], colour, 2});
@@ -102,7 +104,8 @@ void figure_3(const std::string& folder, int width) {
   write_close_up(folder + "/figure-3.3-b-right.svg", mesh, mean);
 }
 
-/// The four test triangulations, coarser than those of the tables so that triangles are seen.
+/// The four test triangulations (of a tube the half that faces the eye), coarser than those of the
+/// tables so that triangles are seen.
 void figure_4(const std::string& folder) {
   const TestMesh meshes[] = {
       random_diagonals(torus(), 40, 24, 1), perturbed_delaunay(torus(), 40, 24, 1),
@@ -110,8 +113,11 @@ void figure_4(const std::string& folder) {
   char panel = 'a';
   for (const TestMesh& test : meshes) {
     CloseUp view;
-    view.centre = test.points[test.points.size() / 2];
-    view.radius = 1.1;
+    const bool tube = panel > 'b';
+    view.centre = tube ? test.points[test.points.size() / 2] : Vec3{};
+    view.radius = tube ? 1.6 : 3.1;
+    view.reach = 4;
+    if (!tube) view.towards = {0.4, -0.6, 0.7};
     write_close_up(fmt::format("{}/figure-3.4-{}.svg", folder, panel++),
                    kernel::TriangleMesh(test.points, test.faces), view);
   }

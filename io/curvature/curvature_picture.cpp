@@ -119,7 +119,7 @@ void write_focal_picture(const std::string& path, const kernel::TriangleMesh& me
   camera.scale *= kRoom;
   Canvas canvas(camera.width, camera.height);
   canvas.draw_surface(camera, mesh, normals);
-  const double width = std::max(0.5, camera.width / 2000.0);
+  const double width = options.stroke > 0 ? options.stroke : std::max(0.5, camera.width / 2000.0);
   for (const auto& curve : focal.curves) {
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
       const Vec3 a = camera.project(focal.points[curve[i]]);

@@ -16,6 +16,7 @@ struct ColourPicture {
   int width = 1200;                  ///< pixels
   std::optional<kernel::Vec3> view;  ///< as in Viewpoint
   std::optional<kernel::Vec3> up = {};
+  double stroke = 0;  ///< width of focal curves, pixels; 0: a 2000th of the width, at least 0.5
 };
 
 /// Writes .png, or .svg with the PNG embedded. Blue for negative, white for zero, red for positive
