@@ -187,6 +187,8 @@ TEST_CASE(
   CHECK(options.steering.segments.size() == drawing.segments.size());
   const Drawing steered = draw(mesh, {1, 0.8, 1.2}, options);
   CHECK(io::svg_of(steered) == svg);
+  options.tone_style = ToneStyle::bands;
+  CHECK(draw(mesh, {1, 0.8, 1.2}, options).counts.bare == drawing.counts.bare);
   const Drawing other = draw(mesh, {1, 0.9, 1.2}, {});
   CHECK_THROWS_WITH(io::read_sidecar(path, other.view), Catch::Contains("of another view"));
 }
