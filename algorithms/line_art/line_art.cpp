@@ -210,6 +210,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     const ToneOptions& tone = options.tone;
     const bool bands = options.tone_style == ToneStyle::bands;
     const std::vector<float> ink = layer_ink(buffers, tone);
+    measure(buffers, ink, first, owned, spacing, drawing.counts);  // before bands change the order
     const std::vector<float> second_ink = crossing_ink(buffers, tone, bands);
     const OwnedArea owned_second = owned_area(buffers, second, 1.5 * spacing);
     std::vector<Layer> layers;
@@ -220,7 +221,6 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     const auto black = crossed(coverage(buffers, first), coverage(buffers, second));
     const auto wanted = cross_hatch ? crossed(ink, second_ink) : ink;
     drawing.counts.tone = tone_error(tone_cells(buffers, black, wanted, owned, spacing));
-    measure(buffers, ink, first, owned, spacing, drawing.counts);
   });
   for (std::vector<Hatch>* layer : {&first, &second})
     for (Hatch& h : *layer) drawing.hatches.push_back(std::move(h.stroke));

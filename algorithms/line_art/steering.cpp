@@ -147,8 +147,11 @@ void steer(const std::vector<Region>& regions, const CrossHatching& crossing, Bu
     apply(region, mine, b);
   }
   if (!crosses(regions, crossing)) return;
+  // Not rounded to below it.
+  auto least = static_cast<float>(crossing.darkest);
+  if (static_cast<double>(least) < crossing.darkest) least = std::nextafter(least, 2.0F);
   for (std::size_t k = 0; k < b.size(); ++k)
-    if (plain[k]) b.luminance[k] = std::max(b.luminance[k], static_cast<float>(crossing.darkest));
+    if (plain[k]) b.luminance[k] = std::max(b.luminance[k], least);
 }
 
 }  // namespace crest::line_art

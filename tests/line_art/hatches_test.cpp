@@ -187,6 +187,8 @@ TEST_CASE(
   CHECK(options.steering.segments.size() == drawing.segments.size());
   const Drawing steered = draw(mesh, {1, 0.8, 1.2}, options);
   CHECK(io::svg_of(steered) == svg);
+  options.tone_style = ToneStyle::bands;
+  CHECK(draw(mesh, {1, 0.8, 1.2}, options).counts.bare == drawing.counts.bare);
   const Drawing other = draw(mesh, {1, 0.9, 1.2}, {});
   CHECK_THROWS_WITH(io::read_sidecar(path, other.view), Catch::Contains("of another view"));
 }
@@ -224,13 +226,13 @@ TEST_CASE("A region has cross hatching of its own, and a sidecar keeps that") {
   }
 }
 
-TEST_CASE("Random strokes ink a flat patch as independent ones of their lengths do") {
-  // Painted one over another, shares of 1 - c in all cover 1 - exp(c - 1).
+TEST_CASE("Random strokes are as many as full black needs, drawn over 1 - c of their length") {
   Drawing nothing;
   nothing.view.page = {60, 60};
   const Barriers none(nothing.scene, nothing.view, nothing.contours);
-  double before = 1;
-  for (const double c : {0.1, 0.35, 0.5, 0.65, 0.8, 0.93}) {
+  const ToneOptions options;
+  const double most = 10 * options.spacing, width = 0.35 * options.spacing;
+  for (const double c : {0.1, 0.35, 0.5, 0.65, 0.8, 0.96}) {
     Buffers b;
     b.width = b.height = 500;
     const std::size_t n = 500 * 500;
@@ -240,23 +242,23 @@ TEST_CASE("Random strokes ink a flat patch as independent ones of their lengths 
     b.normal.assign(n, {0, 0, 1});
     b.rib.assign(n, {1, 0});
     b.backbone.assign(n, {0, 1});
-    const ToneOptions options;
-    const auto lines = random_streamlines({b, none, {}, options.spacing, false}, options.brightest,
-                                          0.35 * options.spacing);
-    const std::vector<float> black = coverage(b, lines);
-    double share = 0;
-    for (std::size_t k = 0; k < n; ++k)
-      if (k % 500 > 70 && k % 500 < 430) share += static_cast<double>(black[k]) / (500.0 * 359);
-    CHECK(share == Approx(1 - std::exp(c - 1)).margin(0.03));
-    CHECK(share < before);
-    before = share;
-  }
-  for (const double c : {0.96, 1.0}) {
-    Buffers b;
-    b.width = b.height = 50;
-    b.face.assign(2500, 0);
-    b.luminance.assign(2500, static_cast<float>(c));
-    b.normal.assign(2500, {0, 0, 1});
-    CHECK(random_streamlines({b, none, {}, 0.8, false}, 0.95, 0.28).empty());
+    const auto lines =
+        random_streamlines({b, none, {}, options.spacing, false}, options.brightest, width);
+    if (c > options.brightest) {
+      CHECK(lines.empty());
+      continue;
+    }
+    std::size_t inside = 0;
+    double length = 0;
+    for (const Hatch& h : lines) {
+      const auto& p = h.stroke.points;
+      if (std::min(p.front()[0], p.back()[0]) < 9 || std::max(p.front()[0], p.back()[0]) > 51)
+        continue;
+      ++inside;
+      length += h.stroke.length();
+    }
+    REQUIRE(inside > 500);
+    CHECK(std::abs(length / static_cast<double>(inside) - most * (1 - c)) < 2 * Tracer::kStep);
+    CHECK(static_cast<double>(lines.size()) * most * width == Approx(60.0 * 60).epsilon(0.02));
   }
 }
