@@ -156,7 +156,9 @@ Outcome work(Run& run, const ModesOptions& o) {
     scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool of_curves = wanted.empty() && run.wanted("--certificate");
-  if (run.wanted("--certificate") && !of_curves) check_size(o, field);
+  const bool has_lambdas =
+      std::any_of(wanted.begin(), wanted.end(), [](const Wanted& w) { return !w.level.neutral(); });
+  if (run.wanted("--certificate") && has_lambdas) check_size(o, field);
   const bool curves_decided =
       !o.degenerate || add_curves(run, field, file, of_curves, scene, summary);
   const modes::ZeroSet zeros =
