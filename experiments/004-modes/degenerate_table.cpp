@@ -2,7 +2,6 @@
 // Degenerate curves: processor time of a face by stage (tensor-lines: mean 115 to 170 us a random
 // face, 5 to 8 us where it rejects at once), and the curves of the four blocks.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <chrono>
 #include <random>
@@ -10,18 +9,14 @@
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/degenerate_face.hpp"
 #include "algorithms/sampling/loaded_block.hpp"
+#include "experiments/median.hpp"
+#include "experiments/processor_time.hpp"
 #include "experiments/program.hpp"
 
 namespace crest::experiments {
 namespace {
 
 using namespace modes;
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Faces whose corners differ by `spread` from a common degenerate tensor; 0: independent corners.
 std::vector<Tensor> faces(std::size_t n, double spread) {
@@ -40,14 +35,14 @@ std::vector<Tensor> faces(std::size_t n, double spread) {
   return t;
 }
 
-void face_times(std::size_t n) {
+void face_times(std::size_t n, int times) {
   fmt::print(
-      "{} faces a row, one thread, processor time; spread: of the corners around a common "
-      "degenerate "
-      "tensor\n\n| spread | cone, ns | excluded | triage, us | not decided | points 0, 1, 2, 3, 4 "
+      "{} faces a row, one thread, processor time, medians of {} runs; spread: of the corners "
+      "around a common degenerate tensor\n\n| spread | cone, ns | excluded | triage, us | not "
+      "decided | points 0, 1, 2, 3, 4 "
       "| exact, "
       "us |\n|---|---|---|---|---|---|---|\n",
-      n);
+      n, times);
   for (const double spread : {0.0, 0.3, 0.05, 0.01, 0.001}) {
     const auto t = faces(n, spread);
     std::vector<Direction> u;
@@ -55,17 +50,24 @@ void face_times(std::size_t n) {
     std::vector<char> open(n);
     std::size_t excluded = 0, undecided = 0;
     std::array<std::size_t, 5> points{};
-    const double start = processor_seconds();
-    for (std::size_t i = 0; i < n; ++i) open[i] = !cone_excludes({&u[3 * i], 3});
-    const double cone = processor_seconds() - start;
+    const double cone = median_of(times, [&] {
+      const double start = processor_seconds();
+      for (std::size_t i = 0; i < n; ++i) open[i] = !cone_excludes({&u[3 * i], 3});
+      return processor_seconds() - start;
+    });
     for (const char o : open) excluded += !o;
-    const double before = processor_seconds();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!open[i]) continue;
-      const auto r = triage_face_roots({&t[3 * i], &t[3 * i + 1], &t[3 * i + 2]});
-      r ? ++points[r->count] : ++undecided;
-    }
-    const double triage = processor_seconds() - before, last = processor_seconds();
+    const double triage = median_of(times, [&] {
+      undecided = 0;
+      points.fill(0);
+      const double start = processor_seconds();
+      for (std::size_t i = 0; i < n; ++i) {
+        if (!open[i]) continue;
+        const auto r = triage_face_roots({&t[3 * i], &t[3 * i + 1], &t[3 * i + 2]});
+        r ? ++points[r->count] : ++undecided;
+      }
+      return processor_seconds() - start;
+    });
+    const double last = processor_seconds();
     const std::size_t few = std::min<std::size_t>(n, 100);
     for (std::size_t i = 0; i < few; ++i)
       (void)exact_face_roots({&t[3 * i], &t[3 * i + 1], &t[3 * i + 2]});
@@ -123,14 +125,15 @@ void block_curves() {
 }  // namespace crest::experiments
 
 int main(int argc, char** argv) {
-  int faces = 20000;
+  int faces = 20000, times = 5;
   bool blocks = false;
   crest::experiments::Program program(
       "Degenerate curves: speed of a face, curves of the four blocks.");
   program.option("--faces", faces, "random faces a row", {1, 10000000});
+  program.option("--times", times, "runs of a row", {1, 1000});
   program.flag("--blocks", blocks, "the four blocks, too");
   return program.run(argc, argv, [&] {
-    crest::experiments::face_times(static_cast<std::size_t>(faces));
+    crest::experiments::face_times(static_cast<std::size_t>(faces), times);
     if (blocks) crest::experiments::block_curves();
     return 0;
   });

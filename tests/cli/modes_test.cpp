@@ -109,6 +109,7 @@ TEST_CASE("crest modes: one line and the right exit code for what cannot be done
   write_text(folder / "t.vtk", two_tets(traceless));
   write_text(folder / "nan.vtk", two_tets("nan 0 0  0 1 0  0 0 -2"));
   write_text(folder / "skew.vtk", two_tets("1 0.5 0  0 1 0  0 0 -2"));
+  write_text(folder / "large.vtk", two_tets("1e302 0 0  0 1e302 0  0 0 -2e302"));
   write_text(folder / "mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   for (const ModesCase& c :
        {ModesCase{"t.vtk --mode 1", 2, "--degenerate"},
@@ -119,6 +120,7 @@ TEST_CASE("crest modes: one line and the right exit code for what cannot be done
         ModesCase{"t.vtk --neutral --tensor stress", 3, "stress"},
         ModesCase{"nan.vtk --neutral", 3, "4"}, ModesCase{"mesh.off --neutral", 3, "mesh.off"},
         ModesCase{"none.vtu --neutral", 3, "does not exist"},
+        ModesCase{"large.vtk --mode 0.5 --certificate c.crest", 3, "have no certificate"},
         ModesCase{"t.vtk --neutral -o t.png", 2, "t.png"}}) {
     const auto run = run_crest(std::string("crest modes ") + c.arguments, folder.path());
     INFO(c.arguments << "\n" << run.err);
