@@ -6,6 +6,8 @@
 namespace crest::recheck {
 namespace {
 
+constexpr int kElliptic = 1, kHyperbolic = 2, kTurning = 3;
+
 Barycentric on_side(Index k, double t) {
   Barycentric l{};
   l[k] = 1 - t;

@@ -44,7 +44,5 @@ FaceOutcome check_face(const Problem& problem, const LooseCorners& loose, Index 
 constexpr int kTriangleDepth = 8, kSegmentDepth = 12;
 /// How much further than its witness this checker divides where its enclosures are weaker.
 constexpr int kFurther = 3;
-// Types of crossings.
-constexpr int kElliptic = 1, kHyperbolic = 2, kTurning = 3;
 
 }  // namespace crest::recheck

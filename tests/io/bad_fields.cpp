@@ -24,8 +24,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-std::string field_error(const std::string& name, const std::string& text,
-                        const FunctionSource& source = {}) {
+std::string error_of(const std::string& name, const std::string& text,
+                     const FunctionSource& source = {}) {
   try {
     crest::io::read_quadratic_mesh_bytes(name, text, source);
   } catch (const crest::kernel::InputError& error) {
@@ -40,7 +40,7 @@ std::string field_error(const std::string& name, const std::string& text,
 
 void check_error(const std::string& name, const std::string& text, const std::string& expected,
                  const FunctionSource& source = {}) {
-  const std::string line = field_error(name, text, source);
+  const std::string line = error_of(name, text, source);
   INFO(name << " -> " << line << "\nexpected " << expected);
   CHECK(line.find(expected) != std::string::npos);
 }
@@ -69,7 +69,7 @@ TEST_CASE("bad values name their node", "[io]") {
               "field 'T': node 17 does not exist");
   const std::string partial =
       replaced(msh_text(kSquare, 2), "\n1\n9\n10 ", "\n1\n8\n");  // the first value is gone
-  CHECK(field_error("a.msh", partial) != "no error");
+  CHECK(error_of("a.msh", partial) != "no error");
 }
 
 TEST_CASE("missing mid-side nodes are named with their cell", "[io]") {
@@ -101,17 +101,17 @@ TEST_CASE("the field is found or the message has the names there are", "[io]") {
   const std::string two = replaced(vtu, "</PointData>", array + "</PointData>");
   check_error("a.vtu", two,
               "fields: there are several; the scalar fields are 'T', 'V'; choose one");
-  CHECK(field_error("a.vtu", two, {"V", {}, false}) == "no error");
+  CHECK(error_of("a.vtu", two, {"V", {}, false}) == "no error");
   const std::string of_cells = replaced(vtu, "<Points>",
                                         "<CellData>\n<DataArray type=\"Float64\" Name=\"C\" "
                                         "format=\"ascii\">0 0</DataArray>\n</CellData>\n<Points>");
-  CHECK(field_error("a.vtu", of_cells, {"C", {}, false}) == "no error");
+  CHECK(error_of("a.vtu", of_cells, {"C", {}, false}) == "no error");
   const std::string vectors = replaced(
       vtu, "</PointData>",
       "<DataArray type=\"Float64\" Name=\"W\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 0 0 "
       "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0</DataArray>\n</PointData>");
   check_error("a.vtu", vectors, "field 'W': has 3 components", {"W", {}, false});
-  CHECK(field_error("a.vtu", vectors) == "no error");  // T is the only one that can be meant
+  CHECK(error_of("a.vtu", vectors) == "no error");  // T is the only one that can be meant
   const auto begin = vtu.find("<PointData>"), end = vtu.find("</PointData>");
   const std::string none = vtu.substr(0, begin) + "<PointData>" + vtu.substr(end);
   check_error("a.vtu", none, "fields: none is given; the file has no scalar field");
@@ -146,7 +146,7 @@ TEST_CASE("what is not a surface is named in the file's numbers", "[io]") {
   grid.values.push_back(grid.values[6] + 1);
   check_error("a.vtu", vtu_text(grid), "edge 0-3: faces 0 and 1 have the values ");
   grid.values.back() = grid.values[6];
-  CHECK(field_error("a.vtu", vtu_text(grid)) == "no error");
+  CHECK(error_of("a.vtu", vtu_text(grid)) == "no error");
   grid.cells.clear();
   check_error("a.vtu", vtu_text(grid), "faces: there are none");
   check_error("a.msh", msh_text(grid, 4), "faces: there are none");

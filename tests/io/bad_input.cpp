@@ -7,18 +7,15 @@
 
 #include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
 
 using crest::io::read_mesh;
-using crest::tests::kList;
-using crest::tests::kXyz;
 using crest::tests::TemporaryFolder;
 using crest::tests::write_text;
 
-std::string mesh_error(const std::string& path) {
+std::string error_of(const std::string& path) {
   try {
     read_mesh(path);
   } catch (const crest::kernel::InputError& error) {
@@ -30,7 +27,7 @@ std::string mesh_error(const std::string& path) {
 const std::string kTetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 const std::string kTetrahedronFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-struct BadFile {
+struct Case {
   const char* name;
   std::string bytes;
   const char* expected;
@@ -51,12 +48,14 @@ std::string binary_stl(std::uint32_t announced, std::uint32_t written, float spe
 std::string ply(const std::string& elements, const std::string& data) {
   return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + data;
 }
+const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string kList = "property list uchar int vertex_indices\n";
 
 const std::string kStl =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\n";
 
-const BadFile kCases[] = {
+const Case kCases[] = {
     {"empty.off", "", "file: is empty"},
     {"no_vertices.off", "3 1 0\n", "vertex 0: is missing, the file ends before it"},
     {"binary.off", "OFF BINARY\n", "header: the file ends before or in it"},
@@ -177,23 +176,23 @@ const BadFile kCases[] = {
 
 TEST_CASE("each fault gives one line naming file, element and remedy", "[io]") {
   const TemporaryFolder folder;
-  for (const BadFile& c : kCases) {
+  for (const Case& c : kCases) {
     const std::string path = folder / c.name;
     write_text(path, c.bytes);
-    const std::string line = mesh_error(path);
+    const std::string line = error_of(path);
     INFO(c.name << " -> " << line);
     CHECK(line.starts_with(path + ": "));
     CHECK(line.find(c.expected) != std::string::npos);
     CHECK(line.find("; ") != std::string::npos);
     CHECK(line.find('\n') == std::string::npos);
   }
-  CHECK(mesh_error(folder / "absent.off").find("file: does not exist; ") != std::string::npos);
-  CHECK(mesh_error(folder / "").find("file: ") != std::string::npos);
+  CHECK(error_of(folder / "absent.off").find("file: does not exist; ") != std::string::npos);
+  CHECK(error_of(folder / "").find("file: ") != std::string::npos);
 }
 
 TEST_CASE("a file's name with a line break still gives one line", "[io]") {
   const TemporaryFolder folder;
-  const std::string line = mesh_error(folder / "a\nb.off");
+  const std::string line = error_of(folder / "a\nb.off");
   CHECK(line.find('\n') == std::string::npos);
 }
 
@@ -212,8 +211,8 @@ TEST_CASE("zeros behind a text are passed over", "[io]") {
            zeros}};
   for (const auto& [name, bytes] : files) {
     write_text(folder / name, bytes);
-    INFO(name << ": " << mesh_error(folder / name));
-    CHECK(mesh_error(folder / name) == "no error");
+    INFO(name << ": " << error_of(folder / name));
+    CHECK(error_of(folder / name) == "no error");
   }
 }
 

@@ -29,7 +29,7 @@ void require_line(const Read& read, const std::string& name, const std::string& 
   }
 }
 
-struct BadVolume {
+struct Case {
   const char* name;
   std::string bytes;
   const char* expected;
@@ -65,7 +65,7 @@ std::string with_extent(const std::string& extent) {
   return bytes;
 }
 
-const BadVolume kVolumes[] = {
+const Case kVolumes[] = {
     {"a.nrrd", "", "file: is empty"},
     {"a.nrrd", "NRRX", "does not start with 'NRRD000'"},
     {"a.nrrd", nrrd("short", kRaw, kI16.substr(1)),
@@ -180,7 +180,7 @@ const BadVolume kVolumes[] = {
     {"a.nrrd", "\x1f\x8b\x08", "name it .gz"},
 };
 
-const BadVolume kPoints[] = {
+const Case kPoints[] = {
     {"p.xyz", "1 2 3\n", "point 0 (line 1): has no normal; give each point a normal"},
     {"p.xyz", "1 2 3 0 0 1\n1 2 3 4 5\n", "point 1 (line 2): has 5 numbers, not 6"},
     {"p.pwn", "1 2 3 0 0 1 7\n", "has 7 numbers, not 6"},
@@ -202,11 +202,11 @@ const BadVolume kPoints[] = {
 }  // namespace
 
 TEST_CASE("faulty volumes and images give one line", "[io]") {
-  for (const BadVolume& c : kVolumes)
+  for (const Case& c : kVolumes)
     require_line([&] { crest::io::read_volume_bytes(c.name, c.bytes); }, c.name, c.expected);
 }
 
 TEST_CASE("faulty points give one line", "[io]") {
-  for (const BadVolume& c : kPoints)
+  for (const Case& c : kPoints)
     require_line([&] { crest::io::read_points_bytes(c.name, c.bytes); }, c.name, c.expected);
 }

@@ -12,10 +12,12 @@ using namespace crest::io;
 using namespace crest::tests;
 using Nodes = std::vector<Cells::Node>;
 
+enum class Storage { text, little, big };
+
 /// Numbers of a section, in a text with blanks between them.
-class MshWriter {
+class Writer {
  public:
-  MshWriter(Storage storage, bool four) : storage_(storage), four_(four) {
+  Writer(Storage storage, bool four) : storage_(storage), four_(four) {
     line("$MeshFormat");
     line(std::string(four ? "4.1 " : "2.2 ") + (storage == Storage::text ? "0 8" : "1 8"));
     if (storage != Storage::text) {
@@ -122,15 +124,15 @@ class MshWriter {
   bool four_;
 };
 
-const std::vector<std::array<double, 3>> kNodePoints = {{0, 0, 0},   {1, 0, 0}, {0, 1, 0},
-                                                        {0, 0, 0.1}, {1, 1, 0}, {2, 0, 0}};
+const std::vector<std::array<double, 3>> kPoints = {{0, 0, 0},   {1, 0, 0}, {0, 1, 0},
+                                                    {0, 0, 0.1}, {1, 1, 0}, {2, 0, 0}};
 
 template <class Check>
-void for_all_msh_forms(const Check& check) {
+void for_all_forms(const Check& check) {
   for (const Storage storage : {Storage::text, Storage::little, Storage::big}) {
     for (const bool four : {false, true}) {
       INFO((storage == Storage::text ? "text " : "binary ") << (four ? "4.1" : "2.2"));
-      MshWriter file(storage, four);
+      Writer file(storage, four);
       check(file);
     }
   }
@@ -140,8 +142,8 @@ void for_all_msh_forms(const Check& check) {
 
 TEST_CASE("Gmsh elements of every kind are kept with their tags", "[io]") {
   for (const bool parametric : {false, true}) {
-    for_all_msh_forms([&](MshWriter& file) {
-      file.nodes(kNodePoints, parametric);
+    for_all_forms([&](Writer& file) {
+      file.nodes(kPoints, parametric);
       file.begin_elements(6);
       file.element(2, 3, {0, 2, 1});
       file.element(15, 4, {0});
@@ -164,8 +166,8 @@ TEST_CASE("Gmsh elements of every kind are kept with their tags", "[io]") {
 }
 
 TEST_CASE("Gmsh fields are of nodes or elements, of any number of components", "[io]") {
-  for_all_msh_forms([](MshWriter& file) {
-    file.nodes(kNodePoints);
+  for_all_forms([](Writer& file) {
+    file.nodes(kPoints);
     file.begin_elements(2);
     file.element(2, 7, {0, 2, 1});
     file.element(2, 9, {1, 2, 4});
@@ -188,8 +190,8 @@ TEST_CASE("Gmsh fields are of nodes or elements, of any number of components", "
 }
 
 TEST_CASE("one time step of a Gmsh field is taken, by default the last", "[io]") {
-  for_all_msh_forms([](MshWriter& file) {
-    file.nodes(kNodePoints);
+  for_all_forms([](Writer& file) {
+    file.nodes(kPoints);
     for (const int step : {2, 5, 3}) file.data("NodeData", "u", step, 1, {{10, {step + 0.5}}});
     file.data("NodeData", "w", 2, 1, {{10, {7}}});
     const auto first = [&](const char* name, const FieldRequest& request) {
@@ -249,8 +251,8 @@ TEST_CASE("faults of Gmsh files are named in the file's numbers", "[io]") {
   const Soup bad = soup_of("a.msh", head + "$Nodes\n2\n1 0 0 0\n5 nan 0 0\n$EndNodes\n");
   CHECK(bad.point_name(1) == "vertex 5 (line 7)");
   for (const bool four : {false, true}) {
-    MshWriter file(Storage::little, four);
-    file.nodes(kNodePoints);
+    Writer file(Storage::little, four);
+    file.nodes(kPoints);
     file.begin_elements(1);
     file.element(2, 7, {0, 2, 1});
     file.bytes.resize(file.bytes.size() - 3);

@@ -14,10 +14,10 @@ using namespace crest::tests;
 using crest::kernel::Vec3;
 using Nodes = std::vector<Cells::Node>;
 
-const std::string kOffPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 const std::string kFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-std::string all_replaced(std::string text, char from, const std::string& to) {
+std::string replaced(std::string text, char from, const std::string& to) {
   std::string result;
   for (const char c : text) c == from ? result += to : result += c;
   return result;
@@ -35,24 +35,24 @@ void check_tetrahedron(const std::string& text) {
 }  // namespace
 
 TEST_CASE("spellings of one OFF file give one soup", "[io]") {
-  const std::string plain = "OFF\n4 4 6\n" + kOffPoints + kFaces;
+  const std::string plain = "OFF\n4 4 6\n" + kPoints + kFaces;
   const std::string texts[] = {
       plain,
-      "OFF 4 4 6\n" + kOffPoints + kFaces,  // counts behind the keyword
-      "4 4 6\n" + kOffPoints + kFaces,      // no keyword
-      "off\n4 4 6\n" + kOffPoints + kFaces,
-      "OFF\n4 4\n" + kOffPoints + kFaces,  // two counts
-      "OFF 4 4\n" + kOffPoints + kFaces,
-      "OFF\n4\n4\n6\n" + kOffPoints + kFaces,  // a count a line
-      "\xef\xbb\xbf" + plain,                  // byte order mark
-      all_replaced(plain, '\n', "\r\n"),
-      all_replaced(plain, '\n', "\r"),
-      all_replaced(plain, '\n', "\n\n \t \n"),  // blank lines
-      all_replaced(plain, '\n', " # a comment 1 2 3\n# another\n"),
-      all_replaced(plain, '\n', "#x\n"),
-      all_replaced(plain, '\n', " "),  // one line
-      all_replaced(plain, ' ', "\n"),  // a word a line
-      all_replaced("OFF\n4 4\n" + kOffPoints + kFaces, ' ', "\n"),
+      "OFF 4 4 6\n" + kPoints + kFaces,  // counts behind the keyword
+      "4 4 6\n" + kPoints + kFaces,      // no keyword
+      "off\n4 4 6\n" + kPoints + kFaces,
+      "OFF\n4 4\n" + kPoints + kFaces,  // two counts
+      "OFF 4 4\n" + kPoints + kFaces,
+      "OFF\n4\n4\n6\n" + kPoints + kFaces,  // a count a line
+      "\xef\xbb\xbf" + plain,               // byte order mark
+      replaced(plain, '\n', "\r\n"),
+      replaced(plain, '\n', "\r"),
+      replaced(plain, '\n', "\n\n \t \n"),  // blank lines
+      replaced(plain, '\n', " # a comment 1 2 3\n# another\n"),
+      replaced(plain, '\n', "#x\n"),
+      replaced(plain, '\n', " "),  // one line
+      replaced(plain, ' ', "\n"),  // a word a line
+      replaced("OFF\n4 4\n" + kPoints + kFaces, ' ', "\n"),
       "OFF\n4 4 6\n0 0 0 1 0\n0 0 1 0 0 0\n1\n3 0 2 1 3 0 1 3\n3 0 3 2 3 1 2 3",
       "OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n" + kFaces,  // two vertices a line
       plain + "# the end\n",
@@ -65,7 +65,7 @@ TEST_CASE("what follows a vertex or a face on its line is no part of it", "[io]"
   const std::string faces[] = {"3 0 2 1 7\n3 0 1 3 255 0 0\n3 0 3 2 0.5 0.5 0.5 1\n3 1 2 3\n",
                                "3 0 2 1 9 9 9\n3 0 1 3 9 9 9\n3 0 3 2 9 9 9\n3 1 2 3 9 9 9\n"};
   for (const std::string& coloured : faces) {
-    check_tetrahedron("OFF\n4 4 6\n" + kOffPoints + coloured);
+    check_tetrahedron("OFF\n4 4 6\n" + kPoints + coloured);
     check_tetrahedron(
         "COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 0 0 0 1\n0 1 0 .1 .2 .3 1\n"
         "0 0 1 9 9 9\n" +
@@ -79,12 +79,11 @@ TEST_CASE("what follows a vertex or a face on its line is no part of it", "[io]"
         coloured);
   }
   // Corners that are wrapped, their colour behind the last one.
-  check_tetrahedron("OFF\n4 4 6\n" + kOffPoints +
-                    "3 0\n2 1 7\n3\n0 1 3\n3 0 3 2 9 9 9\n3 1\n2\n3\n");
+  check_tetrahedron("OFF\n4 4 6\n" + kPoints + "3 0\n2 1 7\n3\n0 1 3\n3 0 3 2 9 9 9\n3 1\n2\n3\n");
 }
 
 TEST_CASE("polygons of OFF keep their corners", "[io]") {
-  const Soup soup = soup_of("a.off", "OFF\n5 4 0\n" + kOffPoints +
+  const Soup soup = soup_of("a.off", "OFF\n5 4 0\n" + kPoints +
                                          "nan 0 inf\n4 0 1 2 3\n5 0 1 2 3 4\n3 1 1 2\n2 0 "
                                          "1\n");
   CHECK(counts(soup) == "5 points, 1 of type 5, 2 of type 7, 1 of type 9");

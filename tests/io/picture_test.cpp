@@ -15,7 +15,7 @@ using namespace crest::io;
 using crest::kernel::Triangle;
 using crest::kernel::Vec3;
 
-struct Shown {
+struct Shape {
   std::vector<Vec3> points;
   std::vector<Triangle> faces;
   SurfaceView view() const { return {points, faces}; }
@@ -23,8 +23,8 @@ struct Shown {
 
 /// Legs at four corners, a body between, and a back that is a line; the third axis is up, the body
 /// leans forwards, so that its principal axes are not the file's.
-Shown animal(std::size_t right, std::size_t up) {
-  Shown shape;
+Shape animal(std::size_t right, std::size_t up) {
+  Shape shape;
   const auto add = [&](double along, double across, double height) {
     Vec3 p{};
     p[3 - right - up] = along;
@@ -54,8 +54,8 @@ Shown animal(std::size_t right, std::size_t up) {
   return shape;
 }
 
-Shown ball() {
-  Shown shape;
+Shape ball() {
+  Shape shape;
   for (int i = 0; i < 4000; ++i) {
     const double z = 1 - 2 * (i + 0.5) / 4000, r = std::sqrt(1 - z * z), t = 2.399963 * i;
     shape.points.push_back({r * std::cos(t), r * std::sin(t), z});
@@ -69,11 +69,11 @@ TEST_CASE("a shape stands on its feet, along whichever axis of the file", "[io]"
   for (const std::array<std::size_t, 2> axes : {std::array<std::size_t, 2>{0, 2}, {2, 1}, {1, 0}}) {
     Vec3 up{};
     up[axes[1]] = 1;
-    const Shown shape = animal(axes[0], axes[1]);
+    const Shape shape = animal(axes[0], axes[1]);
     CHECK(standing_direction(shape.view()) == up);
     const Camera camera = make_camera(shape.view(), {}, 400);
     CHECK(dot(camera.up, up) > 0.8);
-    Shown moved = shape;  // to where doubles are coarse
+    Shape moved = shape;  // to where doubles are coarse
     for (Vec3& p : moved.points)
       for (double& x : p) x += 1e9;
     CHECK(standing_direction(moved.view()) == up);
@@ -82,12 +82,12 @@ TEST_CASE("a shape stands on its feet, along whichever axis of the file", "[io]"
     CHECK(standing_direction(moved.view()) != up);
   }
   CHECK_FALSE(standing_direction(ball().view()));
-  CHECK_FALSE(standing_direction(Shown{}.view()));
-  CHECK_FALSE(standing_direction(Shown{{{1, 2, 3}}, {}}.view()));
+  CHECK_FALSE(standing_direction(Shape{}.view()));
+  CHECK_FALSE(standing_direction(Shape{{{1, 2, 3}}, {}}.view()));
 }
 
 TEST_CASE("cameras stand where they are told to", "[io]") {
-  const Shown shape = animal(0, 2);
+  const Shape shape = animal(0, 2);
   const Vec3 view = {1, 2, -0.5}, up = {0, 1, 0.2};
   const Camera seen = make_camera(shape.view(), {view, {}}, 400);
   CHECK(dot(seen.forward, view) == Approx(std::sqrt(dot(view, view))));

@@ -28,6 +28,8 @@ const Type kTypes[] = {{"char", put_as<std::int8_t>},   {"uint8", put_as<std::ui
                        {"int64", put_as<std::int64_t>}, {"uint64", put_as<std::uint64_t>},
                        {"float", put_as<float>, true},  {"float64", put_as<double>, true}};
 
+enum class Storage { text, little, big };
+
 /// Numbers one after another.
 class Data {
  public:
@@ -72,6 +74,8 @@ std::string tetrahedron(Storage storage, const Type& coordinate, const Type& len
   return header(storage, elements) + data.bytes;
 }
 
+const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string kList = "property list uchar int vertex_indices\n";
 const std::string kVertices = "element vertex 3\n" + kXyz;
 const std::string kTriangle = "0 0 0\n1 0 0\n0 1 0\n";
 

@@ -7,14 +7,12 @@
 
 #include "io/read/mesh_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/unpacked.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace {
 
 using crest::io::MeshFile;
 using crest::io::read_mesh;
-using crest::tests::unpacked;
 
 struct Expected {
   const char* file;
@@ -105,6 +103,18 @@ const Expected kExpected[] = {
     {"broken/two-boxes-bad-self-union.ply", 486, 708, 12, 12, 12,
      "102 vertices stand at the place of another one"},
 };
+
+/// The file itself, or its unpacked copy in the build directory.
+std::string unpacked(const std::string& path) {
+  if (!path.ends_with(".xz")) return path;
+  const auto stem = std::filesystem::path(path).stem();
+  const auto folder = std::filesystem::path(CREST_BINARY_DIR) / "unpacked";
+  std::filesystem::create_directories(folder);
+  const std::string copy = (folder / stem).string();
+  const std::string command = "xz -dc '" + path + "' > '" + copy + "'";
+  REQUIRE(std::system(command.c_str()) == 0);
+  return copy;
+}
 
 void check(const Expected& expected, const std::string& path) {
   INFO(expected.file);

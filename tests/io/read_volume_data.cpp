@@ -6,22 +6,18 @@
 #include "io/read/point_reader.hpp"
 #include "io/read/volume_reader.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/error_of.hpp"
-#include "tests/io/unpacked.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace {
-using crest::tests::error_of;
-using crest::tests::unpacked;
 
-struct ExpectedVolume {
+struct Expected {
   const char* file;
   std::array<std::size_t, 3> size;
   double low, high;   ///< to 1e-3
   const char* words;  ///< in a warning, or in the error if the size is 0
 };
 
-const ExpectedVolume kExpected[] = {
+const Expected kExpected[] = {
     {"EMD-3001.map", {73, 43, 25}, -0.3681, 0.7216, "angle of 94.33 degrees"},
     {"FLAIR.nrrd", {124, 160, 140}, 0, 255, ""},
     {"HeadMRVolume.mhd", {48, 62, 42}, 0, 255, ""},
@@ -47,7 +43,26 @@ const ExpectedVolume kExpected[] = {
     {"stent_ct.nrrd.xz", {128, 128, 256}, 0, 2000, ""},
 };
 
-void check_volume(const ExpectedVolume& expected, const std::string& path) {
+/// The file itself, or its unpacked copy in the build directory.
+std::string unpacked(const std::string& path) {
+  if (!path.ends_with(".xz")) return path;
+  const auto folder = std::filesystem::path(CREST_BINARY_DIR) / "unpacked";
+  std::filesystem::create_directories(folder);
+  const std::string copy = (folder / std::filesystem::path(path).stem()).string();
+  REQUIRE(std::system(("xz -dc '" + path + "' > '" + copy + "'").c_str()) == 0);
+  return copy;
+}
+
+std::string error_of(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const crest::kernel::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void check(const Expected& expected, const std::string& path) {
   INFO(path);
   const std::string words = expected.words;
   if (expected.size[0] == 0) {
@@ -73,10 +88,10 @@ void check_volume(const ExpectedVolume& expected, const std::string& path) {
 }  // namespace
 
 TEST_CASE("every volume of the data set gives its samples or one clear line", "[io]") {
-  for (const ExpectedVolume& expected : kExpected) {
+  for (const Expected& expected : kExpected) {
     const auto path = crest::tests::shared_data(std::string("volumes/") + expected.file);
     if (!path) return;
-    check_volume(expected, unpacked(*path));
+    check(expected, unpacked(*path));
   }
   const auto vectors = crest::tests::shared_data("tensors/dti_V1.nii.gz");
   if (!vectors) return;

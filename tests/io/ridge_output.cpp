@@ -22,12 +22,10 @@
 #include "io/ridges/ridge_picture.hpp"
 #include "io/ridges/ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/vtk_value.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
 
-using crest::tests::vtk_value;
 using namespace crest::ridges;
 using crest::io::PictureOptions;
 using crest::kernel::Triangle;
@@ -121,6 +119,12 @@ std::size_t words_starting(const std::string& text, const std::string& start) {
   return count;
 }
 
+double value(vtkFieldData* data, const char* name, vtkIdType i) {
+  auto* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(name));
+  REQUIRE(array != nullptr);
+  return array->GetTuple1(i);
+}
+
 /// Counts pixels by their strongest channel where the colour is strong.
 struct Inks {
   int red = 0, blue = 0, grey = 0, width = 0, height = 0;
@@ -170,38 +174,38 @@ TEST_CASE("a ridge graph reads back from VTP with every array everywhere", "[io]
   data->GetCellPoints(2, ids);
   CHECK(ids->GetNumberOfIds() == 9);
   vtkFieldData *points = data->GetPointData(), *cells = data->GetCellData();
-  CHECK(vtk_value(points, "k1", 0) == Approx(-1));
-  CHECK(vtk_value(points, "k2", 0) == Approx(-3));
-  CHECK(vtk_value(points, "index", 0) == -0.5);
-  CHECK(vtk_value(points, "kind", 0) == 3);
-  CHECK(vtk_value(points, "colour", 0) == -1);
-  CHECK(vtk_value(points, "b", 1) == 0.25);
-  CHECK(vtk_value(points, "P", 1) == 0.5);
-  CHECK(vtk_value(points, "kind", 1) == -1);
+  CHECK(value(points, "k1", 0) == Approx(-1));
+  CHECK(value(points, "k2", 0) == Approx(-3));
+  CHECK(value(points, "index", 0) == -0.5);
+  CHECK(value(points, "kind", 0) == 3);
+  CHECK(value(points, "colour", 0) == -1);
+  CHECK(value(points, "b", 1) == 0.25);
+  CHECK(value(points, "P", 1) == 0.5);
+  CHECK(value(points, "kind", 1) == -1);
   // Path: two lead-in points, then crossings; the fourth is hyperbolic between elliptic ones.
   const vtkIdType first = 1 + loop + 2;
   const double types[7] = {1, 1, 3, 3, 1, 1, 1};
-  for (vtkIdType i = 0; i < 7; ++i) CHECK(vtk_value(points, "type", first + i) == types[i]);
-  CHECK(vtk_value(points, "crossing_type", first + 3) == 2);
-  CHECK(vtk_value(points, "crossing_type", first - 1) == -1);
-  CHECK(vtk_value(points, "type_third_order", first) == 2);
-  CHECK(vtk_value(cells, "loop", 1) == 1);
-  CHECK(vtk_value(cells, "loop", 2) == 0);
-  CHECK(vtk_value(cells, "colour", 2) == 1);
-  CHECK(vtk_value(cells, "end_kind_0", 2) == 1);
-  CHECK(vtk_value(cells, "end_umbilic_0", 2) == 0);
-  CHECK(vtk_value(cells, "end_umbilic_1", 2) == -1);
-  CHECK(vtk_value(cells, "strength", 2) == 3);
-  CHECK(vtk_value(cells, "sharpness", 2) == 4);
-  CHECK(vtk_value(cells, "length", 2) == 5);
-  CHECK(vtk_value(cells, "weight", 2) == 2.5);
-  CHECK(vtk_value(cells, "end_kind_1", 2) == 3);
-  CHECK(vtk_value(points, "significance", first + 2) == 7);
-  CHECK(vtk_value(points, "crest_significance", first + 2) == 6);
-  CHECK(vtk_value(points, "prominence", first + 2) == 0.5);
-  CHECK(vtk_value(points, "level", first + 2) == 2);
-  CHECK(vtk_value(points, "level", first + 3) == 0);
-  CHECK(vtk_value(points, "level", 0) == 1);
+  for (vtkIdType i = 0; i < 7; ++i) CHECK(value(points, "type", first + i) == types[i]);
+  CHECK(value(points, "crossing_type", first + 3) == 2);
+  CHECK(value(points, "crossing_type", first - 1) == -1);
+  CHECK(value(points, "type_third_order", first) == 2);
+  CHECK(value(cells, "loop", 1) == 1);
+  CHECK(value(cells, "loop", 2) == 0);
+  CHECK(value(cells, "colour", 2) == 1);
+  CHECK(value(cells, "end_kind_0", 2) == 1);
+  CHECK(value(cells, "end_umbilic_0", 2) == 0);
+  CHECK(value(cells, "end_umbilic_1", 2) == -1);
+  CHECK(value(cells, "strength", 2) == 3);
+  CHECK(value(cells, "sharpness", 2) == 4);
+  CHECK(value(cells, "length", 2) == 5);
+  CHECK(value(cells, "weight", 2) == 2.5);
+  CHECK(value(cells, "end_kind_1", 2) == 3);
+  CHECK(value(points, "significance", first + 2) == 7);
+  CHECK(value(points, "crest_significance", first + 2) == 6);
+  CHECK(value(points, "prominence", first + 2) == 0.5);
+  CHECK(value(points, "level", first + 2) == 2);
+  CHECK(value(points, "level", first + 3) == 0);
+  CHECK(value(points, "level", 0) == 1);
   auto* digest =
       vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("data_digest"));
   REQUIRE(digest != nullptr);

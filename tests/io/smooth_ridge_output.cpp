@@ -23,12 +23,10 @@
 #include "io/ridges/smooth_ridge_picture.hpp"
 #include "io/ridges/smooth_ridge_writer.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/vtk_value.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
 
-using crest::tests::vtk_value;
 using namespace crest::smooth_ridges;
 using crest::io::PictureOptions;
 using crest::kernel::InputError;
@@ -102,6 +100,14 @@ vtkSmartPointer<vtkPolyData> read_vtp(const std::string& path) {
   reader->SetFileName(path.c_str());
   reader->Update();
   return reader->GetOutput();
+}
+
+double value(vtkFieldData* data, const char* name, vtkIdType i) {
+  auto* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(name));
+  INFO(name);
+  REQUIRE(array != nullptr);
+  REQUIRE(i < array->GetNumberOfTuples());
+  return array->GetTuple1(i);
 }
 
 std::size_t lines_starting(const std::string& text, const std::string& start) {
@@ -181,31 +187,31 @@ TEST_CASE("smooth ridges read back from VTP with every array everywhere", "[io]"
   const double ridges[] = {-1, -1, -1, -1, 0, 0, 0, 1, 1, 2};
   for (vtkIdType i = 0; i < 10; ++i) {
     INFO(i);
-    CHECK(vtk_value(cells, "kind", i) == kinds[i]);
-    CHECK(vtk_value(cells, "colour", i) == colours[i]);
-    CHECK(vtk_value(cells, "type", i) == types[i]);
-    CHECK(vtk_value(cells, "ridge", i) == ridges[i]);
+    CHECK(value(cells, "kind", i) == kinds[i]);
+    CHECK(value(cells, "colour", i) == colours[i]);
+    CHECK(value(cells, "type", i) == types[i]);
+    CHECK(value(cells, "ridge", i) == ridges[i]);
   }
-  CHECK(vtk_value(cells, "loop", 4) == 0);
-  CHECK(vtk_value(cells, "loop", 9) == 1);
-  CHECK(vtk_value(cells, "end_kind_0", 4) == 1);
-  CHECK(vtk_value(cells, "end_umbilic_0", 4) == 0);
-  CHECK(vtk_value(cells, "end_kind_1", 4) == 2);
-  CHECK(vtk_value(cells, "end_umbilic_1", 4) == -1);
-  CHECK(vtk_value(cells, "length", 6) == Approx(1));
-  CHECK(vtk_value(cells, "umbilic", 1) == 1);
-  CHECK(vtk_value(points, "index", 1) == -0.5);
-  CHECK(vtk_value(points, "twice_index", 1) == -1);
-  CHECK(vtk_value(points, "blue_branches", 1) == 3);
-  CHECK(vtk_value(points, "red_branches", 0) == 1);
-  CHECK(vtk_value(points, "type", 4) == 2);
-  CHECK(vtk_value(points, "type", 8) == 1);
+  CHECK(value(cells, "loop", 4) == 0);
+  CHECK(value(cells, "loop", 9) == 1);
+  CHECK(value(cells, "end_kind_0", 4) == 1);
+  CHECK(value(cells, "end_umbilic_0", 4) == 0);
+  CHECK(value(cells, "end_kind_1", 4) == 2);
+  CHECK(value(cells, "end_umbilic_1", 4) == -1);
+  CHECK(value(cells, "length", 6) == Approx(1));
+  CHECK(value(cells, "umbilic", 1) == 1);
+  CHECK(value(points, "index", 1) == -0.5);
+  CHECK(value(points, "twice_index", 1) == -1);
+  CHECK(value(points, "blue_branches", 1) == 3);
+  CHECK(value(points, "red_branches", 0) == 1);
+  CHECK(value(points, "type", 4) == 2);
+  CHECK(value(points, "type", 8) == 1);
   vtkNew<vtkIdList> ids;
   data->GetCellPoints(9, ids);
   REQUIRE(ids->GetNumberOfIds() == 4);
   CHECK(ids->GetId(0) == ids->GetId(3));
-  CHECK(vtk_value(data->GetFieldData(), "certified", 0) == 1);
-  CHECK(vtk_value(data->GetFieldData(), "undecided", 0) == 0);
+  CHECK(value(data->GetFieldData(), "certified", 0) == 1);
+  CHECK(value(data->GetFieldData(), "undecided", 0) == 0);
   auto* digest =
       vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("data_digest"));
   REQUIRE(digest != nullptr);
@@ -220,12 +226,12 @@ TEST_CASE("partial results are marked as such in every format", "[io]") {
   const TemporaryFolder folder;
   crest::io::write_smooth_ridges(folder / "r.vtp", r, "");
   const auto data = read_vtp(folder / "r.vtp");
-  CHECK(vtk_value(data->GetFieldData(), "certified", 0) == 0);
-  CHECK(vtk_value(data->GetFieldData(), "undecided", 0) == 1);
+  CHECK(value(data->GetFieldData(), "certified", 0) == 0);
+  CHECK(value(data->GetFieldData(), "undecided", 0) == 1);
   REQUIRE(data->GetNumberOfVerts() == 5);
-  CHECK(vtk_value(data->GetCellData(), "kind", 4) == 6);
-  CHECK(vtk_value(data->GetCellData(), "size", 4) == 0.25);
-  CHECK(vtk_value(data->GetCellData(), "end_kind_1", 5) == 0);
+  CHECK(value(data->GetCellData(), "kind", 4) == 6);
+  CHECK(value(data->GetCellData(), "size", 4) == 0.25);
+  CHECK(value(data->GetCellData(), "end_kind_1", 5) == 0);
   for (const char* name : {"r.obj", "r.ply"}) {
     crest::io::write_smooth_ridges(folder / name, r, "");
     CHECK(read_text(folder / name).find("NOT CERTIFIED") != std::string::npos);
@@ -234,11 +240,11 @@ TEST_CASE("partial results are marked as such in every format", "[io]") {
   }
   crest::io::write_smooth_mesh(folder / "m.vtp", r, "");
   const auto mesh = read_vtp(folder / "m.vtp");
-  CHECK(vtk_value(mesh->GetFieldData(), "certified", 0) == 0);
+  CHECK(value(mesh->GetFieldData(), "certified", 0) == 0);
   for (vtkIdType f = 0; f < 128; ++f) {
     INFO(f);
-    CHECK(vtk_value(mesh->GetCellData(), "undecided", f) == (f == 40 ? 1 : 0));
-    CHECK(vtk_value(mesh->GetCellData(), "in_patch", f) == (f < 2 ? 1 : 0));
+    CHECK(value(mesh->GetCellData(), "undecided", f) == (f == 40 ? 1 : 0));
+    CHECK(value(mesh->GetCellData(), "in_patch", f) == (f < 2 ? 1 : 0));
   }
 }
 
@@ -285,7 +291,7 @@ TEST_CASE("a result without a surface is written, too", "[io]") {
   crest::io::write_smooth_picture(folder / "p.png", nothing);
   crest::io::write_smooth_picture(folder / "p.svg", nothing);
   CHECK(folder.entries() == 6);
-  CHECK(vtk_value(read_vtp(folder / "r.vtp")->GetFieldData(), "certified", 0) == 0);
+  CHECK(value(read_vtp(folder / "r.vtp")->GetFieldData(), "certified", 0) == 0);
   CHECK(read_text(folder / "p.svg").find("result not certified") != std::string::npos);
 }
 

@@ -24,7 +24,7 @@ bool changes_nothing(const Soup& soup, const Cleaned& cleaned) {
 }
 
 /// Returns whether the soup is sound.
-bool check_sound(const Soup& soup) {
+bool check(const Soup& soup) {
   CleanUp done;
   const auto mesh = sound_mesh(soup, {}, done);
   const Cleaned slow = cleaned(soup);
@@ -100,7 +100,7 @@ TEST_CASE("sound meshes are those that cleaning does not change, with the same c
     Soup soup = random_parts(random);
     if (trial % 2 == 1) damage(soup, random);
     INFO("trial " << trial);
-    sound += check_sound(soup) ? 1 : 0;
+    sound += check(soup) ? 1 : 0;
   }
   CHECK(sound > scaled(2000));
   CHECK(sound < scaled(3500));

@@ -6,17 +6,25 @@
 #include "io/read/mesh_reader.hpp"
 #include "io/read/point_values.hpp"
 #include "kernel/geometry/input_error.hpp"
-#include "tests/io/error_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
 
-using crest::tests::error_of;
 using namespace crest::io;
 using crest::kernel::InputError;
 using crest::kernel::Vec3;
 using crest::tests::TemporaryFolder;
 using crest::tests::write_text;
+
+template <class Call>
+std::string error_of(Call&& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
 
 std::string array(const char* type, const char* name, const std::string& values,
                   int components = 1) {

@@ -12,9 +12,9 @@ using namespace crest::tests;
 using Nodes = std::vector<Cells::Node>;
 
 /// Writes a file as text or binary, of version 4.2 or 5.1.
-class LegacyWriter {
+class Writer {
  public:
-  LegacyWriter(bool binary, bool offsets, const std::string& dataset)
+  Writer(bool binary, bool offsets, const std::string& dataset)
       : binary_(binary), offsets_(offsets) {
     bytes = std::string("# vtk DataFile Version ") + (offsets ? "5.1" : "4.2") + "\n\n" +
             (binary ? "BINARY" : "ASCII") + "\nDATASET " + dataset + "\n";
@@ -54,19 +54,19 @@ class LegacyWriter {
   bool binary_, offsets_;
 };
 
-const std::vector<double> kLegacyPoints = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0};
+const std::vector<double> kPoints = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0};
 
 template <class Check>
-void for_all_legacy_forms(const std::string& dataset, const Check& check) {
+void for_all_forms(const std::string& dataset, const Check& check) {
   for (const bool binary : {false, true}) {
     for (const bool offsets : {false, true}) {
       INFO(dataset << (binary ? " binary" : " text") << (offsets ? " 5.1" : " 4.2"));
-      LegacyWriter file(binary, offsets, dataset);
+      Writer file(binary, offsets, dataset);
       file.line("FIELD FieldData 1");
       file.line("TIME 1 1 double");
       file.numbers<double>({2.5});
       file.line("POINTS 5 double");
-      file.numbers(kLegacyPoints);
+      file.numbers(kPoints);
       check(file, binary);
     }
   }
@@ -75,7 +75,7 @@ void for_all_legacy_forms(const std::string& dataset, const Check& check) {
 }  // namespace
 
 TEST_CASE("legacy polygonal data keep every list of cells in VTK's order", "[io]") {
-  for_all_legacy_forms("POLYDATA", [](LegacyWriter& file, bool) {
+  for_all_forms("POLYDATA", [](Writer& file, bool) {
     file.line("METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n");
     file.cells("POLYGONS", {{0, 2, 1}, {0, 1, 4, 2}, {0, 1, 2, 3, 4}});
     file.cells("TRIANGLE_STRIPS", {{0, 1, 2, 4}});
@@ -97,7 +97,7 @@ TEST_CASE("legacy polygonal data keep every list of cells in VTK's order", "[io]
 }
 
 TEST_CASE("legacy grids keep the types of their cells", "[io]") {
-  for_all_legacy_forms("UNSTRUCTURED_GRID", [](LegacyWriter& file, bool) {
+  for_all_forms("UNSTRUCTURED_GRID", [](Writer& file, bool) {
     file.cells("CELLS", {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2}, {0, 1, 4, 2}, {3}});
     file.line("CELL_TYPES 5");
     file.numbers<std::int32_t>({10, 8, 5, 9, 1});
@@ -109,7 +109,7 @@ TEST_CASE("legacy grids keep the types of their cells", "[io]") {
 }
 
 TEST_CASE("legacy fields of every kind", "[io]") {
-  for_all_legacy_forms("POLYDATA", [](LegacyWriter& file, bool binary) {
+  for_all_forms("POLYDATA", [](Writer& file, bool binary) {
     file.cells("POLYGONS", {{0, 2, 1}, {0, 1, 4, 2}});
     file.line("POINT_DATA 5\nSCALARS height double\nLOOKUP_TABLE mine");
     file.numbers<double>({1, 2, 3, 4, 5});
@@ -203,7 +203,7 @@ TEST_CASE("faults of legacy files are named with their section", "[io]") {
     INFO(message << "\nexpected " << expected);
     CHECK(message.find(expected) == 0);
   }
-  LegacyWriter file(false, true, "POLYDATA");
+  Writer file(false, true, "POLYDATA");
   file.line(
       "POINTS 3 double\n0 0 0 1 0 0 0 1 0\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n0 4\n"
       "CONNECTIVITY vtktypeint64\n0 1 2\n");

@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> mixed(tests::Random& random) {
 
 /// Places of the cells' points with their height, and the cells' numbers: all that is drawn.
 template <class Data>
-std::vector<double> drawn_data(Data& data, const char* of_points, const char* of_cells) {
+std::vector<double> drawn(Data& data, const char* of_points, const char* of_cells) {
   std::vector<double> r;
   vtkDataArray* const points = data.GetPointData()->GetArray(of_points);
   vtkDataArray* const cells = of_cells ? data.GetCellData()->GetArray(of_cells) : nullptr;
@@ -70,7 +70,7 @@ std::vector<double> drawn_data(Data& data, const char* of_points, const char* of
 }
 
 template <class Reader>
-auto read_by(const std::string& path) {
+auto read_back(const std::string& path) {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -83,23 +83,23 @@ auto read_by(const std::string& path) {
 TEST_CASE("polydata in pieces: together they are the whole", "[io]") {
   tests::Random random(77);
   const auto whole = mixed(random);
-  const auto expected = drawn_data(*whole, "height", "number");
+  const auto expected = drawn(*whole, "height", "number");
   for (const long long most : {1LL, 7LL, 30LL, 59LL, 60LL, 1000LL}) {
     INFO(most << " cells a piece");
     const TemporaryFolder folder;
     io::write_pvtp(folder / "all.pvtp", *whole, most);
     const auto pieces = (59 + most) / most;
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == pieces + 1);
-    const auto read = read_by<vtkXMLPPolyDataReader>(folder / "all.pvtp");
+    const auto read = read_back<vtkXMLPPolyDataReader>(folder / "all.pvtp");
     // VTK numbers vertices before lines before polygons: of the cells' numbers only the set.
-    auto found = drawn_data(*read, "height", "number"), sorted = expected;
+    auto found = drawn(*read, "height", "number"), sorted = expected;
     std::sort(found.begin(), found.end());
     std::sort(sorted.begin(), sorted.end());
     CHECK(found == sorted);
     CHECK(read->GetCellData()->GetAbstractArray("name") == nullptr);  // VTK cannot read it
     CHECK(read->GetPointData()->GetGlobalIds() != nullptr);
     if (pieces == 1) CHECK(read->GetNumberOfPoints() == whole->GetNumberOfPoints());
-    if (pieces == 1) CHECK(drawn_data(*read, "height", "number") == expected);
+    if (pieces == 1) CHECK(drawn(*read, "height", "number") == expected);
   }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("polydata in pieces: nothing at all is one piece", "[io]") {
   vtkNew<vtkPolyData> nothing;
   io::write_pvtp(folder / "all.pvtp", *nothing);
   CHECK(std::filesystem::exists(folder / "all_0.vtp"));
-  CHECK(read_by<vtkXMLPPolyDataReader>(folder / "all.pvtp")->GetNumberOfCells() == 0);
+  CHECK(read_back<vtkXMLPPolyDataReader>(folder / "all.pvtp")->GetNumberOfCells() == 0);
 }
 
 TEST_CASE("curvatures in pieces: the cells of the whole, in its order", "[io]") {
@@ -117,11 +117,11 @@ TEST_CASE("curvatures in pieces: the cells of the whole, in its order", "[io]") 
   const kernel::TriangleMesh mesh(s.points, s.triangles);
   const auto result = curvature::estimate(mesh, curvature::Options{});
   const auto whole = io::curvature_poly_data(mesh, result, {});
-  const auto expected = drawn_data(*whole, "H", nullptr);
+  const auto expected = drawn(*whole, "H", nullptr);
   io::write_pvtp(folder / "c.pvtp", *whole, 100);
-  CHECK(drawn_data(*read_by<vtkXMLPPolyDataReader>(folder / "c.pvtp"), "H", nullptr) == expected);
+  CHECK(drawn(*read_back<vtkXMLPPolyDataReader>(folder / "c.pvtp"), "H", nullptr) == expected);
   io::write_curvature(folder / "d.pvtu", mesh, result, {});
-  CHECK(drawn_data(*read_by<vtkXMLPUnstructuredGridReader>(folder / "d.pvtu"), "H", nullptr) ==
+  CHECK(drawn(*read_back<vtkXMLPUnstructuredGridReader>(folder / "d.pvtu"), "H", nullptr) ==
         expected);
 }
 

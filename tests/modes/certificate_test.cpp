@@ -40,8 +40,7 @@ std::array<std::size_t, 2> placed(const certify::ModesCertificate& c) {
 
 TEST_CASE("certificates of the reference fields are accepted") {
   for (const Row& row : small_boxes()) {
-    const auto verdict =
-        checked(box(row.rows, 2, 3, CubeCut::mirrored), {{0, 1}, {3, 10}, {9, 10}});
+    const auto verdict = checked(box(row.rows, 2, 3, Cut::mirrored), {{0, 1}, {3, 10}, {9, 10}});
     INFO("field " << row.name << ": " << verdict.reason);
     CHECK(verdict.accepted);
   }
@@ -50,7 +49,7 @@ TEST_CASE("certificates of the reference fields are accepted") {
 TEST_CASE("certificates place the pieces of the reference fields") {
   std::array<std::size_t, 2> sum{};
   for (const Row& row : small_boxes()) {
-    const auto field = box(row.rows, 2, 3, CubeCut::mirrored);
+    const auto field = box(row.rows, 2, 3, Cut::mirrored);
     const auto c = certified(field, {{0, 1}, {3, 10}, {9, 10}});
     for (const auto& level : c.levels) {
       CHECK(level.root_places.size() == level.roots.size());
@@ -75,7 +74,7 @@ TEST_CASE("certificates have all vertices near the level, and none that is not")
   fine.deviation = 0.05;
   std::size_t inner = 0;
   for (const Row& row : small_boxes()) {
-    const auto c = certified(box(row.rows, 2, 3, CubeCut::mirrored), {{0, 1}, {9, 10}}, fine);
+    const auto c = certified(box(row.rows, 2, 3, Cut::mirrored), {{0, 1}, {9, 10}}, fine);
     for (std::size_t i = 0; i < c.levels.size(); ++i) {
       const auto& level = c.levels[i];
       CHECK(level.near == level.roots.size() + level.points.size() + level.inner.size());
@@ -103,7 +102,7 @@ TEST_CASE("certificates have all vertices near the level, and none that is not")
 }
 
 TEST_CASE("nothing is placed where a tetrahedron is flat") {
-  auto field = box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal);
+  auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   auto points = field.mesh.points();
   for (auto& p : points) p[2] = 0;
   field.mesh = kernel::TetMesh(points, field.mesh.tets());
@@ -117,23 +116,23 @@ TEST_CASE("nothing is placed where a tetrahedron is flat") {
 
 TEST_CASE("certificates of piecewise linear fields are accepted") {
   for (const Rows& rows : piecewise_linear()) {
-    const auto verdict = checked(box(rows, 1.5, 5, CubeCut::diagonal), {{1, 2}, {4, 5}});
+    const auto verdict = checked(box(rows, 1.5, 5, Cut::diagonal), {{1, 2}, {4, 5}});
     INFO(verdict.reason);
     CHECK(verdict.accepted);
   }
 }
 
 TEST_CASE("certificates with cones, rims and undecided cells are accepted") {
-  auto cone = box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal);
+  auto cone = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   cone.tensors[13] = {5, 5, 5, 0, 0, 0};
-  auto rims = box(small_boxes()[2].rows, 2, 4, CubeCut::diagonal);
+  auto rims = box(small_boxes()[2].rows, 2, 4, Cut::diagonal);
   for (std::size_t v = 0; v < rims.tensors.size(); ++v)
     if (rims.mesh.points()[v][0] < 0) rims.tensors[v] = {};
   modes::ModeOptions shallow;
   shallow.max_depth = 2;
   for (const auto& verdict :
        {checked(cone, {{0, 1}, {3, 5}}), checked(rims, {{3, 5}}),
-        checked(box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal), {{9, 10}}, shallow)}) {
+        checked(box(small_boxes()[2].rows, 2, 3, Cut::diagonal), {{9, 10}}, shallow)}) {
     INFO(verdict.reason);
     CHECK(verdict.accepted);
   }
@@ -153,7 +152,7 @@ TEST_CASE("certificates of small integers are accepted, exact hits and all") {
 }
 
 TEST_CASE("zeros inside an edge, a face and a tetrahedron become vertices") {
-  const auto base = box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal);
+  const auto base = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   const auto t = base.mesh.sorted(10);
   for (std::size_t size = 2; size <= 4; ++size) {
     modes::ModeField field = base;

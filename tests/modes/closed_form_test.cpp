@@ -49,7 +49,7 @@ Agreement agreement(const Rows& rows, const modes::ModeSurface& s, double mu) {
 
 TEST_CASE("vertices are where their medium eigenvectors say, in closed form") {
   for (const Row& row : small_boxes()) {
-    const auto field = box(row.rows, 2, 3, CubeCut::diagonal);
+    const auto field = box(row.rows, 2, 3, Cut::diagonal);
     for (const Level& level : {Level{0, 1}, Level{3, 10}, Level{3, 5}, Level{9, 10}}) {
       modes::ModeOptions options;
       options.deviation = 0.02;

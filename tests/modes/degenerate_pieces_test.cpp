@@ -14,6 +14,16 @@ using namespace crest;
 using namespace crest::tests;
 using kernel::Index;
 
+namespace {
+
+/// Small integers: special faces.
+modes::ModeField integers(Index n, std::uint64_t seed) {
+  Random random(seed);
+  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
+}
+
+}  // namespace
+
 TEST_CASE("mode pieces: degenerate curves have the bytes of the whole, special faces, too") {
   std::size_t points = 0, special = 0;
   Random random(8);

@@ -147,8 +147,7 @@ TEST_CASE("the reference fields have their counts on unstructured meshes, in fil
 
 TEST_CASE("the reference fields have their counts in files from a mirrored grid") {
   const TemporaryFolder folder;
-  for (const Row& row : small_boxes())
-    check_row(folder, row, box(row.rows, 2, 4, CubeCut::mirrored));
+  for (const Row& row : small_boxes()) check_row(folder, row, box(row.rows, 2, 4, Cut::mirrored));
 }
 
 TEST_CASE("triangles are as near to the surface as asked, the counts stay") {

@@ -48,28 +48,28 @@ void check_row(const Row& row, const modes::ModeField& field) {
 TEST_CASE("the reference fields have their counts on a grid of 3") {
   for (const Row& row : small_boxes()) {
     INFO("field " << row.name);
-    check_row(row, box(row.rows, 2, 3, CubeCut::diagonal));
+    check_row(row, box(row.rows, 2, 3, Cut::diagonal));
   }
 }
 
 TEST_CASE("the reference fields have their counts on mirrored grids of 5 and 8") {
   for (const Row& row : small_boxes()) {
     INFO("field " << row.name);
-    check_row(row, box(row.rows, 2, 5, CubeCut::mirrored));
+    check_row(row, box(row.rows, 2, 5, Cut::mirrored));
   }
-  check_row(small_boxes()[2], box(small_boxes()[2].rows, 2, 8, CubeCut::mirrored));
+  check_row(small_boxes()[2], box(small_boxes()[2].rows, 2, 8, Cut::mirrored));
 }
 
 TEST_CASE("the reference fields have their counts in a large box") {
   for (const Row& row : large_boxes()) {
     INFO("field " << row.name);
-    check_row(row, box(row.rows, 60, 5, CubeCut::diagonal));
+    check_row(row, box(row.rows, 60, 5, Cut::diagonal));
   }
 }
 
 TEST_CASE("the piecewise linear fields have their counts") {
   const auto& f = piecewise_linear();
-  const auto one = box(f[0], 1.5, 5, CubeCut::diagonal), two = box(f[1], 1.5, 5, CubeCut::diagonal);
+  const auto one = box(f[0], 1.5, 5, Cut::diagonal), two = box(f[1], 1.5, 5, Cut::diagonal);
   check_level(one, {0, 1}, {0, 1, 2}, {});
   check_level(one, {1, 2}, {0, 1, 2}, {1, 2, 3});
   check_level(one, {4, 5}, {-3, 1, 3}, {2, 2, 2});
@@ -79,13 +79,13 @@ TEST_CASE("the piecewise linear fields have their counts") {
 }
 
 TEST_CASE("the levels at both sides of a node are surfaces") {
-  const auto field = box(node_field(), 400, 5, CubeCut::diagonal);
+  const auto field = box(node_field(), 400, 5, Cut::diagonal);
   check_level(field, {41, 100}, {0, 2, 4}, {-2, 1, 4});
   check_level(field, {21, 50}, {0, 2, 4}, {0, 2, 4});
 }
 
 TEST_CASE("thin tubes and small modes are surfaces") {
-  const auto field = box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal);
+  const auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   for (const Level& level : {Level{999, 1000}, Level{1, 1'000'000}}) {
     const auto r = modes::extract(field, level);
     CHECK(r.undecided.empty());

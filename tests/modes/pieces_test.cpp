@@ -58,13 +58,19 @@ void check_pieces(const modes::ModeField& field, const modes::Level& level,
   }
 }
 
+/// Small integers: exact zeros, and edges of exactly the same angle.
+modes::ModeField integers(Index n, std::uint64_t seed) {
+  Random random(seed);
+  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
+}
+
 }  // namespace
 
 TEST_CASE("mode pieces: 2, 7 and 64 pieces have the bytes of the whole") {
   for (const Row& row : small_boxes()) {
     INFO("field " << row.name);
     for (const modes::Level& level : {modes::Level{0, 1}, modes::Level{9, 10}})
-      check_pieces(box(row.rows, 2, 3, CubeCut::mirrored), level);
+      check_pieces(box(row.rows, 2, 3, Cut::mirrored), level);
   }
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("refereed 1: three loops and two pieces are not told apart") {
 TEST_CASE("refereed 2: a lone vertex at the mode exactly, and its mirror image") {
   // diag(-11, 13, -2) has mode +143/343; the others less.
 
-  auto field = box({{-3, 4, 1, 1, 1}}, 1, 3, CubeCut::diagonal);
+  auto field = box({{-3, 4, 1, 1, 1}}, 1, 3, Cut::diagonal);
   for (auto& t : field.tensors) t = tensor_of({-12, 12, 0.25, 0.5, 0.125});
   field.tensors[13] = tensor_of({-11, 13, 0, 0, 0});
   const Level level{143, 343};
@@ -63,7 +63,7 @@ TEST_CASE("refereed 2: a lone vertex at the mode exactly, and its mirror image")
 
 TEST_CASE("refereed 2: the mirror image of a field has its levels exchanged") {
   for (const Row& row : small_boxes()) {
-    const auto field = box(row.rows, 2, 3, CubeCut::diagonal);
+    const auto field = box(row.rows, 2, 3, Cut::diagonal);
     const auto a = modes::extract(field, {3, 5}), b = modes::extract(negated(field), {3, 5});
     CHECK(counts_of(a.surfaces[0]) == counts_of(b.surfaces[1]));
     CHECK(counts_of(a.surfaces[1]) == counts_of(b.surfaces[0]));
@@ -102,7 +102,7 @@ TEST_CASE("refereed 5: two sheets that touch in a point of a face are undecided,
 }
 
 TEST_CASE("refereed 6: the surface is a cone where the tensor is zero") {
-  auto field = box(small_boxes()[2].rows, 2, 3, CubeCut::diagonal);
+  auto field = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
   field.tensors[13] = {5, 5, 5, 0, 0, 0};
   for (const Level& level : {Level{0, 1}, Level{3, 5}}) {
     const auto r = modes::extract(field, level);
@@ -116,7 +116,7 @@ TEST_CASE("refereed 6: the surface is a cone where the tensor is zero") {
 }
 
 TEST_CASE("refereed 6: surfaces end on edges where the tensor is zero") {
-  auto field = box(small_boxes()[2].rows, 2, 4, CubeCut::diagonal);
+  auto field = box(small_boxes()[2].rows, 2, 4, Cut::diagonal);
   for (std::size_t v = 0; v < field.tensors.size(); ++v)
     if (field.mesh.points()[v][0] < 0) field.tensors[v] = {};
   const auto r = modes::extract(field, {3, 5});
@@ -125,7 +125,7 @@ TEST_CASE("refereed 6: surfaces end on edges where the tensor is zero") {
 }
 
 TEST_CASE("a uniform mode carries no surface") {
-  auto field = box(node_field(), 1, 3, CubeCut::diagonal);
+  auto field = box(node_field(), 1, 3, Cut::diagonal);
   for (auto& t : field.tensors) t = {-11, 13, -2, 0, 0, 0};
   const auto r = modes::extract(field, {143, 343});
   CHECK(r.counts.uniform == r.counts.total);
@@ -134,7 +134,7 @@ TEST_CASE("a uniform mode carries no surface") {
 }
 
 TEST_CASE("a node at the mode exactly leaves its own cells undecided") {
-  const auto field = box(node_field(), 10, 4, CubeCut::diagonal);
+  const auto field = box(node_field(), 10, 4, Cut::diagonal);
   modes::ModeOptions options;
   options.max_depth = 16;
   const auto r = modes::extract(field, {143, 343}, options);

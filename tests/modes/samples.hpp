@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "algorithms/modes/modes.hpp"
-#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
@@ -27,11 +26,11 @@ inline std::array<double, 6> value_at(const Rows& rows, const kernel::Vec3& p) {
   return tensor_of(r);
 }
 
-enum class CubeCut { diagonal, mirrored };
+enum class Cut { diagonal, mirrored };
 
 /// [-half, half]^3 with n^3 vertices, each cube in six tetrahedra along a diagonal: always from
 /// (0, 0, 0) to (1, 1, 1), or mirrored from cube to cube.
-inline modes::ModeField box(const Rows& rows, double half, kernel::Index n, CubeCut cut) {
+inline modes::ModeField box(const Rows& rows, double half, kernel::Index n, Cut cut) {
   std::vector<kernel::Vec3> points;
   std::vector<std::array<double, 6>> tensors;
   for (kernel::Index z = 0; z < n; ++z)
@@ -54,7 +53,7 @@ inline modes::ModeField box(const Rows& rows, double half, kernel::Index n, Cube
             if (k > 0) corner[static_cast<std::size_t>(order[k - 1])] = 1;
             std::array<kernel::Index, 3> c{};
             for (std::size_t i = 0; i < 3; ++i) {
-              const bool flip = cut == CubeCut::mirrored && cube[i] % 2 == 1;
+              const bool flip = cut == Cut::mirrored && cube[i] % 2 == 1;
               c[i] = cube[i] + (flip ? 1 - corner[i] : corner[i]);
             }
             t[k] = (c[2] * n + c[1]) * n + c[0];
@@ -67,7 +66,7 @@ inline modes::ModeField box(const Rows& rows, double half, kernel::Index n, Cube
 /// The box with entries from the generator at its vertices.
 template <class Entry>
 modes::ModeField random_box(kernel::Index n, const Entry& entry) {
-  auto field = box(Rows(4), 1, n, CubeCut::diagonal);
+  auto field = box(Rows(4), 1, n, Cut::diagonal);
   for (auto& t : field.tensors) {
     std::array<double, 5> r;
     for (double& x : r) x = entry();
@@ -163,12 +162,6 @@ inline const std::vector<Rows>& piecewise_linear() {
 /// mu* = 143/343, node at the origin.
 inline Rows node_field() {
   return {{11, -13, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
-}
-
-/// Small integers: exact zeros, special faces, and edges of exactly the same angle.
-inline modes::ModeField integers(kernel::Index n, std::uint64_t seed) {
-  Random random(seed);
-  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
 }
 
 }  // namespace crest::tests

@@ -30,6 +30,19 @@ std::array<Tensor, 4> corners_of(const LinearField& f, double size = 1) {
 std::array<const Tensor*, 4> pointers(const std::array<Tensor, 4>& t) {
   return {&t[0], &t[1], &t[2], &t[3]};
 }
+Tensor blend(const std::array<Tensor, 4>& t, const std::array<double, 4>& w) {
+  Tensor sum{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 6; ++k) sum[k] += w[i] * t[i][k];
+  return sum;
+}
+double mode_of(const Tensor& a) {
+  const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
+  const double det =
+      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
+  const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
+  return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
+}
 Vec3 times(const Tensor& a, const Vec3& v) {
   return {a[0] * v[0] + a[3] * v[1] + a[5] * v[2], a[3] * v[0] + a[1] * v[1] + a[4] * v[2],
           a[5] * v[0] + a[4] * v[1] + a[2] * v[2]};
@@ -176,7 +189,7 @@ TEST_CASE("theorem A: the critical mode of the reference fields, the node at 143
   // A tet around the origin.
   const std::array<Vec3, 4> x{{{-1, -1, -1}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
   std::array<Tensor, 4> t;
-  for (std::size_t k = 0; k < 4; ++k) t[k] = tensor_at(linear_node_field(), x[k]);
+  for (std::size_t k = 0; k < 4; ++k) t[k] = tensor_at(node_field(), x[k]);
   const auto c = critical_tensor(pointers(t));
   REQUIRE(c);
   CHECK(c->squared_mode == Rational(143 * 143) / Rational(343 * 343));
@@ -191,7 +204,7 @@ TEST_CASE("theorem A: the critical mode of the reference fields, the node at 143
     for (double& component : tensor) component = -component;
   CHECK(critical_tensor(pointers(t))->mode_sign == 1);
   // Elsewhere it is not in the tet; dependent corners have none.
-  CHECK(!critical_tensor(pointers(corners_of(linear_node_field())))->weights);
+  CHECK(!critical_tensor(pointers(corners_of(node_field())))->weights);
   t[3] = t[2];
   CHECK(!critical_tensor(pointers(t)));
 }

@@ -42,7 +42,7 @@ modes::ModeField large_box(const Rows& rows) {
   // No planes of symmetry: a neutral surface may touch a face there.
   constexpr double places[] = {-65536.25, -2049.6875, -63.140625, -2.171875,
                                1.859375,  61.78125,   2050.5625,  65533.75};
-  const auto grid = box(rows, 3.5, 8, CubeCut::diagonal);
+  const auto grid = box(rows, 3.5, 8, Cut::diagonal);
   std::vector<kernel::Vec3> points = grid.mesh.points();
   std::vector<std::array<double, 6>> tensors;
   for (auto& p : points) {
