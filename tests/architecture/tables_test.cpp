@@ -28,7 +28,6 @@ constexpr const char* kPeer = "it wants the peer's program";
 
 /// Of experiments/, without .md. A table that is made anew leaves the list.
 const std::map<std::string, const char*> kExceptions = {
-    {"000-extremal/tables/point_surfaces", kMinutes},
     {"000-extremal/tables/scaling", kTimes},
     {"001-curvature/tables/curvature_speed", kTimes},
     {"001-curvature/tables/curvature_speed_all", kTimes},
