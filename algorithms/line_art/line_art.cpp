@@ -165,8 +165,6 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   drawing.regions = options.steering.regions;
   const View& view = drawing.view;
   const double unit = unit_of(view, drawing.scene), spacing = options.tone.spacing;
-  const CrossHatching crossing{options.cross_hatch, options.tone.darkest};
-  const bool cross_hatch = crosses(options.steering.regions, crossing);
   DirectionField field;
   phase("field", [&] {
     FieldOptions o;
@@ -186,7 +184,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
   phase("buffers", [&] {
     buffers = fill_buffers({mesh, frames, field}, view, barriers, options.light, options.crease);
     if (options.look) options.look(buffers);
-    steer(options.steering.regions, crossing, buffers);
+    steer(options.steering.regions, buffers);
   });
   std::vector<Hatch> first, second;
   OwnedArea owned;
@@ -196,7 +194,7 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
                  first);
     name_faces(drawing, first);
     owned = owned_area(buffers, first, 1.5 * spacing);
-    if (!cross_hatch) return;
+    if (!options.cross_hatch) return;
     if (options.cross_field) follow_first_layer(first, owned, buffers);
     // Where the families change places its lines end, or they would run along the first.
     const Tracer across(buffers, barriers, singular, spacing, false);
@@ -216,10 +214,10 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
     std::vector<Layer> layers;
     if (options.tone_style == ToneStyle::width) layers.push_back({first, ink, owned});
     if (bands) set_bands(buffers, ink, tone, first);
-    if (cross_hatch) layers.push_back({second, second_ink, owned_second});
+    if (options.cross_hatch) layers.push_back({second, second_ink, owned_second});
     set_widths(buffers, layers, tone);
     const auto black = crossed(coverage(buffers, first), coverage(buffers, second));
-    const auto wanted = cross_hatch ? crossed(ink, second_ink) : ink;
+    const auto wanted = options.cross_hatch ? crossed(ink, second_ink) : ink;
     drawing.counts.tone = tone_error(tone_cells(buffers, black, wanted, owned, spacing));
   });
   for (std::vector<Hatch>* layer : {&first, &second})

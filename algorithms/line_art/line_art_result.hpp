@@ -49,7 +49,6 @@ struct Region {
   std::array<std::vector<Vec2>, 4> coons;           ///< below, right, above, left: ends meet
   std::optional<std::array<double, 2>> tones = {};  ///< luminance is clamped to these
   double gauss = 0, median = 0;                     ///< mm, filters of luminance
-  std::optional<bool> cross = {};                   ///< cross hatching here, else as on the page
 };
 
 /// What replaces the automatic choices.

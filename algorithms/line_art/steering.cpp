@@ -128,30 +128,17 @@ CoonsPoint coons_point(const std::array<std::vector<Vec2>, 4>& curves, double u,
           (1 - v) * below_u + v * above_u + right - left - bilinear_u};
 }
 
-bool crosses(const std::vector<Region>& regions, const CrossHatching& crossing) {
-  return crossing.on_page || std::any_of(regions.begin(), regions.end(), [](const Region& region) {
-           return region.cross.value_or(false);
-         });
-}
-
-void steer(const std::vector<Region>& regions, const CrossHatching& crossing, Buffers& b) {
-  std::vector<bool> free(b.size(), true), plain(b.size(), !crossing.on_page);
+void steer(const std::vector<Region>& regions, Buffers& b) {
+  std::vector<bool> free(b.size(), true);
   for (const Region& region : regions) {
     std::vector<bool> mine(b.size());
     for (std::size_t k = 0; k < b.size(); ++k)
       if (free[k] && b.face[k] != kNone && inside(region.rings, b.centre(k))) {
         mine[k] = true;
         free[k] = false;
-        plain[k] = !region.cross.value_or(crossing.on_page);
       }
     apply(region, mine, b);
   }
-  if (!crosses(regions, crossing)) return;
-  // Not rounded to below it.
-  auto least = static_cast<float>(crossing.darkest);
-  if (static_cast<double>(least) < crossing.darkest) least = std::nextafter(least, 2.0F);
-  for (std::size_t k = 0; k < b.size(); ++k)
-    if (plain[k]) b.luminance[k] = std::max(b.luminance[k], least);
 }
 
 }  // namespace crest::line_art

@@ -7,17 +7,8 @@
 
 namespace crest::line_art {
 
-/// Cross hatching: on the page as a whole, and of what is darker than this luminance.
-struct CrossHatching {
-  bool on_page = false;
-  double darkest = 0.35;
-};
-/// Is there any, with what the regions say?
-bool crosses(const std::vector<Region>& regions, const CrossHatching& crossing);
-
 /// Directions and luminance of each region's pixels; without rings a region is all of the page.
-/// Where no second layer is wanted though there is one elsewhere, nothing is darker than it needs.
-void steer(const std::vector<Region>& regions, const CrossHatching& crossing, Buffers& buffers);
+void steer(const std::vector<Region>& regions, Buffers& buffers);
 
 /// The point of the bilinear Coons patch at (u, v) and its derivative along u. Requires: curves
 /// below, right, above and left of at least two points, the first two running right and up, as do

@@ -40,7 +40,6 @@ Json segments_json(const Drawing& drawing) {
     if (region.tones) item["tones"] = *region.tones;
     if (region.gauss > 0) item["filter"] = {{"gauss", region.gauss}};
     if (region.median > 0) item["filter"]["median"] = region.median;
-    if (region.cross) item["cross"] = *region.cross;
     list.push_back(std::move(item));
   }
   for (const Segment& s : drawing.segments)
@@ -144,10 +143,6 @@ Region read_region(const Reader& reader, const Json& json) {
     if (!(0 <= (*region.tones)[0] && (*region.tones)[0] <= (*region.tones)[1] &&
           (*region.tones)[1] <= 1))
       reader.refuse("the tones do not ascend within 0 to 1");
-  }
-  if (json.contains("cross")) {
-    if (!json["cross"].is_boolean()) reader.refuse("cross is neither true nor false");
-    region.cross = json["cross"].get<bool>();
   }
   if (json.contains("filter")) {
     const Json& filter = json["filter"];

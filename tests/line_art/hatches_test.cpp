@@ -193,39 +193,6 @@ TEST_CASE(
   CHECK_THROWS_WITH(io::read_sidecar(path, other.view), Catch::Contains("of another view"));
 }
 
-TEST_CASE("A region has cross hatching of its own, and a sidecar keeps that") {
-  const auto mesh = ring(24, 14);
-  const auto count = [](const Drawing& drawing, bool right) {
-    const auto beyond = [](const Stroke& s, double x) {
-      return std::any_of(s.points.begin(), s.points.end(), [&](const Vec2& p) { return p[0] > x; });
-    };
-    return std::count_if(drawing.hatches.begin(), drawing.hatches.end(), [&](const Stroke& s) {
-      return s.kind == StrokeKind::cross && (right ? beyond(s, 31) : !beyond(s, 29));
-    });
-  };
-  HatchOptions options;
-  options.light.light = {0, 0, -1};  // dark all over
-  Region right;
-  right.rings = {{{30, 0}, {60, 0}, {60, 60}, {30, 60}}};
-  for (const bool on_page : {false, true}) {
-    options.cross_hatch = on_page;
-    options.steering.regions = {};
-    const Drawing plain = draw(mesh, {1, 0.8, 1.2}, options);
-    CHECK((count(plain, true) > 5) == on_page);
-    right.cross = !on_page;
-    options.steering.regions = {right};
-    const Drawing drawing = draw(mesh, {1, 0.8, 1.2}, options);
-    CHECK((count(drawing, true) > 5) == !on_page);
-    CHECK((count(drawing, false) > 5) == on_page);
-    const TemporaryFolder folder;
-    const std::string path = (folder / "sidecar.json").string();
-    io::write_atomically(path, io::sidecar_of(drawing));
-    const Steering again = io::read_sidecar(path, drawing.view);
-    REQUIRE(again.regions.size() == 1);
-    CHECK(again.regions[0].cross == right.cross);
-  }
-}
-
 TEST_CASE("Random strokes are as many as full black needs, drawn over 1 - c of their length") {
   Drawing nothing;
   nothing.view.page = {60, 60};
