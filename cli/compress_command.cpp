@@ -115,12 +115,18 @@ std::function<int()> add_compress(CLI::App& app) {
       ->excludes(simplify)
       ->transform(one_of(tests))
       ->type_name("WORD");
-  const std::map<std::string, CollapsePriority> priorities = {{"length", CollapsePriority::length},
-                                                              {"error", CollapsePriority::error}};
+  const std::map<std::string, CollapsePriority> priorities = {
+      {"length", CollapsePriority::length},
+      {"error", CollapsePriority::error},
+      {"product", CollapsePriority::product}};
   app.add_option("--priority", o.compression.priority,
-                 "short edges first, or small differences of vectors (default: length)")
+                 "short edges first, small differences of vectors, or small products of both "
+                 "(default: product)")
       ->transform(one_of(priorities))
       ->type_name("WORD");
+  app.add_flag(
+      "--no-flips", [&o](std::int64_t) { o.compression.flips = false; },
+      "collapses alone (default: where nothing collapses, edges are flipped by the same test)");
   return [options] {
     options->compression.simplify = options->simplify.threshold;
     options->compression.laplacian = options->simplify.laplacian;

@@ -14,6 +14,7 @@ CollapseMesh::CollapseMesh(const Domain& domain, const Boundary& boundary)
       leaving_(domain.field().points.size(), kNone),
       alive_(domain.triangle_count(), 1),
       fixed_(domain.field().points.size(), 0),
+      kept_(domain.field().points.size(), 0),
       live_(domain.triangle_count()),
       stamps_(domain.field().points.size(), 0) {
   const HalfEdge halves = 3 * domain.triangle_count();
@@ -102,10 +103,11 @@ bool CollapseMesh::positive(const Collapse& plan) const {
 }
 
 CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {
-  if (fixed_[from] != 0 || fixed_[to] != 0) return CollapseRefusal::geometry;
+  if (fixed_[from] != 0 || kept_[from] != 0 || fixed_[to] != 0) return CollapseRefusal::geometry;
   fan(from, fan_);
   plan.from = from;
   plan.to = to;
+  plan.flipped = kNone;
   plan.star.clear();
   if (twins_[fan_.front()] == kNone) return plan_boundary(from, to, plan);
   const auto first =
@@ -137,6 +139,25 @@ CollapseRefusal CollapseMesh::plan_boundary(Index from, Index to, Collapse& plan
   return linked(from, to, 1) && positive(plan) ? CollapseRefusal::none : CollapseRefusal::geometry;
 }
 
+/// Where the two triangles are a strictly convex quadrilateral.
+bool CollapseMesh::plan_flip(HalfEdge side, Collapse& plan) const {
+  const HalfEdge other = twins_[side];
+  if (other == kNone) return false;
+  const Index a = from(side), b = to(side), c = from(Domain::previous(side)),
+              d = from(Domain::previous(other));
+  for (const Index v : {a, b, c, d})
+    if (fixed_[v] != 0) return false;
+  plan = {kNone, kNone, {side / 3, other / 3}, {kNone, kNone}, side};
+  return kernel::orientation(point(a), point(d), point(c)) == Sign::positive &&
+         kernel::orientation(point(d), point(b), point(c)) == Sign::positive && !adjacent(c, d);
+}
+
+kernel::FieldOnTriangle CollapseMesh::data_after(const Collapse& plan, Index t) const {
+  if (plan.flipped == kNone) return data(t, plan.from, plan.to);
+  const HalfEdge side = t == plan.flipped / 3 ? plan.flipped : twins_[plan.flipped];
+  return data(t, to(side), from(Domain::previous(twins_[side])));
+}
+
 /// `h` takes the place of `replaced` at its neighbour, or at the boundary.
 void CollapseMesh::set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced) {
   journal_.twins.push_back({h, twins_[h]});
@@ -159,9 +180,27 @@ void CollapseMesh::set_leaving(Index vertex, HalfEdge h) {
   leaving_[vertex] = h;
 }
 
+/// Of a b c and b a d: a d c and b c d; c a and d b keep their half-edges.
+void CollapseMesh::apply_flip(HalfEdge side) {
+  const HalfEdge other = twins_[side];
+  const HalfEdge bc = Domain::next(side), ad = Domain::next(other);
+  const Index a = from(side), b = to(side), c = to(bc), d = to(ad);
+  if (leaving_[a] == ad) set_leaving(a, side);
+  if (leaving_[b] == bc) set_leaving(b, other);
+  const HalfEdge beyond_ad = twins_[ad], beyond_bc = twins_[bc];
+  set_twin(side, beyond_ad, ad);
+  set_twin(other, beyond_bc, bc);
+  set_twin(bc, ad, kNone);
+  journal_.corners.push_back({bc, b});
+  journal_.corners.push_back({ad, a});
+  corners_[bc] = d;
+  corners_[ad] = c;
+}
+
 void CollapseMesh::apply(const Collapse& plan) {
-  fan(plan.from, fan_);
   journal_ = {};
+  if (plan.flipped != kNone) return apply_flip(plan.flipped);
+  fan(plan.from, fan_);
   journal_.gone = plan.gone;
   const bool open = twins_[fan_.front()] == kNone;
   if (!open)
@@ -218,6 +257,7 @@ void CollapseMesh::undo() {
   restore(journal_.leaving, leaving_);
   restore(journal_.ordinals, by_ordinal_);
   for (const Index t : journal_.gone) {
+    if (t == kNone) continue;
     live_ += alive_[t] == 0 ? 1 : 0;
     alive_[t] = 1;
   }

@@ -19,11 +19,12 @@ struct BoundaryEdge {
   EdgeRegions regions;
 };
 
-/// A collapse that keeps the domain and all triangles positive.
+/// A collapse, or an edge flipped, that keeps the domain and all triangles positive.
 struct Collapse {
   Index from = kNone, to = kNone;
-  std::vector<Index> star;      ///< triangles around `from`, counter-clockwise from `to` on
-  std::array<Index, 2> gone{};  ///< those that vanish; at the boundary one, twice
+  std::vector<Index> star;  ///< triangles around `from`, counter-clockwise from `to` on
+  std::array<Index, 2> gone{kNone, kNone};  ///< those that vanish; at the boundary one, twice
+  HalfEdge flipped = kNone;                 ///< of a flip, whose star is both its triangles
 };
 
 enum class CollapseRefusal : std::uint8_t { none, geometry, boundary };
@@ -34,6 +35,7 @@ class CollapseMesh {
   CollapseMesh(const Domain& domain, const Boundary& boundary);
 
   Index triangle_count() const { return static_cast<Index>(corners_.size() / 3); }
+  std::size_t vertex_count() const { return leaving_.size(); }
   Index live_triangles() const { return live_; }
   bool alive(Index t) const { return alive_[t] != 0; }
   Index from(HalfEdge h) const { return corners_[h]; }
@@ -52,13 +54,23 @@ class CollapseMesh {
   bool adjacent(Index from, Index to) const;
   /// Vertices that take part in no collapse.
   void fix(Index vertex) { fixed_[vertex] = 1; }
+  /// Vertices that stay; others may move onto them. Requires: of one fan.
+  void keep(Index vertex) { kept_[vertex] = 1; }
+  /// A half-edge that leaves a vertex that is left.
+  HalfEdge leaving(Index vertex) const { return leaving_[vertex]; }
   /// Whether `from` may collapse to `to`, its neighbour, and how.
   CollapseRefusal plan(Index from, Index to, Collapse& plan) const;
+  /// Whether the edge may become the other diagonal of its triangles, and how.
+  bool plan_flip(HalfEdge side, Collapse& plan) const;
+  /// What a triangle of the star that does not vanish will be.
+  kernel::FieldOnTriangle data_after(const Collapse& plan, Index t) const;
+  /// Whether no collapse moves the vertex.
+  bool stays(Index vertex) const { return fixed_[vertex] != 0 || kept_[vertex] != 0; }
   /// Half-edges that leave a vertex of one fan, counter-clockwise.
   void fan(Index vertex, std::vector<HalfEdge>& leaving) const;
 
   void apply(const Collapse& plan);
-  /// Takes back the last collapse.
+  /// Takes back the last collapse or flip.
   void undo();
 
   /// The triangles that are left, in their order; `vertex_of`: the numbers of their vertices in the
@@ -69,6 +81,7 @@ class CollapseMesh {
   CollapseRefusal plan_boundary(Index from, Index to, Collapse& plan) const;
   bool linked(Index from, Index to, std::size_t common) const;
   bool positive(const Collapse& plan) const;
+  void apply_flip(HalfEdge side);
   void set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced);
   void set_leaving(Index vertex, HalfEdge h);
 
@@ -77,13 +90,13 @@ class CollapseMesh {
     std::vector<std::pair<HalfEdge, Index>> corners, twins;
     std::vector<std::pair<HalfEdge, BoundaryEdge>> edges;
     std::vector<std::pair<Index, HalfEdge>> leaving, ordinals;
-    std::array<Index, 2> gone{};
+    std::array<Index, 2> gone{kNone, kNone};
   };
 
   const Domain& domain_;
   std::vector<Index> corners_;
   std::vector<HalfEdge> twins_, leaving_;  ///< leaving_: one that leaves each vertex
-  std::vector<std::uint8_t> alive_, fixed_;
+  std::vector<std::uint8_t> alive_, fixed_, kept_;
   std::vector<BoundaryEdge> boundary_edges_;
   std::vector<HalfEdge> by_ordinal_;
   Index live_ = 0;

@@ -18,7 +18,7 @@ using kernel::operator-;
 
 namespace {
 
-constexpr std::size_t kMostDoors = 8;  ///< sides at which an orbit is proven anew
+constexpr int kFruitless = 4;  ///< so many rounds of flips without a collapse are the last ones
 
 /// Whether a closed triangle has a zero: outside of it all turns do not have one sign.
 bool has_zero(const kernel::FieldOnTriangle& f, Sign& turn) {
@@ -50,7 +50,7 @@ ZeroKind kind_of(const kernel::FieldOnTriangle& f, Sign turn) {
 bool Collapser::find_new_zeros(std::vector<NewZero>& found) const {
   for (const Index t : plan_.star) {
     if (t == plan_.gone[0] || t == plan_.gone[1]) continue;
-    const auto f = state_.mesh.data(t, plan_.from, plan_.to);
+    const auto f = state_.mesh.data_after(plan_, t);
     Sign turn = Sign::zero;
     if (!has_zero(f, turn)) continue;
     if (turn == Sign::zero) return false;
@@ -120,30 +120,33 @@ void Collapser::collect() {
   lost_sides_.clear();
   for (const Index t : plan_.star)
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (t == plan_.gone[0] || t == plan_.gone[1] || state_.mesh.from(h) == plan_.from ||
-          state_.mesh.to(h) == plan_.from)
+      if (plan_.flipped != kNone || t == plan_.gone[0] || t == plan_.gone[1] ||
+          state_.mesh.from(h) == plan_.from || state_.mesh.to(h) == plan_.from)
         lost_sides_.push_back(h);
   std::sort(lines_.begin(), lines_.end());
   std::sort(chains_.begin(), chains_.end());
 }
 
+/// From the first of its sides that stays on.
 Collapser::Answer Collapser::prove_orbit(Index number) {
   const SearchOrbit old = state_.orbits[number];
-  const std::size_t n = old.exits.size(), stride = std::max<std::size_t>(1, n / kMostDoors);
-  for (std::size_t k = 0; k < n; k += stride) {
-    if (std::find(lost_sides_.begin(), lost_sides_.end(), old.exits[k]) != lost_sides_.end())
-      continue;
-    for (const double wider : {4.0, 1.0, 16.0, 0.25}) {
-      SearchOrbit now;
-      if (!state_.close(old, k, wider, now)) continue;
-      const AnnulusDoor door{now.forward, state_.mesh.twin(now.exits.front()), 1 - now.high.front(),
-                             1 - now.low.front()};
-      if (!closes(state_.mesh, door, now.exits)) continue;
-      if (state_.enclosed(now) != state_.enclosed(old)) return Answer::orbit;
-      moved_orbits_.push_back({number, old});
-      state_.orbits[number] = std::move(now);
-      return Answer::yes;
-    }
+  const auto stays = [&](HalfEdge h) {
+    return std::find(lost_sides_.begin(), lost_sides_.end(), h) == lost_sides_.end();
+  };
+  const auto side = std::find_if(old.exits.begin(), old.exits.end(), stays);
+  if (side == old.exits.end()) return Answer::orbit;
+  const auto k = static_cast<std::size_t>(side - old.exits.begin());
+  for (const double wider : {4.0, 1.0, 16.0, 0.25}) {
+    SearchOrbit now;
+    if (!state_.close(old, k, wider, now)) continue;
+    const AnnulusDoor door{now.forward, state_.mesh.twin(now.exits.front()), 1 - now.high.front(),
+                           1 - now.low.front()};
+    if (!closes(state_.mesh, door, now.exits)) continue;
+    now.around = state_.enclosed(now);
+    if (now.around != old.around) return Answer::orbit;
+    moved_orbits_.push_back({number, old});
+    state_.orbits[number] = std::move(now);
+    return Answer::yes;
   }
   return Answer::orbit;
 }
@@ -330,9 +333,25 @@ Collapser::Answer Collapser::attempt(Index from, Index to) {
   if (refusal == CollapseRefusal::boundary) return Answer::boundary;
   if (plan_.gone[0] == plan_.gone[1] && !options_.boundary) return Answer::boundary;
   moved_zeros_.clear();
+  if (const Answer a = examine_zeros(); a != Answer::yes) return a;
+  return change();
+}
+
+/// Away from zeros.
+Collapser::Answer Collapser::attempt_flip(HalfEdge side) {
+  if (!state_.mesh.plan_flip(side, plan_)) return Answer::geometry;
+  moved_zeros_.clear();
+  std::vector<NewZero> fresh;
+  for (const Index t : plan_.star)
+    if (state_.frozen(t) || state_.zero_in[t] != kNone) return Answer::critical;
+  if (!find_new_zeros(fresh) || !fresh.empty()) return Answer::critical;
+  return change();
+}
+
+/// What was planned, kept if the lines allow it.
+Collapser::Answer Collapser::change() {
   moved_orbits_.clear();
   retraced_.clear();
-  if (const Answer a = examine_zeros(); a != Answer::yes) return a;
   collect();
   if (options_.equivalence == Equivalence::strong && !lines_.empty()) return Answer::ends;
   if (options_.equivalence == Equivalence::strong && !chains_.empty()) return Answer::orbit;
@@ -348,18 +367,22 @@ Collapser::Answer Collapser::attempt(Index from, Index to) {
   if (answer == Answer::yes) answer = examine_orders();
   if (answer == Answer::yes && thesis && !thesis->allows(state_, lines_)) answer = Answer::order;
   for (const Index t : plan_.star) in_star_[t] = 0;
-  if (answer == Answer::yes)
+  if (answer == Answer::yes) {
     commit();
-  else
+    note_change();
+  } else {
     take_back();
+  }
   return answer;
 }
 
 double Collapser::priority(Index from, Index to) const {
-  const Vec2 e = options_.priority == CollapsePriority::length
-                     ? state_.mesh.point(to) - state_.mesh.point(from)
-                     : state_.mesh.vector(to) - state_.mesh.vector(from);
-  return dot(e, e);
+  const Vec2 e = state_.mesh.point(to) - state_.mesh.point(from),
+             d = state_.mesh.vector(to) - state_.mesh.vector(from);
+  const double length = std::sqrt(dot(e, e)), error = std::sqrt(dot(d, d));
+  return options_.priority == CollapsePriority::length  ? length
+         : options_.priority == CollapsePriority::error ? error
+                                                        : length * error;
 }
 
 /// Whether zeros of little weight would vanish.
@@ -373,6 +396,51 @@ bool Collapser::cancels(Index from, Index to) {
          find_new_zeros(fresh) && fresh.size() < zeros;
 }
 
+/// Stars at the corners of the star are others now.
+void Collapser::note_change() {
+  for (const Index t : plan_.star)
+    if (state_.mesh.alive(t))
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) changed_[state_.mesh.from(h)] = pass_;
+  // A corner of the triangles that vanished alone.
+  for (const Index t : plan_.gone)
+    if (t != kNone)
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) changed_[state_.mesh.from(h)] = pass_;
+}
+
+bool Collapser::try_collapse(Index from, Index to, CompressionCounts& counts) {
+  kernel::stop_point();
+  ++counts.tests;
+  RefusedCollapses& r = counts.refused;
+  switch (attempt(from, to)) {
+    case Answer::yes:
+      ++counts.collapses;
+      return true;
+    case Answer::geometry:
+      ++r.geometry;
+      return false;
+    case Answer::boundary:
+      ++r.boundary;
+      return false;
+    case Answer::critical:
+      ++r.critical_points;
+      return false;
+    case Answer::ends:
+      ++r.ends;
+      return false;
+    case Answer::order:
+      ++r.order;
+      return false;
+    case Answer::orbit:
+      ++r.orbit;
+      return false;
+    case Answer::open:
+      ++r.undecided;
+      return false;
+  }
+  return false;
+}
+
+/// What changed since the last pass began.
 bool Collapser::pass(CompressionCounts& counts) {
   // What cancels zeros comes first.
   using Entry = std::tuple<bool, double, Index, Index>;
@@ -381,47 +449,20 @@ bool Collapser::pass(CompressionCounts& counts) {
     queue.push({!(minor_ && cancels(from, to)), priority(from, to), from, to});
   };
   const CollapseMesh& mesh = state_.mesh;
+  const int since = pass_++;
   for (HalfEdge h = 0; h < 3 * mesh.triangle_count(); ++h) {
     if (!mesh.alive(h / 3)) continue;
-    add(mesh.from(h), mesh.to(h));
-    if (mesh.twin(h) == kNone) add(mesh.to(h), mesh.from(h));
+    const Index p = mesh.from(h), q = mesh.to(h);
+    if (changed_[p] >= since) add(p, q);
+    if (mesh.twin(h) == kNone && changed_[q] >= since) add(q, p);
   }
   bool any = false;
   std::vector<HalfEdge> fan;
   while (!queue.empty()) {
-    kernel::stop_point();
     const auto [later, cost, from, to] = queue.top();
     queue.pop();
-    if (!mesh.adjacent(from, to)) continue;
-    ++counts.tests;
-    RefusedCollapses& r = counts.refused;
-    switch (attempt(from, to)) {
-      case Answer::yes:
-        break;
-      case Answer::geometry:
-        ++r.geometry;
-        continue;
-      case Answer::boundary:
-        ++r.boundary;
-        continue;
-      case Answer::critical:
-        ++r.critical_points;
-        continue;
-      case Answer::ends:
-        ++r.ends;
-        continue;
-      case Answer::order:
-        ++r.order;
-        continue;
-      case Answer::orbit:
-        ++r.orbit;
-        continue;
-      case Answer::open:
-        ++r.undecided;
-        continue;
-    }
+    if (!mesh.adjacent(from, to) || !try_collapse(from, to, counts)) continue;
     any = true;
-    ++counts.collapses;
     mesh.fan(to, fan);
     for (const HalfEdge h : fan) {
       add(to, mesh.to(h));
@@ -431,9 +472,69 @@ bool Collapser::pass(CompressionCounts& counts) {
   return any;
 }
 
+/// Whether a collapse might move the vertex, inside the domain.
+bool Collapser::may_go(Index vertex) const {
+  if (state_.mesh.stays(vertex)) return false;
+  std::vector<HalfEdge> fan;
+  state_.mesh.fan(vertex, fan);
+  return state_.mesh.twin(fan.front()) != kNone &&
+         std::none_of(fan.begin(), fan.end(), [&](HalfEdge h) {
+           return state_.frozen(h / 3) ||
+                  (options_.equivalence != Equivalence::relaxed && state_.zero_in[h / 3] != kNone);
+         });
+}
+
+/// Flips edges at the vertex until it collapses.
+void Collapser::loosen(Index vertex, CompressionCounts& counts) {
+  const CollapseMesh& mesh = state_.mesh;
+  std::vector<HalfEdge> fan, after;
+  for (bool flipped = true; flipped;) {
+    flipped = false;
+    mesh.fan(vertex, fan);
+    for (const HalfEdge h : fan) {
+      kernel::stop_point();
+      if (attempt_flip(h) != Answer::yes) continue;
+      ++counts.flips;
+      flipped = true;
+      mesh.fan(vertex, after);
+      std::vector<Index> neighbours;
+      for (const HalfEdge g : after) neighbours.push_back(mesh.to(g));
+      for (const Index to : neighbours)
+        if (try_collapse(vertex, to, counts)) return;
+      break;
+    }
+  }
+  // Else edges opposite to it, for one more neighbour.
+  mesh.fan(vertex, fan);
+  for (const HalfEdge h : fan) {
+    const HalfEdge beyond = mesh.twin(Domain::next(h));
+    if (beyond == kNone || attempt_flip(Domain::next(h)) != Answer::yes) continue;
+    ++counts.flips;
+    if (try_collapse(vertex, mesh.from(Domain::previous(h)), counts)) return;
+  }
+}
+
+/// Where nothing collapses any more.
+void Collapser::loosen(CompressionCounts& counts) {
+  const CollapseMesh& mesh = state_.mesh;
+  std::vector<std::uint8_t> seen(mesh.vertex_count(), 0);
+  for (HalfEdge h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    if (!mesh.alive(h / 3) || seen[mesh.from(h)] != 0) continue;
+    seen[mesh.from(h)] = 1;
+    if (may_go(mesh.from(h))) loosen(mesh.from(h), counts);
+  }
+}
+
 void Collapser::run(CompressionCounts& counts) {
-  do ++counts.passes;
-  while (pass(counts));
+  const bool flips = options_.flips && options_.test == CollapseTest::retrace;
+  for (int fruitless = 0; fruitless < kFruitless;) {
+    const std::uint64_t before = counts.collapses;
+    do ++counts.passes;
+    while (pass(counts));
+    if (!flips) break;
+    loosen(counts);
+    fruitless = counts.collapses > before ? 0 : fruitless + 1;
+  }
   counts.retraced_crossings = state_.crossings;
   counts.inherited = state_.inherited;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tries half-edge collapses, short edges first, and keeps those that leave the skeleton as it is.
+// Tries half-edge collapses in the order of a priority, and flips of edges where none is left, and
+// keeps those that leave the skeleton as it is.
 #include "algorithms/vector_fields/search.hpp"
 
 namespace crest::vector_fields {
@@ -14,6 +15,7 @@ class Collapser {
         options_(options),
         minor_(std::any_of(state.zeros.begin(), state.zeros.end(),
                            [](const SearchZero& z) { return !z.kept; })),
+        changed_(state.mesh.vertex_count(), 0),
         in_star_(state.mesh.triangle_count(), 0),
         seen_(state.line_count() + state.orbits.size(), 0) {}
 
@@ -42,9 +44,16 @@ class Collapser {
   };
 
   bool pass(CompressionCounts& counts);
+  bool try_collapse(Index from, Index to, CompressionCounts& counts);
+  void loosen(CompressionCounts& counts);
+  void loosen(Index vertex, CompressionCounts& counts);
+  bool may_go(Index vertex) const;
   bool cancels(Index from, Index to);
   double priority(Index from, Index to) const;
   Answer attempt(Index from, Index to);
+  Answer attempt_flip(HalfEdge side);
+  Answer change();
+  void note_change();
   Answer examine_zeros();
   Answer examine_minor(const std::vector<Index>& old);
   bool find_new_zeros(std::vector<NewZero>& found) const;
@@ -62,7 +71,9 @@ class Collapser {
 
   SearchState& state_;
   const CompressionOptions& options_;
-  const bool minor_;  ///< there are zeros that may vanish
+  const bool minor_;          ///< there are zeros that may vanish
+  std::vector<int> changed_;  ///< by vertex: the pass in which its star changed last
+  int pass_ = 0;
   // Of the attempt at hand.
   Collapse plan_;
   std::vector<std::uint8_t> in_star_;

@@ -79,7 +79,8 @@ Compression compress(const PlanarField& field, const CompressionOptions& options
     const HalfEdgeNumbers number(state.mesh);
     std::vector<Witness> witnesses;
     if (kept.all())
-      for (const Witness& w : input.witnesses) witnesses.push_back({number(w.leaving), w.forward});
+      for (const Witness& w : input.witnesses)
+        witnesses.push_back({number(state.mesh.leaving(input.domain.from(w.leaving))), w.forward});
     const Analysis output(result.field, doors_of(state, number), witnesses);
     const SkeletonMatch match = match_skeletons(input, output, state, kept);
     counts.inherited += match.inherited;

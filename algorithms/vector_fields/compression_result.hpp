@@ -12,13 +12,17 @@ namespace crest::vector_fields {
 /// meets; those of zeros; their classes (paper 001, 5.3, 5.2, 5.4).
 enum class Equivalence : std::uint8_t { strong, original, relaxed };
 enum class CollapseTest : std::uint8_t { retrace, thesis };
-enum class CollapsePriority : std::uint8_t { length, error };
+/// Short edges first, small differences of vectors, or small products of both.
+enum class CollapsePriority : std::uint8_t { length, error, product };
 
 struct CompressionOptions {
   Equivalence equivalence = Equivalence::original;
   CollapseTest test = CollapseTest::retrace;
-  CollapsePriority priority = CollapsePriority::length;
+  CollapsePriority priority = CollapsePriority::product;
   bool boundary = true;  ///< collapses along the boundary, too
+  /// Where nothing collapses any more, edges at inner vertices are flipped, by the same test, so
+  /// that more of them can. Not with the test as printed.
+  bool flips = true;
   /// Zeros that weigh less may move, change and vanish in pairs, with the separatrices that start
   /// at them (section 5.5.4). Requires: Equivalence::original, the test retrace.
   std::optional<double> simplify = {};
@@ -33,7 +37,7 @@ struct RefusedCollapses {
 
 struct CompressionCounts {
   int passes = 0;
-  std::uint64_t collapses = 0, tests = 0, retraced_crossings = 0, inherited = 0;
+  std::uint64_t collapses = 0, tests = 0, flips = 0, retraced_crossings = 0, inherited = 0;
   RefusedCollapses refused;
   int rounds = 1;             ///< searches, until the proven skeletons were equal
   std::size_t pinned = 0;     ///< separatrices whose triangles were kept for that

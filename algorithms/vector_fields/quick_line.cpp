@@ -13,6 +13,7 @@ constexpr int kDegree = 14, kMostPieces = 4000, kMostNewton = 60;
 /// Lines that creep for so long are tried as corridors, too, of this half width.
 constexpr int kManyPieces = 48;
 constexpr double kHalfWidth = 0x1p-38;
+constexpr double kSamePlace = 0x1p-10;  ///< in shares of the distance to the nearer end
 
 using Series = std::array<double, kDegree + 1>;
 
@@ -199,6 +200,17 @@ bool provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double sha
   return cross_cell(maker, forward, gate, trap).end != CellEnd::open;
 }
 
+bool TriedPlaces::provable(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
+                           const TrapShape* trap) {
+  auto& places = places_[{mesh.from(entry), mesh.to(entry), mesh.from(Domain::previous(entry)),
+                          forward ? 1U : 0U}];
+  const double near = kSamePlace * std::min(share, 1 - share);
+  for (const Place& p : places)
+    if (std::fabs(p.share - share) <= near) return p.provable;
+  places.push_back({share, vector_fields::provable(mesh, forward, entry, share, trap)});
+  return places.back().provable;
+}
+
 std::vector<Vec2> points_along(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
                                std::size_t triangles) {
   std::vector<Vec2> result;
@@ -253,15 +265,27 @@ bool closes(const CollapseMesh& mesh, const AnnulusDoor& door, const std::vector
 }
 
 QuickEnd cross_quickly(const CollapseMesh& mesh, bool forward, HalfEdge entry, double share,
-                       const TrapShape* trap, Step& step) {
+                       const TrapShape* trap, Step& step, TriedPlaces* tried) {
   const int corner = static_cast<int>(entry % 3);
   Crossing crossing(mesh.data(entry / 3), corner, forward);
   int side = 0;
   const QuickEnd end = crossing.run(share, trap, side, step.share);
-  if (crossing.piece > kManyPieces && !provable(mesh, forward, entry, share, trap))
+  if (crossing.piece > kManyPieces && tried != nullptr &&
+      !tried->provable(mesh, forward, entry, share, trap))
     return QuickEnd::lost;
   step.exit = 3 * (entry / 3) + static_cast<Index>((corner + side) % 3);
   return end;
+}
+
+Start start_now(const CollapseMesh& mesh, Index vertex, bool forward) {
+  std::vector<HalfEdge> fan;
+  mesh.fan(vertex, fan);
+  std::vector<Index> triangles;
+  for (const HalfEdge h : fan) triangles.push_back(h / 3);
+  const Part part(mesh, triangles);
+  Start start = start_at_vertex(*part.domain, part.domain->fan(part.here(fan.front())), forward);
+  if (start.kind != StartKind::none) start.place = part.there(start.place);
+  return start;
 }
 
 QuickEnd begin_quickly(const CollapseMesh& mesh, const Start& start, const TrapShape* trap,

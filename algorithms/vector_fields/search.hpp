@@ -37,7 +37,8 @@ struct Kept {
 struct SearchOrbit {
   bool forward = true;
   std::vector<HalfEdge> exits;
-  std::vector<double> low, high;  ///< one more than exits: of the return
+  std::vector<double> low, high;   ///< one more than exits: of the return
+  std::vector<Index> around = {};  ///< zeros and loops that it runs around
 };
 
 /// A zero inside a triangle.
@@ -103,6 +104,7 @@ class SearchState {
   const Analysis& input_;
   const Kept& kept_;
   RegionSlots slots_;
+  TriedPlaces tried_;
   std::vector<std::uint8_t> frozen_;  ///< triangles that stay; 2: with a wall
   std::vector<Vec2> loop_points_;     ///< one of each loop of the boundary
 };

@@ -92,6 +92,7 @@ void SearchState::take_orbits() {
     orbit.forward = a.forward;
     if (SearchOrbit closed; close(gate, 0, 1, closed)) {
       orbit = closed;
+      orbit.around = enclosed(orbit);
       continue;
     }
     HalfEdge entry = a.side;
@@ -129,9 +130,7 @@ void SearchState::take_lines(const std::vector<bool>& pinned) {
       line.ordinal = mesh.boundary_edge(edge).ordinal;
     }
     if (!kept_.lines[i]) line.end = EndKind::undecided;
-    if (trace.start.from_vertex)
-      for (const HalfEdge h : input_.domain.fan(trace.start.vertex).leaving)
-        if (frozen_[h / 3] == 0) frozen_[h / 3] = 1;
+    if (trace.start.from_vertex) mesh.keep(trace.start.origin);
     if (line.end == EndKind::undecided) continue;
     if (const auto steps = steps_of(input_.domain, trace); !trace.straight && !steps.empty())
       line.first = steps.front();

@@ -76,6 +76,11 @@ QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, I
   const bool forward = line.start.forward;
   if (line.steps.empty() && line.first) line.steps.push_back(*line.first);
   if (line.steps.empty()) {
+    if (line.start.from_vertex) {
+      const Start now = start_now(mesh, line.start.origin, forward);
+      if (now.kind != StartKind::point) return QuickEnd::lost;
+      line.start.place = now.place;
+    }
     Start start = line.start;
     if (line.ordinal != kNone)
       (start.vertex == kNone ? start.place : start.vertex) = mesh.edge_of_ordinal(line.ordinal);
@@ -111,8 +116,8 @@ QuickEnd SearchState::follow(SearchLine& line, std::size_t most, EndKind& end, I
     if (line.steps.size() > most) return QuickEnd::lost;
     Step step;
     ++crossings;
-    const QuickEnd result =
-        cross_quickly(mesh, forward, entry, 1 - last.share, trap_in(entry / 3, forward), step);
+    const QuickEnd result = cross_quickly(mesh, forward, entry, 1 - last.share,
+                                          trap_in(entry / 3, forward), step, &tried_);
     if (result == QuickEnd::trapped) {
       // Where it was, lines were proven to end.
       if (zeros[zero_in[entry / 3]].moved &&
@@ -148,7 +153,8 @@ bool SearchState::close(const SearchOrbit& orbit, std::size_t k, double wider,
     if (entry == kNone) return false;
     Step l, h;
     for (const auto& [from, step] : {std::pair{result.low.back(), &l}, {result.high.back(), &h}})
-      if (cross_quickly(mesh, orbit.forward, entry, 1 - from, nullptr, *step) != QuickEnd::crossed)
+      if (cross_quickly(mesh, orbit.forward, entry, 1 - from, nullptr, *step, nullptr) !=
+          QuickEnd::crossed)
         return false;
     if (l.exit != h.exit || l.share > h.share) return false;
     result.low.push_back(l.share);
@@ -169,10 +175,21 @@ std::vector<Index> SearchState::enclosed(const SearchOrbit& orbit) const {
       points_along(mesh, orbit.forward, mesh.twin(orbit.exits.front()),
                    1 - (orbit.low.back() + orbit.high.back()) / 2, orbit.exits.size());
   std::vector<Index> result;
+  if (polygon.empty()) return result;
+  std::array<Vec2, 2> box = {polygon[0], polygon[0]};
+  for (const Vec2& p : polygon)
+    for (std::size_t k = 0; k < 2; ++k) {
+      box[0][k] = std::min(box[0][k], p[k]);
+      box[1][k] = std::max(box[1][k], p[k]);
+    }
+  const auto runs_around = [&](const Vec2& x) {
+    return x[0] >= box[0][0] && x[0] <= box[1][0] && x[1] >= box[0][1] && x[1] <= box[1][1] &&
+           inside(polygon, x);
+  };
   for (Index z = 0; z < zeros.size(); ++z)
-    if (zeros[z].kept && inside(polygon, place_of(z))) result.push_back(z);
+    if (zeros[z].kept && runs_around(place_of(z))) result.push_back(z);
   for (Index i = 0; i < loop_points_.size(); ++i)
-    if (inside(polygon, loop_points_[i])) result.push_back(static_cast<Index>(zeros.size()) + i);
+    if (runs_around(loop_points_[i])) result.push_back(static_cast<Index>(zeros.size()) + i);
   return result;
 }
 

@@ -96,7 +96,11 @@ Output run_compress(const Arguments& a, const Progress& progress) {
                         : equivalence == "relaxed" ? Equivalence::relaxed
                                                    : Equivalence::original;
   if (a.text("test") == "thesis") options.test = CollapseTest::thesis;
-  if (a.text("priority") == "error") options.priority = CollapsePriority::error;
+  const std::string& priority = a.text("priority");
+  options.priority = priority == "length"  ? CollapsePriority::length
+                     : priority == "error" ? CollapsePriority::error
+                                           : CollapsePriority::product;
+  options.flips = a.flag("flips");
   options.simplify = a.maybe_number("simplify");
   options.laplacian = laplacian_of(a);
   certify::CompressionCertificate record;

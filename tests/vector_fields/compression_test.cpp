@@ -188,3 +188,61 @@ TEST_CASE("Collapses are taken back to the last bit") {
   CHECK(applied > 0);
   CHECK(refused > 0);
 }
+
+TEST_CASE("Flips are taken back to the last bit") {
+  const PlanarField field = field_of(sampling::lattice_field(2, 12, true));
+  const Domain domain(field);
+  const Boundary boundary = examine_boundary(domain);
+  CollapseMesh mesh(domain, boundary);
+  std::vector<Index> vertex_of;
+  Collapse plan;
+  // Some collapses first: in a grid all but a few edges can be flipped.
+  for (HalfEdge h = 0; h < 3 * domain.triangle_count(); h += 7)
+    if (mesh.alive(h / 3) && mesh.plan(mesh.from(h), mesh.to(h), plan) == CollapseRefusal::none)
+      mesh.apply(plan);
+  std::size_t flipped = 0, refused = 0;
+  for (HalfEdge h = 0; h < 3 * domain.triangle_count(); ++h) {
+    if (!mesh.alive(h / 3)) continue;
+    if (!mesh.plan_flip(h, plan)) {
+      ++refused;
+      continue;
+    }
+    const auto before = mesh.field(vertex_of).triangles;
+    const auto first = mesh.data_after(plan, plan.star[0]),
+               second = mesh.data_after(plan, plan.star[1]);
+    mesh.apply(plan);
+    const PlanarField other = mesh.field(vertex_of);
+    CHECK(other.triangles.size() == before.size());
+    CHECK(other.triangles != before);
+    CHECK(Domain(other).euler_characteristic() == domain.euler_characteristic());
+    CHECK(mesh.data(plan.star[0]).p == first.p);
+    CHECK(mesh.data(plan.star[1]).v == second.v);
+    mesh.undo();
+    CHECK(mesh.field(vertex_of).triangles == before);
+    if (h % 3 != 0) continue;
+    mesh.apply(plan);
+    ++flipped;
+    // Fans are whole.
+    std::vector<HalfEdge> fan;
+    for (HalfEdge g = 3 * plan.star[0]; g < 3 * plan.star[0] + 3; ++g) {
+      mesh.fan(mesh.from(g), fan);
+      CHECK(std::find(fan.begin(), fan.end(), g) != fan.end());
+      CHECK(mesh.from(mesh.leaving(mesh.from(g))) == mesh.from(g));
+    }
+  }
+  CHECK(flipped > 0);
+  CHECK(refused > 0);
+}
+
+TEST_CASE("Compression: flips save more, and the skeleton stays") {
+  const PlanarField field = field_of(sampling::lattice_field(4, 40, true));
+  for (const Equivalence e : {Equivalence::original, Equivalence::relaxed}) {
+    CompressionOptions alone = options_for(e);
+    alone.flips = false;
+    const Compression fewer = proven(field, options_for(e)), more = proven(field, alone);
+    CHECK(fewer.counts.flips > 0);
+    CHECK(more.counts.flips == 0);
+    CHECK(fewer.field.triangles.size() < more.field.triangles.size());
+  }
+  CHECK(proven(field, options_for(Equivalence::original, CollapseTest::thesis)).counts.flips == 0);
+}

@@ -311,14 +311,15 @@ class CompressedField(Skeleton):
 
 
 def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str = "original",
-             test: str = "retrace", priority: str = "length", simplify: float | None = None,
-             laplacian: str = "uniform", certificate: bool = True,
+             test: str = "retrace", priority: str = "product", flips: bool = True,
+             simplify: float | None = None, laplacian: str = "uniform", certificate: bool = True,
              threads: int = 0, progress: Progress = None) -> CompressedField:
     """A plane vector field on fewer triangles whose skeleton is proven to be the same
     (`crest compress`).
 
     equivalence: "strong" keeps all triangles that the skeleton meets, "original" those of zeros,
-    "relaxed" their classes. test: "retrace" or "thesis". priority: "length" or "error".
+    "relaxed" their classes. test: "retrace" or "thesis". priority: "length", "error", "product"
+    of both. flips: where nothing collapses, edges are flipped by the same test.
     simplify, laplacian: as for skeleton(); critical points that weigh less may move and vanish in
     pairs, and the certificate is of the output's skeleton alone. Not with equivalence or test.
     V, F, vectors: as for skeleton(); threads, progress, errors: as for ridges().
@@ -334,7 +335,8 @@ def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str
     arguments = _plane(V, F, vectors) | _weights(simplify, laplacian) | {
         "equivalence": check.word(equivalence, "equivalence", ("strong", "original", "relaxed")),
         "test": check.word(test, "test", ("retrace", "thesis")),
-        "priority": check.word(priority, "priority", ("length", "error")),
+        "priority": check.word(priority, "priority", ("length", "error", "product")),
+        "flips": bool(flips),
         "certificate": bool(certificate)}
     return CompressedField(run("compress", arguments, threads, progress))
 
