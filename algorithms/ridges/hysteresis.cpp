@@ -106,6 +106,13 @@ void close_loop(const Line& line, std::vector<Run>& runs, std::size_t& closed) {
 
 }  // namespace
 
+bool infinite_at_ends(const Profile& profile, const Run& run) {
+  const std::size_t n = profile.z.size(), last = (run.first + run.count - 1) % n;
+  if (profile.loop && run.count == n)
+    return std::all_of(profile.z.begin(), profile.z.end(), [](double z) { return std::isinf(z); });
+  return std::isinf(profile.z[run.first]) && std::isinf(profile.z[last]);
+}
+
 Runs hysteresis(const Profile& p, double threshold) {
   constexpr double kWhole = 0.8;
   Runs result;
@@ -132,10 +139,10 @@ Runs hysteresis(const Profile& p, double threshold) {
   for (const Run& run : runs) {
     const std::size_t last = run.first + run.count - 1;
     const bool whole = run.count == n;
+    const Run found{whole ? 0 : line.index(run.first), run.count};
     if (line.length(run.first, last) >= line.radius(run.first, last) ||
-        (whole && p.between_umbilics) ||
-        (std::isinf(line.z(run.first)) && std::isinf(line.z(last))))
-      result.kept.push_back({whole ? 0 : line.index(run.first), run.count});
+        (whole && p.between_umbilics) || infinite_at_ends(p, found))
+      result.kept.push_back(found);
   }
   return result;
 }

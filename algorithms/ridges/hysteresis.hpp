@@ -31,6 +31,10 @@ struct Runs {
   std::size_t closed = 0;  ///< gaps
 };
 
+/// A piece of a crease: z is infinite at its first point and at its last; in a whole loop, which
+/// has no ends, everywhere.
+bool infinite_at_ends(const Profile& profile, const Run& run);
+
 /// Guarantees: runs in order, disjoint. A point's share of the length is half of its gaps. R of a
 /// gap or run is the mean at its two ends.
 Runs hysteresis(const Profile& profile, double threshold);

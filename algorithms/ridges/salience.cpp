@@ -143,7 +143,8 @@ void mark_ridge(Ridge& ridge, Profile& p, const std::vector<bool>& at_crease,
     const double weight = weight_of(p, run, ridge, drops);
     ridge.weight = std::max(ridge.weight, weight);
     report.length_unweighted += length_of(p, run);
-    if (weight < options.min_weight) continue;
+    const bool crease = weight > 0 && infinite_at_ends(p, run);
+    if (weight < options.min_weight && !crease) continue;
     salient = true;
     report.length_salient += length_of(p, run);
     raise(ridge, run, 2);

@@ -133,20 +133,23 @@ Shares noise_row(const std::string& surface, const sampling::SurfaceSample& clea
 void print_level(const std::string& surface, double percent, const std::vector<Shares>& rows) {
   if (rows.size() < 2) return;
   const auto text = [&](auto&& value) {
-    double sum = 0, least = 1;
+    double sum = 0, least = 1, most = 0;
     for (const Shares& s : rows) {
       sum += value(s);
       least = std::min(least, value(s));
+      most = std::max(most, value(s));
     }
-    return fmt::format("{:.3f} ({:.2f})", sum / static_cast<double>(rows.size()), least);
+    return fmt::format("{:.3f} ({:.3f} to {:.3f})", sum / static_cast<double>(rows.size()), least,
+                       most);
   };
   std::size_t right = 0;
   for (const Shares& s : rows) right += s.umbilics;
-  fmt::print("| {} | {} | mean (least) of {} | | | | {} | {} | | {} | {} | right in {} | |\n",
-             surface, percent, rows.size(), text([](const Shares& s) { return s.significant[0]; }),
-             text([](const Shares& s) { return s.significant[1]; }),
-             text([](const Shares& s) { return s.salient[0]; }),
-             text([](const Shares& s) { return s.salient[1]; }), right);
+  fmt::print(
+      "| {} | {} | mean (least to most) of {} | | | | {} | {} | | {} | {} | right in {} | |\n",
+      surface, percent, rows.size(), text([](const Shares& s) { return s.significant[0]; }),
+      text([](const Shares& s) { return s.significant[1]; }),
+      text([](const Shares& s) { return s.salient[0]; }),
+      text([](const Shares& s) { return s.salient[1]; }), right);
   std::fflush(stdout);
 }
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "algorithms/ridges/salience.hpp"
 
@@ -46,9 +47,9 @@ TEST_CASE("creases: a fold of more than 40 degrees and at least 30 edges") {
   CHECK(marked(folded(29, 3, 41)) == 0);
 }
 
-TEST_CASE("creases: a fold is a salient line whatever the support") {
+TEST_CASE("creases: a fold is a salient line whatever the support and the weight asked for") {
   const kernel::TriangleMesh mesh = folded(40, 10, 60);
-  for (const int points : {30, 150}) {
+  for (const auto& [points, weight] : {std::pair(30, 1.5), {150, 1.5}, {30, 1e9}}) {
     ridges::FitOptions options;
     options.errors = true;
     options.min_points = points;
@@ -57,7 +58,7 @@ TEST_CASE("creases: a fold is a salient line whatever the support") {
     CHECK(fit.quality[20 * 21 + 10].points < 60);  // on the fold
     CHECK(fit.quality[20 * 21 + 1].points >= std::min(points, 100));
     ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
-    ridges::mark_salience(mesh, fit, graph);
+    ridges::mark_salience(mesh, fit, graph, {4, weight});
     double length = 0;
     for (const ridges::Ridge& r : graph.ridges)
       for (std::size_t i = 0; i < r.segment_count(); ++i) {
@@ -65,7 +66,7 @@ TEST_CASE("creases: a fold is a salient line whatever the support") {
         if (a.level == 2 && b.level == 2 && std::fabs(a.point[1]) < 1.5)
           length += kernel::distance(a.point, b.point);
       }
-    CAPTURE(points, length);
+    CAPTURE(points, weight, length);
     CHECK(length > 30);  // of 40
   }
 }
