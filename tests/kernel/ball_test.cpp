@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "kernel/arithmetic/rational.hpp"
-#include "tests/support/failures.hpp"
 #include "tests/support/environment.hpp"
+#include "tests/support/failures.hpp"
 #include "tests/support/random.hpp"
 
 namespace {
