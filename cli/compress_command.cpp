@@ -61,8 +61,8 @@ Outcome work(Run& run, const CompressOptions& o) {
             {"roessl2005surfaces"},
             kNotCertified};
   if (run.wanted("--certificate"))
-    run.step(
-        "certificate", "writing the certificate", [&] { write_certificate(run, record, result); });
+    run.step("certificate", "writing the certificate",
+             [&] { write_certificate(run, record, result); });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_planar_field(path, result.field.points, result.field.triangles, file.field,

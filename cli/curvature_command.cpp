@@ -283,8 +283,7 @@ void write_results(Run& run, const CurvatureOptions& o, const io::MeshFile& file
       io::write_focal_picture(path, mesh, focal[gaussian ? 0 : 1], picture);
     });
   }
-  run.write(
-      "--picture", [&](const std::string& path) { write_picture(path, o, mesh, result); });
+  run.write("--picture", [&](const std::string& path) { write_picture(path, o, mesh, result); });
   run.show_page([&] {
     return io::curvature_scene(mesh, result, o.colour, focal,
                                {"", 1200, o.common.viewpoint.view, o.common.viewpoint.up});

@@ -117,17 +117,15 @@ Outcome work(Run& run, const EncodeCommandOptions& o) {
   const io::SurfaceFile file = run.read([&](const std::string& path) {
     return io::read_surface(path, o.coding.places != Places::none);
   });
-  const coding::Encoded encoded = run.step(
-      "encode", "encoding",
-      [&] {
-        return run.with_input([&] {
-          return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces,
-                                file.points, o.coding, file.attributes);
-        });
-      });
-  const double largest = run.step(
-      "verify", "decoding again",
-      [&] { return coding::verify(encoded, file.faces, file.points, o.coding, file.attributes); });
+  const coding::Encoded encoded = run.step("encode", "encoding", [&] {
+    return run.with_input([&] {
+      return coding::encode(static_cast<kernel::Index>(file.points.size()), file.faces, file.points,
+                            o.coding, file.attributes);
+    });
+  });
+  const double largest = run.step("verify", "decoding again", [&] {
+    return coding::verify(encoded, file.faces, file.points, o.coding, file.attributes);
+  });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_atomically(

@@ -75,20 +75,18 @@ void release_memory() {
 /// there. Returns the digest of its data; empty: none was written.
 std::string certify_result(Run& run, std::optional<ExtremalCertificate>& certificate,
                            std::size_t undecided) {
-  return run.step(
-      "certificate", "writing the certificate",
-      [&]() -> std::string {
-        const auto bytes = certify::encode(*certificate);
-        certificate.reset();
-        release_memory();  // the checker takes as much as the extraction did
-        const certify::Verdict verdict = certify::verify(bytes);
-        if (!verdict.accepted) {
-          run.warn("no certificate, its checker does not accept it: " + verdict.reason);
-          return {};
-        }
-        run.write_certificate("extremal", bytes, undecided);
-        return certify::hex(certify::data_digest(bytes));
-      });
+  return run.step("certificate", "writing the certificate", [&]() -> std::string {
+    const auto bytes = certify::encode(*certificate);
+    certificate.reset();
+    release_memory();  // the checker takes as much as the extraction did
+    const certify::Verdict verdict = certify::verify(bytes);
+    if (!verdict.accepted) {
+      run.warn("no certificate, its checker does not accept it: " + verdict.reason);
+      return {};
+    }
+    run.write_certificate("extremal", bytes, undecided);
+    return certify::hex(certify::data_digest(bytes));
+  });
 }
 
 Outcome finish(Run& run, const ExtremalOptions& o, const extremal::Result& result,

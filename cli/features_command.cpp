@@ -226,11 +226,10 @@ std::vector<std::string> used_references(const FeaturesOptions& o) {
 void write_lines(Run& run, const FeaturesOptions& o, const kernel::TriangleMesh& mesh,
                  const FeatureGraph& graph, const std::vector<double>& field,
                  const Written& written, const std::string& digest) {
-  run.write(
-      "-o", [&](const std::string& path) { io::write_features(path, mesh, graph, field, digest); });
-  run.write(
-      "--patches",
-      [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
+  run.write("-o",
+            [&](const std::string& path) { io::write_features(path, mesh, graph, field, digest); });
+  run.write("--patches",
+            [&](const std::string& path) { io::write_patches(path, mesh, graph.face_patch); });
   run.write("--picture", [&](const std::string& path) {
     io::write_feature_picture(path, mesh, graph, o.sharp(), o.common.viewpoint,
                               legend_note(written.kind, written.by));

@@ -117,9 +117,9 @@ Outcome work(Run& run, const LineArtOptions& o) {
     drawing.scene = line_art::weld(input.points, input.faces);
     drawing.view = line_art::make_view(io::view_request(o.view, drawing.scene), drawing.scene);
   });
-  drawing.contours = run.step(
-      "contours", "contours",
-      [&] { return line_art::find_contours(drawing.scene, drawing.view, {crease}); });
+  drawing.contours = run.step("contours", "contours", [&] {
+    return line_art::find_contours(drawing.scene, drawing.view, {crease});
+  });
   run.step("strokes", "strokes of contours", [&] {
     drawing.lines =
         line_art::draw_contours(drawing.scene, drawing.view, drawing.contours, {o.line_width});
@@ -146,15 +146,13 @@ Outcome work(Run& run, const LineArtOptions& o) {
   drawing.title = std::filesystem::path(o.common.input).filename().string();
   report_line_art(run.report(), drawing);
   if (run.wanted("--certificate"))
-    run.step(
-        "certificate", "writing the certificate",
-        [&] {
-          const auto bytes = certify::encode(line_art::line_art_record(drawing));
-          // The checker shares no code with the drawing: what it refuses is a bug on either side.
-          if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
-            throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
-          run.write_certificate("lineart", bytes);
-        });
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(line_art::line_art_record(drawing));
+      // The checker shares no code with the drawing: what it refuses is a bug on either side.
+      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+      run.write_certificate("lineart", bytes);
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_drawing(path, drawing); });
     run.write("--save-sidecar", [&](const std::string& path) {

@@ -84,21 +84,18 @@ io::TensorFile read_input(Run& run, const ModesOptions& o) {
 /// decided, nothing is stated. Returns whether it did.
 bool certify_curves(Run& run, const modes::ModeField& field, const modes::DegenerateCurves& curves,
                     io::ModeScene& scene) {
-  return run.step(
-      "certificate", "writing the certificate",
-      [&] {
-        const auto bytes = certify::encode(modes::curves_certificate(
-            field.mesh.points(), field.mesh.tets(), field.tensors, curves));
-        const certify::Verdict verdict = certify::verify(bytes);
-        if (!verdict.accepted) {
-          run.warn("no certificate of the curves, its checker does not accept it: " +
-                   verdict.reason);
-          return false;
-        }
-        scene.data_digest = certify::hex(certify::data_digest(bytes));
-        run.write_certificate("modes-curves", bytes, curves.undecided.size());
-        return true;
-      });
+  return run.step("certificate", "writing the certificate", [&] {
+    const auto bytes = certify::encode(
+        modes::curves_certificate(field.mesh.points(), field.mesh.tets(), field.tensors, curves));
+    const certify::Verdict verdict = certify::verify(bytes);
+    if (!verdict.accepted) {
+      run.warn("no certificate of the curves, its checker does not accept it: " + verdict.reason);
+      return false;
+    }
+    scene.data_digest = certify::hex(certify::data_digest(bytes));
+    run.write_certificate("modes-curves", bytes, curves.undecided.size());
+    return true;
+  });
 }
 
 /// Throws: InputError where the tensors are too large for claim 6, whose lambda goes with their
@@ -132,11 +129,9 @@ bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& f
 void write_files(Run& run, const ModesOptions& o, const modes::ModeField& field,
                  io::ModeScene& scene) {
   if (run.wanted("-o") && io::lower_extension(o.common.output).ends_with("vtp"))
-    run.step(
-        "geometry", "curvatures",
-        [&] {
-          for (auto& s : scene.surfaces) modes::add_geometry(field, s);
-        });
+    run.step("geometry", "curvatures", [&] {
+      for (auto& s : scene.surfaces) modes::add_geometry(field, s);
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_modes(path, scene); });
     const bool empty = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -175,14 +170,12 @@ Outcome work(Run& run, const ModesOptions& o) {
   std::vector<certify::ModeLevel> records;
   for (const Wanted& w : wanted) {
     certify::ModeLevel record;
-    auto result = run.step(
-        "extract", fmt::format("mode {}", w.level.value()),
-        [&] {
-          const modes::Workers* workers = mesh_workers().modes;
-          return run.wanted("--certificate")
-                     ? modes::extract(field, w.level, extraction, record, workers)
-                     : modes::extract(field, w.level, extraction, workers);
-        });
+    auto result = run.step("extract", fmt::format("mode {}", w.level.value()), [&] {
+      const modes::Workers* workers = mesh_workers().modes;
+      return run.wanted("--certificate")
+                 ? modes::extract(field, w.level, extraction, record, workers)
+                 : modes::extract(field, w.level, extraction, workers);
+    });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;
     });

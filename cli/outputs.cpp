@@ -45,8 +45,8 @@ void Outputs::add(const std::string& option, const std::string& path,
 }
 
 bool Outputs::wanted(const std::string& option) const {
-  return std::any_of(
-      files_.begin(), files_.end(), [&](const File& file) { return file.option == option; });
+  return std::any_of(files_.begin(), files_.end(),
+                     [&](const File& file) { return file.option == option; });
 }
 
 void Outputs::write(const std::string& option,

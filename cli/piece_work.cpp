@@ -48,8 +48,8 @@ auto naming(const std::string& file, const Work& work) {
 }
 
 kernel::GridPiece piece_of(const PieceJob& job, std::size_t piece) {
-  return naming(
-      job.input, [&] { return extremal::piece_of(job.frame, job.options, job.owned[piece]); });
+  return naming(job.input,
+                [&] { return extremal::piece_of(job.frame, job.options, job.owned[piece]); });
 }
 
 certify::Digest digest_of(const Volume& part) {

@@ -217,8 +217,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
                          x.digest,
                          x.file.numbers.faces};
   };
-  run.write(
-      "-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
+  run.write("-o", [&](const std::string& path) { io::write_reeb(path, scene(shown.levels)); });
   const auto drawn_lines = [&] {
     return shown.levels.empty()
                ? level_lines(x.file.mesh, x.tiles, io::picture_levels(shown.places))
@@ -240,8 +239,7 @@ void write_scenes(Run& run, const Extraction& x, const Shown& shown) {
 
 Shown compute_shown(Run& run, const ReebOptions& o, Extraction& x, bool drawn) {
   Shown shown;
-  shown.trees = run.step(
-      "trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
+  shown.trees = run.step("trees", "merging", [&] { return trees_of(o, x.tiles, x.graph); });
   shown.levels = run.step("levels", "drawing level lines",
                           [&] { return level_lines(x.file.mesh, x.tiles, o.levels); });
   const reeb::Simplification simpler = simplification_of(o);
@@ -249,15 +247,14 @@ Shown compute_shown(Run& run, const ReebOptions& o, Extraction& x, bool drawn) {
   shown.written.graph = x.graph;
   shown.written.arc_of_node = std::move(x.arc_of_node);
   if (drawn || simpler.persistence) {
-    shown.places = run.step(
-        "places", "placing nodes", [&] { return reeb::node_places(x.file.mesh, x.tiles); });
+    shown.places = run.step("places", "placing nodes",
+                            [&] { return reeb::node_places(x.file.mesh, x.tiles); });
   }
   if (drawn && o.segmentation)
     run.step("labels", "labelling", [&] { reeb::label(x.tiles, true, shown.written); });
   if (simpler.wanted()) {
-    run.step(
-        "simplify", "simplifying",
-        [&] { simplify(simpler, x.tiles, shown.places, shown.written); });
+    run.step("simplify", "simplifying",
+             [&] { simplify(simpler, x.tiles, shown.places, shown.written); });
   }
   return shown;
 }

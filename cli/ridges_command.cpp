@@ -227,17 +227,14 @@ Outcome work(Run& run, const RidgesOptions& o) {
   });
   ridges::RidgeGraph& graph = claimed.graph;
   if (run.wanted("--report")) {
-    add_paper_umbilics(
-        run.report(),
-        run.step(
-            "paper_umbilics", "searching minima of k1 - k2",
-            [&] { return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch); }));
+    add_paper_umbilics(run.report(), run.step("paper_umbilics", "searching minima of k1 - k2", [&] {
+      return ridges::paper_umbilics(mesh, fit.forms, graph, o.graph.umbilic_patch);
+    }));
   }
   std::optional<ridges::SalienceReport> salience;
   if (o.fit.errors) {
-    salience = run.step(
-        "salience", "measuring salience",
-        [&] { return ridges::mark_salience(mesh, fit, graph, o.salience); });
+    salience = run.step("salience", "measuring salience",
+                        [&] { return ridges::mark_salience(mesh, fit, graph, o.salience); });
   }
   const GraphCounts whole = count(graph);
   const ridges::FilterReport dropped =
@@ -257,31 +254,22 @@ Outcome work(Run& run, const RidgesOptions& o) {
                          choice,
                          salience && !o.all,
                          run.wanted("--certificate")};
-  run.step(
-      "write", "writing",
-      [&] {
-        run.write(
-            "-o",
-            [&](const std::string& path) {
-              io::write_ridges(path, mesh, fit, graph, result.data_digest);
-            });
-        run.write(
-            "--picture",
-            [&](const std::string& path) {
-              draw([&](const auto& shown,
-                       const auto& picture) { io::write_picture(path, mesh, shown, picture); },
-                   graph, result, o);
-            });
-        run.write_certificate(
-            "ridges-mesh",
-            [&](const io::Sink& sink) {
-              ridges::hand_on_certificate(
-                  claimed.envelope, mesh, fit.forms,
-                  [&](std::span<const std::uint8_t> piece) {
-                    sink({reinterpret_cast<const char*>(piece.data()), piece.size()});
-                  });
-            });
-      });
+  run.step("write", "writing", [&] {
+    run.write("-o", [&](const std::string& path) {
+      io::write_ridges(path, mesh, fit, graph, result.data_digest);
+    });
+    run.write("--picture", [&](const std::string& path) {
+      draw([&](const auto& shown,
+               const auto& picture) { io::write_picture(path, mesh, shown, picture); },
+           graph, result, o);
+    });
+    run.write_certificate("ridges-mesh", [&](const io::Sink& sink) {
+      ridges::hand_on_certificate(
+          claimed.envelope, mesh, fit.forms, [&](std::span<const std::uint8_t> piece) {
+            sink({reinterpret_cast<const char*>(piece.data()), piece.size()});
+          });
+    });
+  });
   run.show_page([&] { return page_scene(mesh, graph, result, o); });
   fill_report(run.report(), result);
   return {summary_text(result), used_references(o)};

@@ -135,12 +135,12 @@ std::string graph_lines(const RidgesRun& run) {
 /// Significant umbilics and regions, salient and significant lines.
 std::string salience_lines(const RidgesRun& run) {
   const ridges::SalienceReport& s = *run.salience;
-  const auto plus = std::count_if(
-      s.regions.begin(), s.regions.end(),
-      [](const auto& r) { return r.is_umbilic() && r.twice_index > 0; });
-  const auto minus = std::count_if(
-      s.regions.begin(), s.regions.end(),
-      [](const auto& r) { return r.is_umbilic() && r.twice_index < 0; });
+  const auto plus = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
+    return r.is_umbilic() && r.twice_index > 0;
+  });
+  const auto minus = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
+    return r.is_umbilic() && r.twice_index < 0;
+  });
   const auto others = std::count_if(s.regions.begin(), s.regions.end(), [](const auto& r) {
     return !r.is_umbilic() && r.twice_index != 0;
   });

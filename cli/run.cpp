@@ -64,21 +64,17 @@ void Run::write_certificate(const std::string& claim, std::span<const std::uint8
 void Run::write_certificate(const std::string& claim,
                             const std::function<void(const io::Sink&)>& make,
                             std::size_t undecided) {
-  write(
-      "--certificate",
-      [&](const std::string& path) {
-        const bool shown = wanted("--page");
-        io::write_atomically(
-            path,
-            [&](const io::Sink& sink) {
-              make([&](std::string_view piece) {
-                sink(piece);
-                certificate_bytes_ += piece.size();
-                if (shown) page_certificate_ += piece;
-              });
-            });
-        report_.set_certificate(claim, undecided);
+  write("--certificate", [&](const std::string& path) {
+    const bool shown = wanted("--page");
+    io::write_atomically(path, [&](const io::Sink& sink) {
+      make([&](std::string_view piece) {
+        sink(piece);
+        certificate_bytes_ += piece.size();
+        if (shown) page_certificate_ += piece;
       });
+    });
+    report_.set_certificate(claim, undecided);
+  });
 }
 
 void Run::show_page(const std::function<io::Scene()>& scene) {

@@ -114,9 +114,9 @@ Outcome sample_volume(Run& run, const SampleOptions& o, const sampling::Phantom&
   if (!o.parameters.empty() || o.noise > 0 || o.rotate || o.vertices)
     throw UsageError(o.common.input + ": takes --nodes alone");
   const int nodes = o.nodes.value_or(48);
-  const auto grid = run.step(
-      "sample", "sampling " + phantom.name,
-      [&] { return sampling::volume_phantom(phantom.name, static_cast<std::size_t>(nodes)); });
+  const auto grid = run.step("sample", "sampling " + phantom.name, [&] {
+    return sampling::volume_phantom(phantom.name, static_cast<std::size_t>(nodes));
+  });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_volume(path, grid); });
   });
@@ -128,11 +128,9 @@ Outcome sample_volume(Run& run, const SampleOptions& o, const sampling::Phantom&
 Outcome sample_points(Run& run, const SampleOptions& o, const sampling::Phantom& phantom) {
   if (!o.parameters.empty() || o.rotate)
     throw UsageError(o.common.input + ": takes --vertices, --noise and --seed alone");
-  const auto sample = run.step(
-      "sample", "sampling " + phantom.name,
-      [&] {
-        return sampling::point_phantom(phantom.name, o.vertices.value_or(6000), o.noise, o.seed);
-      });
+  const auto sample = run.step("sample", "sampling " + phantom.name, [&] {
+    return sampling::point_phantom(phantom.name, o.vertices.value_or(6000), o.noise, o.seed);
+  });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_points(path, sample.points, sample.normals);
@@ -189,14 +187,12 @@ Outcome sample_planar_field(Run& run, const SampleOptions& o) {
   if (o.noise > 0 || o.rotate || o.parameters.size() > (lattice ? 3 : 0))
     throw UsageError(o.common.input + (lattice ? ": takes --parameters N,HOLE,M and --seed alone"
                                                : ": takes no options"));
-  const auto sample = run.step(
-      "sample", "sampling " + o.common.input,
-      [&] {
-        if (o.common.input == "twin-bodden") return sampling::twin_bodden();
-        if (o.common.input == "twin-skin") return sampling::twin_skin();
-        return sampling::lattice_field(o.seed, integer(o, 0, 40, 1, 20000),
-                                       integer(o, 1, 0, 0, 1) == 1, integer(o, 2, 0, 0, 10000));
-      });
+  const auto sample = run.step("sample", "sampling " + o.common.input, [&] {
+    if (o.common.input == "twin-bodden") return sampling::twin_bodden();
+    if (o.common.input == "twin-skin") return sampling::twin_skin();
+    return sampling::lattice_field(o.seed, integer(o, 0, 40, 1, 20000), integer(o, 1, 0, 0, 1) == 1,
+                                   integer(o, 2, 0, 0, 10000));
+  });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) {
       io::write_planar_field(path, sample.points, sample.triangles, "flow", sample.vectors);

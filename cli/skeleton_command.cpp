@@ -67,17 +67,15 @@ Outcome work(Run& run, const SkeletonOptions& o) {
         importance_in_words(simpler->importance, *o.simplify.threshold, o.simplify.laplacian);
   io::SkeletonScene scene{&field, simpler ? &simpler->part : &skeleton, {}, o.close_up};
   if (run.wanted("--certificate"))
-    run.step(
-        "certificate", "writing the certificate",
-        [&] {
-          const auto bytes = certify::encode(record);
-          // The checker shares no code with the extraction: what it refuses is a bug on either
-          // side.
-          if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
-            throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
-          scene.data_digest = certify::hex(certify::data_digest(bytes));
-          run.write_certificate("skeleton", bytes, undecided_count(skeleton));
-        });
+    run.step("certificate", "writing the certificate", [&] {
+      const auto bytes = certify::encode(record);
+      // The checker shares no code with the extraction: what it refuses is a bug on either
+      // side.
+      if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+        throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+      scene.data_digest = certify::hex(certify::data_digest(bytes));
+      run.write_certificate("skeleton", bytes, undecided_count(skeleton));
+    });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_skeleton(path, scene); });
     run.write("--picture",

@@ -30,14 +30,13 @@ const char* word(OpenReason reason) {
 }
 
 std::size_t count(const Skeleton& s, ZeroKind kind) {
-  return static_cast<std::size_t>(std::count_if(
-      s.critical_points.begin(), s.critical_points.end(),
-      [&](const CriticalPoint& c) { return c.kind == kind; }));
+  return static_cast<std::size_t>(
+      std::count_if(s.critical_points.begin(), s.critical_points.end(),
+                    [&](const CriticalPoint& c) { return c.kind == kind; }));
 }
 std::size_t count(const Skeleton& s, EndKind end) {
-  return static_cast<std::size_t>(std::count_if(
-      s.separatrices.begin(), s.separatrices.end(),
-      [&](const Separatrix& l) { return l.end == end; }));
+  return static_cast<std::size_t>(std::count_if(s.separatrices.begin(), s.separatrices.end(),
+                                                [&](const Separatrix& l) { return l.end == end; }));
 }
 
 Json critical_points(const Skeleton& s, const Importance* importance) {
@@ -163,12 +162,9 @@ Json importance_in_words(const Importance& w, double threshold, Laplacian laplac
           {"undecided", w.open},
           {"important", count_important(w, threshold)},
           {"histograms",
-           {{"critical_points_first", histogram(
-                                          w.zeros, [](const auto& z) { return z.first; })},
-            {"critical_points", histogram(
-                                    w.zeros, [](const auto& z) { return z.weight; })},
-            {"separatrices", histogram(
-                                 w.separatrices, [](double x) { return x; })}}},
+           {{"critical_points_first", histogram(w.zeros, [](const auto& z) { return z.first; })},
+            {"critical_points", histogram(w.zeros, [](const auto& z) { return z.weight; })},
+            {"separatrices", histogram(w.separatrices, [](double x) { return x; })}}},
           {"certified", false}};
 }
 

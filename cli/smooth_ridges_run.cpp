@@ -121,8 +121,7 @@ int exit_code(const SmoothRidges& result) {
 }
 
 void write_results(Run& run, const SmoothRidges& result, const std::string& digest) {
-  run.write(
-      "-o", [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
+  run.write("-o", [&](const std::string& path) { io::write_smooth_ridges(path, result, digest); });
   run.write("--mesh",
             [&](const std::string& path) { io::write_smooth_mesh(path, result, digest); });
   run.write("--picture", [&](const std::string& path) {
@@ -192,12 +191,11 @@ void add_smooth_ridges_options(CLI::App& app, SmoothRidgesOptions& o) {
 }
 
 int run_smooth_ridges(const CommonOptions& common, const SmoothRidgesOptions& options) {
-  return run_command(
-      {"ridges",
-       common,
-       {".vtp", ".obj", ".ply"},
-       {{"--mesh", options.mesh, {".vtp", ".off", ".obj", ".ply"}}}},
-      [&](Run& run) { return work(run, options); });
+  return run_command({"ridges",
+                      common,
+                      {".vtp", ".obj", ".ply"},
+                      {{"--mesh", options.mesh, {".vtp", ".off", ".obj", ".ply"}}}},
+                     [&](Run& run) { return work(run, options); });
 }
 
 }  // namespace crest::cli

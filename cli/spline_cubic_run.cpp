@@ -63,23 +63,19 @@ std::string model_summary(const CubicModel& model) {
 
 void certify_fit(Run& run, const CubicModel& model, std::span<const Vec3> points,
                  std::span<const double> values, double max_error) {
-  run.step(
-      "certificate", "writing the certificate",
-      [&] {
-        const auto bytes =
-            certify::encode(splines::cubic_certificate(model, points, values, max_error));
-        // The checker shares no code with the fit: what it refuses is a bug on either side.
-        if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
-          throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
-        run.write_certificate("spline-cubic", bytes);
-      });
+  run.step("certificate", "writing the certificate", [&] {
+    const auto bytes =
+        certify::encode(splines::cubic_certificate(model, points, values, max_error));
+    // The checker shares no code with the fit: what it refuses is a bug on either side.
+    if (const certify::Verdict verdict = certify::verify(bytes); !verdict.accepted)
+      throw std::runtime_error("the certificate's checker refuses it: " + verdict.reason);
+    run.write_certificate("spline-cubic", bytes);
+  });
 }
 
 Outcome finish(Run& run, const SplineOptions& o, const CubicModel& model, std::string summary) {
-  run.step(
-      "report", "reporting", [&] { report_model(run, model); });
-  evaluate_points(
-      run, o, [&](std::span<const Vec3> p) { return splines::evaluate(model, p); });
+  run.step("report", "reporting", [&] { report_model(run, model); });
+  evaluate_points(run, o, [&](std::span<const Vec3> p) { return splines::evaluate(model, p); });
   run.step("write", "writing", [&] {
     run.write("-o", [&](const std::string& path) { io::write_cubic_model(path, model); });
   });

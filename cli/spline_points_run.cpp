@@ -20,11 +20,9 @@ std::vector<kernel::Vec3> points_of(const std::vector<std::vector<double>>& colu
 
 void evaluate_points(Run& run, const SplineOptions& o, const SplineValues& evaluate) {
   if (o.evaluate.empty()) return;
-  const io::Table table = run.step(
-      "read", "reading " + o.evaluate,
-      [&] {
-        return io::read_table(o.evaluate, {"x", "y", "z"});
-      });
+  const io::Table table = run.step("read", "reading " + o.evaluate, [&] {
+    return io::read_table(o.evaluate, {"x", "y", "z"});
+  });
   const auto values =
       run.step("evaluate", "evaluating", [&] { return evaluate(points_of(table.columns)); });
   std::array<std::vector<double>, 4> out;

@@ -40,20 +40,18 @@ void check(const SplineOptions& o) {
 }
 
 QuadraticSpline read_spline(Run& run, const SplineOptions& o) {
-  return run.step(
-      "read", "reading " + o.common.input,
-      [&] {
-        const auto header = io::read_quadratic_header(o.common.input);
-        io::VolumeFile file = io::read_volume(o.common.input, o.source);
-        splines::Border border = o.extend ? splines::Border::extend : splines::Border::none;
-        if (header) {
-          header->restore(file.grid);
-          border = header->border;
-        } else {
-          for (const std::string& warning : file.warnings) run.warn(warning);
-        }
-        return run.with_input([&] { return QuadraticSpline(std::move(file.grid), border); });
-      });
+  return run.step("read", "reading " + o.common.input, [&] {
+    const auto header = io::read_quadratic_header(o.common.input);
+    io::VolumeFile file = io::read_volume(o.common.input, o.source);
+    splines::Border border = o.extend ? splines::Border::extend : splines::Border::none;
+    if (header) {
+      header->restore(file.grid);
+      border = header->border;
+    } else {
+      for (const std::string& warning : file.warnings) run.warn(warning);
+    }
+    return run.with_input([&] { return QuadraticSpline(std::move(file.grid), border); });
+  });
 }
 
 std::vector<Ray> read_rays(Run& run, const std::string& path) {
@@ -117,13 +115,11 @@ void write_hits(const std::string& path, const std::vector<Hit>& hits) {
 class RayWork {
  public:
   RayWork(Run& run, const QuadraticSpline& spline, double level) : run_(run), spline_(spline) {
-    run.step(
-        "prepare", "bounding cubes", [&] { caster_.emplace(spline, level); });
+    run.step("prepare", "bounding cubes", [&] { caster_.emplace(spline, level); });
   }
   std::vector<Hit> cast(const std::vector<Ray>& rays) {
     std::vector<Hit> hits(rays.size());
-    counts_ += run_.step(
-        "rays", "casting rays", [&] { return caster_->cast(rays, hits); });
+    counts_ += run_.step("rays", "casting rays", [&] { return caster_->cast(rays, hits); });
     run_.step("certificate", "certifying", [&] { certify(rays, hits); });
     return hits;
   }
@@ -211,14 +207,12 @@ bool make_mesh(Run& run, const SplineOptions& o, const QuadraticSpline& spline,
                     surface.undecided.size(), surface.depth, p[0], p[1], p[2],
                     o.max_depth < 54 ? ", or --max-depth 54" : ""));
   } else if (run.wanted("--certificate")) {
-    run.step(
-        "certificate", "certifying",
-        [&] {
-          const auto bytes =
-              certify::encode(splines::isosurface_certificate(spline, *o.isovalue, surface));
-          run.write_certificate("spline-isosurface", bytes);
-          digest = certify::hex(certify::data_digest(bytes));
-        });
+    run.step("certificate", "certifying", [&] {
+      const auto bytes =
+          certify::encode(splines::isosurface_certificate(spline, *o.isovalue, surface));
+      run.write_certificate("spline-isosurface", bytes);
+      digest = certify::hex(certify::data_digest(bytes));
+    });
   }
   run.step("write", "writing the isosurface", [&] {
     run.write("--mesh",

@@ -25,15 +25,13 @@ struct StripsOptions {
 
 strips::Strips make_strips(Run& run, const StripsOptions& o, const kernel::TriangleMesh& mesh) {
   const kernel::CornerTable table(mesh.vertex_count(), mesh.faces());
-  strips::Strips found = run.step(
-      "strips", "joining faces",
-      [&] {
-        return strips::strips_of(table, mesh.faces(), strips::tree_links(table, mesh.faces()),
-                                 o.strips);
-      });
-  strips::Strips ordered = run.step(
-      "order", "ordering strips",
-      [&] { return strips::in_cache_order(found, mesh.vertex_count(), strips::kCacheEntries); });
+  strips::Strips found = run.step("strips", "joining faces", [&] {
+    return strips::strips_of(table, mesh.faces(), strips::tree_links(table, mesh.faces()),
+                             o.strips);
+  });
+  strips::Strips ordered = run.step("order", "ordering strips", [&] {
+    return strips::in_cache_order(found, mesh.vertex_count(), strips::kCacheEntries);
+  });
   const bool sound =
       run.step("check", "checking", [&] { return strips::covers(ordered, mesh.faces()); });
   if (!sound) throw std::runtime_error("strips: they are not the faces of the mesh");
@@ -44,21 +42,16 @@ Outcome work(Run& run, const StripsOptions& o) {
   const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
   const strips::Strips strips = make_strips(run, o, mesh);
-  run.step(
-      "write", "writing",
-      [&] {
-        run.write(
-            "-o", [&](const std::string& path) { io::write_strips(path, mesh.points(), strips); });
-        run.write(
-            "--index-buffer",
-            [&](const std::string& path) { io::write_index_buffer(path, strips); });
-        run.write(
-            "--picture",
-            [&](const std::string& path) {
-              io::write_strip_picture(path, mesh, strips, o.common.viewpoint);
-            });
-        run.show_page([&] { return io::strip_scene(mesh, strips, o.common.viewpoint); });
-      });
+  run.step("write", "writing", [&] {
+    run.write("-o",
+              [&](const std::string& path) { io::write_strips(path, mesh.points(), strips); });
+    run.write("--index-buffer",
+              [&](const std::string& path) { io::write_index_buffer(path, strips); });
+    run.write("--picture", [&](const std::string& path) {
+      io::write_strip_picture(path, mesh, strips, o.common.viewpoint);
+    });
+    run.show_page([&] { return io::strip_scene(mesh, strips, o.common.viewpoint); });
+  });
   const auto acmr = [&](std::size_t entries) {
     return strips::average_cache_miss_ratio(strips, mesh.vertex_count(), mesh.face_count(),
                                             entries);

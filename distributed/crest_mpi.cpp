@@ -41,11 +41,9 @@ int refuse(const char* what) {
 
 /// Smooth surfaces are searched by one process.
 bool is_smooth(int argc, char** argv) {
-  return std::any_of(
-      argv, argv + argc,
-      [](std::string_view word) {
-        return word.starts_with("--surface") || word.starts_with("--param");
-      });
+  return std::any_of(argv, argv + argc, [](std::string_view word) {
+    return word.starts_with("--surface") || word.starts_with("--param");
+  });
 }
 
 /// Of the command line, whose other words concern rank 0 alone, which also says if they are wrong.

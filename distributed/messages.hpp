@@ -46,8 +46,7 @@ template <class Job, class Answer>
 auto by_ranks(Task task) {
   return [task](std::size_t jobs, const std::function<Job(std::size_t)>& job) {
     std::vector<Answer> r(jobs);
-    ask(
-        {task, {}, jobs, [&](std::size_t i) { return bytes_of(job(i)); }, work<Job>},
+    ask({task, {}, jobs, [&](std::size_t i) { return bytes_of(job(i)); }, work<Job>},
         [&](std::size_t i, Bytes bytes) { r[i] = message_in<Answer>(std::move(bytes)); });
     return r;
   };

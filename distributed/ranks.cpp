@@ -126,11 +126,9 @@ class Mail {
     letter.bytes = std::move(bytes);
     letter.size = letter.bytes.size();
     letter.requests.push_back(world_.isend(rank, tag, letter.size));
-    for_parts(
-        letter.bytes,
-        [&](char* begin, int count) {
-          MPI_Isend(begin, count, MPI_BYTE, rank, tag, world_, &letter.requests.emplace_back().r);
-        });
+    for_parts(letter.bytes, [&](char* begin, int count) {
+      MPI_Isend(begin, count, MPI_BYTE, rank, tag, world_, &letter.requests.emplace_back().r);
+    });
     under_way_.remove_if([](Letter& one) {
       std::erase_if(one.requests, [](auto& request) { return static_cast<bool>(request.test()); });
       return one.requests.empty();

@@ -106,8 +106,7 @@ std::map<Task, Skill> volume_skills() {
   const auto start = [state](const Bytes& common) {
     diy::MemoryBuffer buffer;
     buffer.buffer = common;
-    for_members(
-        state->job, [&](auto& member) { diy::load(buffer, member); });
+    for_members(state->job, [&](auto& member) { diy::load(buffer, member); });
     state->boxes = std::make_unique<io::VolumeBoxes>(state->job.input, state->job.source);
   };
   const auto records = [state](std::size_t piece, const Bytes&, Bytes& to) {

@@ -171,17 +171,15 @@ class GroupRoutine {
 
   template <class Coder>
   void code_values(Coder& range, bool wide, std::array<Hint, 3> hints) {
-    with_model(
-        range, std::span<Triple>(values_), channels_.size(), wide, hints,
-        [&](auto&& model) {
-          model.code_hints();
-          std::vector<bool> known(items_.count(), false);
-          for (const Index item : items_.sequence()) {
-            kernel::stop_point();
-            model.code(item, items_.around(item, known));
-            known[item] = true;
-          }
-        });
+    with_model(range, std::span<Triple>(values_), channels_.size(), wide, hints, [&](auto&& model) {
+      model.code_hints();
+      std::vector<bool> known(items_.count(), false);
+      for (const Index item : items_.sequence()) {
+        kernel::stop_point();
+        model.code(item, items_.around(item, known));
+        known[item] = true;
+      }
+    });
   }
 
   void code_reals(std::size_t axis) {

@@ -269,14 +269,12 @@ Decoded decode(std::span<const std::uint8_t> stream, const DecodeLimits& limits)
     }
     if (surface->counts() != c.counts) throw StreamError("has other counts than the header says");
   });
-  in_section(
-      Section::positions,
-      [&] {
-        if (c.places == Places::exact)
-          result.points = decode_exact(bytes(Section::positions), *surface);
-        if (c.places == Places::rounded)
-          result.points = decode_rounded(bytes(Section::positions), *surface);
-      });
+  in_section(Section::positions, [&] {
+    if (c.places == Places::exact)
+      result.points = decode_exact(bytes(Section::positions), *surface);
+    if (c.places == Places::rounded)
+      result.points = decode_rounded(bytes(Section::positions), *surface);
+  });
   in_section(Section::attributes, [&] {
     if (c.has_attributes)
       result.attributes = decode_attributes(bytes(Section::attributes), *surface, limits.numbers);

@@ -40,8 +40,8 @@ template <class Range>
 void code_exact(Range& range, const Surface& surface, std::span<Triple> values, Axes& axes,
                 std::array<std::vector<double>, 3>& numbers, std::array<Hint, 3> hints) {
   for (RealChannel& axis : axes) code_form(range, axis.form);
-  const bool wide = std::any_of(
-      axes.begin(), axes.end(), [](const RealChannel& axis) { return axis.form.wide(); });
+  const bool wide = std::any_of(axes.begin(), axes.end(),
+                                [](const RealChannel& axis) { return axis.form.wide(); });
   with_model(range, values, 3, wide, hints, [&](auto&& model) { code_vertices(surface, model); });
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if constexpr (!Range::kEncodes)
@@ -131,11 +131,9 @@ double step_within(double tolerance) {
 }
 
 bool in_reach(const Point& point, double step) {
-  return std::all_of(
-      point.begin(), point.end(),
-      [&](double x) {
-        return std::fabs(std::nearbyint(x / step)) < static_cast<double>(kMostMultiple);
-      });
+  return std::all_of(point.begin(), point.end(), [&](double x) {
+    return std::fabs(std::nearbyint(x / step)) < static_cast<double>(kMostMultiple);
+  });
 }
 
 Point rounded(const Point& point, double step) {

@@ -48,9 +48,8 @@ Pairing paired_faces(const Encoded& encoded, const Decoded& decoded,
   }
   if (!decoded.info.keeps_order)
     for (std::vector<Turned>* list : {&pairs.mine, &pairs.theirs})
-      std::sort(
-          list->begin(), list->end(),
-          [](const Turned& a, const Turned& b) { return a.face < b.face; });
+      std::sort(list->begin(), list->end(),
+                [](const Turned& a, const Turned& b) { return a.face < b.face; });
   if (!std::equal(pairs.mine.begin(), pairs.mine.end(), pairs.theirs.begin(), pairs.theirs.end(),
                   [](const Turned& a, const Turned& b) { return a.face == b.face; }))
     throw std::logic_error("the stream decodes to other faces");

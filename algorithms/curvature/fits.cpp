@@ -209,23 +209,21 @@ PointCurvature jet(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& no
 
 void fit(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals, const Options& options,
          std::vector<PointCurvature>& out, std::vector<VertexFlags>& flags) {
-  for_each_index(
-      mesh.vertex_count(),
-      [&](Index v) {
-        switch (options.method) {
-          case Method::qf:
-            out[v] = quadratic(mesh, normals, v, flags[v]);
-            break;
-          case Method::cf:
-            out[v] = cubic(mesh, normals, v, flags[v]);
-            break;
-          case Method::qt:
-            out[v] = quadratic_over_exponential(mesh, normals, v, flags[v]);
-            break;
-          default:
-            out[v] = jet(mesh, normals, v, options, flags[v]);
-        }
-      });
+  for_each_index(mesh.vertex_count(), [&](Index v) {
+    switch (options.method) {
+      case Method::qf:
+        out[v] = quadratic(mesh, normals, v, flags[v]);
+        break;
+      case Method::cf:
+        out[v] = cubic(mesh, normals, v, flags[v]);
+        break;
+      case Method::qt:
+        out[v] = quadratic_over_exponential(mesh, normals, v, flags[v]);
+        break;
+      default:
+        out[v] = jet(mesh, normals, v, options, flags[v]);
+    }
+  });
 }
 
 }  // namespace crest::curvature

@@ -38,14 +38,12 @@ void collect_rings(const kernel::TriangleMesh& mesh, Index v, int rings, std::si
 /// body(i) for i in [0, n) in parallel; each i writes only what is its own.
 template <class Body>
 void for_each_index(Index n, Body&& body) {
-  kernel::parallel_for(
-      tbb::blocked_range<Index>(0, n, 512),
-      [&](const auto& range) {
-        for (Index i = range.begin(); i != range.end(); ++i) {
-          if (i % 64 == 0) kernel::stop_point();  // TBB's parts may be long
-          body(i);
-        }
-      });
+  kernel::parallel_for(tbb::blocked_range<Index>(0, n, 512), [&](const auto& range) {
+    for (Index i = range.begin(); i != range.end(); ++i) {
+      if (i % 64 == 0) kernel::stop_point();  // TBB's parts may be long
+      body(i);
+    }
+  });
 }
 
 }  // namespace crest::curvature

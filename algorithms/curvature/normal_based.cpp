@@ -65,8 +65,8 @@ PointCurvature mean_at(const kernel::TriangleMesh& mesh, const std::vector<Vec3>
 
 void normal_based(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& normals,
                   std::vector<PointCurvature>& out, std::vector<VertexFlags>& flags) {
-  for_each_index(
-      mesh.vertex_count(), [&](Index v) { out[v] = mean_at(mesh, normals, v, flags[v]); });
+  for_each_index(mesh.vertex_count(),
+                 [&](Index v) { out[v] = mean_at(mesh, normals, v, flags[v]); });
 }
 
 std::vector<CornerCurvatures> corner_curvatures(const kernel::TriangleMesh& mesh,

@@ -58,8 +58,7 @@ void normal_cycle(const kernel::TriangleMesh& mesh, const std::vector<Vec3>& nor
                   std::vector<PointCurvature>& out, std::vector<VertexFlags>& flags) {
   const std::vector<double> angles = dihedral_angles(mesh);
   std::vector<Moments> cells(mesh.vertex_count());
-  for_each_index(
-      mesh.vertex_count(), [&](Index v) { cells[v] = cell_of(mesh, angles, v); });
+  for_each_index(mesh.vertex_count(), [&](Index v) { cells[v] = cell_of(mesh, angles, v); });
   for_each_index(mesh.vertex_count(), [&](Index v) {
     thread_local std::vector<Index> region;
     collect_rings(mesh, v, rings, 0, region);

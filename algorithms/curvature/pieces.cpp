@@ -58,8 +58,7 @@ Records work_on(const Job& job) {
 }
 
 Workers workers_here(Index pieces) {
-  return {pieces,
-          [](std::size_t jobs, const std::function<Job(std::size_t)>& job) {
+  return {pieces, [](std::size_t jobs, const std::function<Job(std::size_t)>& job) {
             std::vector<Records> r;
             for (std::size_t i = 0; i < jobs; ++i) r.push_back(work_on(job(i)));
             return r;

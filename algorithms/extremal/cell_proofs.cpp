@@ -38,12 +38,10 @@ double reduce(const Controls& c, Better better) {
   return r;
 }
 double least(const Controls& c) {
-  return reduce(
-      c, [](double a, double b) { return a < b ? a : b; });
+  return reduce(c, [](double a, double b) { return a < b ? a : b; });
 }
 double largest(const Controls& c) {
-  return reduce(
-      c, [](double a, double b) { return a > b ? a : b; });
+  return reduce(c, [](double a, double b) { return a > b ? a : b; });
 }
 
 /// Of one control each: Frobenius' norm of a symmetric tensor.

@@ -282,30 +282,28 @@ void Fields::smooth(const std::function<void(int, double*)>& slice, const Weight
   result.resize(grid_.nodes());
   // Parts are long beside the radius: what two of them make twice is little.
   const int part = std::max(16, 4 * radius);
-  kernel::parallel_for(
-      0, (nz + part - 1) / part,
-      [&](int p) {
-        std::vector<double> room, out(area);
-        std::vector<std::vector<double>> ring(static_cast<std::size_t>(2 * radius) + 1);
-        std::vector<int> held(ring.size(), -1);
-        const auto get = [&](int k) -> const double* {
-          // Of the slices within the radius of one, no two share a place but by reflection, which
-          // stays within it, too: an index has the same slice.
-          const std::size_t place = static_cast<std::size_t>(k) % ring.size();
-          if (held[place] != k) {
-            ring[place].resize(area);
-            slice(k, ring[place].data());
-            smooth_slice(grid_, weights, ring[place].data(), room);
-            held[place] = k;
-          }
-          return ring[place].data();
-        };
-        for (int k = p * part; k < std::min(nz, (p + 1) * part); ++k) {
-          float* to = result.data() + static_cast<std::size_t>(k) * area;
-          pass(weights[2], k, nz, area, get, out.data());
-          for (std::size_t i = 0; i < area; ++i) to[i] = static_cast<float>(out[i]);
-        }
-      });
+  kernel::parallel_for(0, (nz + part - 1) / part, [&](int p) {
+    std::vector<double> room, out(area);
+    std::vector<std::vector<double>> ring(static_cast<std::size_t>(2 * radius) + 1);
+    std::vector<int> held(ring.size(), -1);
+    const auto get = [&](int k) -> const double* {
+      // Of the slices within the radius of one, no two share a place but by reflection, which
+      // stays within it, too: an index has the same slice.
+      const std::size_t place = static_cast<std::size_t>(k) % ring.size();
+      if (held[place] != k) {
+        ring[place].resize(area);
+        slice(k, ring[place].data());
+        smooth_slice(grid_, weights, ring[place].data(), room);
+        held[place] = k;
+      }
+      return ring[place].data();
+    };
+    for (int k = p * part; k < std::min(nz, (p + 1) * part); ++k) {
+      float* to = result.data() + static_cast<std::size_t>(k) * area;
+      pass(weights[2], k, nz, area, get, out.data());
+      for (std::size_t i = 0; i < area; ++i) to[i] = static_cast<float>(out[i]);
+    }
+  });
   if (!std::all_of(result.begin(), result.end(), [](float x) { return std::isfinite(x); }))
     throw kernel::InputError("samples: too large for binary32; scale them");
 }

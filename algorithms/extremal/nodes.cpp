@@ -131,21 +131,19 @@ Nodes::Nodes(const Fields& fields, const std::optional<double>& min_value,
   std::vector<Slice> slices(static_cast<std::size_t>(g.size[2]));
   const auto low = [&](std::size_t k) { return static_cast<int>(asked.low[k]); };
   const auto high = [&](std::size_t k) { return static_cast<int>(asked.high[k]); };
-  kernel::parallel_for(
-      low(2), high(2),
-      [&](int k) {
-        Slice& slice = slices[static_cast<std::size_t>(k)];
-        for (int j = low(1); j < high(1); ++j)
-          for (int i = low(0); i < high(0); ++i) {
-            std::array<float, 3> direction;
-            std::int8_t sign;
-            const NodeState s = decide({i, j, k}, direction, sign);
-            states_[g.index({i, j, k})] = s;
-            if (s != NodeState::active) continue;
-            slice.directions.push_back(direction);
-            slice.signs.push_back(sign);
-          }
-      });
+  kernel::parallel_for(low(2), high(2), [&](int k) {
+    Slice& slice = slices[static_cast<std::size_t>(k)];
+    for (int j = low(1); j < high(1); ++j)
+      for (int i = low(0); i < high(0); ++i) {
+        std::array<float, 3> direction;
+        std::int8_t sign;
+        const NodeState s = decide({i, j, k}, direction, sign);
+        states_[g.index({i, j, k})] = s;
+        if (s != NodeState::active) continue;
+        slice.directions.push_back(direction);
+        slice.signs.push_back(sign);
+      }
+  });
   ids_ = RankedBits(g.nodes(), [&](std::size_t v) { return active(v); });
   const std::size_t next = count(NodeState::active);
   directions_.reserve(next);

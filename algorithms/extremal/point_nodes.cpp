@@ -144,8 +144,8 @@ Index PointTree::find_node(Place p) const {
 }
 
 std::size_t PointTree::count_active() const {
-  return static_cast<std::size_t>(std::count_if(
-      nodes_.begin(), nodes_.end(), [](const OctreeNode& n) { return n.active; }));
+  return static_cast<std::size_t>(
+      std::count_if(nodes_.begin(), nodes_.end(), [](const OctreeNode& n) { return n.active; }));
 }
 
 void PointTree::decide_nodes() {
@@ -209,11 +209,9 @@ void PointTree::collect_edges() {
         }
       }
   }
-  tbb::parallel_sort(
-      edges_.begin(), edges_.end(),
-      [](const OctreeEdge& a, const OctreeEdge& b) {
-        return std::tuple(a.low, a.axis, a.decider) < std::tuple(b.low, b.axis, b.decider);
-      });
+  tbb::parallel_sort(edges_.begin(), edges_.end(), [](const OctreeEdge& a, const OctreeEdge& b) {
+    return std::tuple(a.low, a.axis, a.decider) < std::tuple(b.low, b.axis, b.decider);
+  });
   edges_.erase(
       std::unique(edges_.begin(), edges_.end(),
                   [](const OctreeEdge& a, const OctreeEdge& b) { return a.key() == b.key(); }),

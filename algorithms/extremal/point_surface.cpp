@@ -69,12 +69,9 @@ LevelValues rim_values(const PointField& field, const PointTree& tree, const She
   r.corners.resize(mesh.vertices.size());
   r.centres.resize(mesh.polygons.size());
   using Range = tbb::blocked_range<std::size_t>;
-  kernel::parallel_for(
-      Range(0, r.corners.size(), 64),
-      [&](const Range& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-          r.corners[i] = value(mesh.points[i]);
-      });
+  kernel::parallel_for(Range(0, r.corners.size(), 64), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) r.corners[i] = value(mesh.points[i]);
+  });
   kernel::parallel_for(Range(0, r.centres.size(), 64), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       // Between its corners' values: beside a larger leaf the zero may be outside of its polygon,

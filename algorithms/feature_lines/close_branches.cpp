@@ -83,14 +83,12 @@ std::vector<std::vector<Index>> joining_paths(const kernel::TriangleMesh& mesh,
   GapSearch search(mesh, marks);
   std::vector<Pair> pairs;
   for (const OpenEnd& end : ends) {
-    search.run(
-        end.vertex, gap,
-        [&](Index w, Index edges) {
-          if (line_of[w] == kNone || w < end.vertex) return;
-          const bool curl =
-              line_of[w] == end.line && graph.lines[end.line].vertices.size() <= 2 * edges;
-          if (!curl) pairs.push_back({edges, end.vertex, w});
-        });
+    search.run(end.vertex, gap, [&](Index w, Index edges) {
+      if (line_of[w] == kNone || w < end.vertex) return;
+      const bool curl =
+          line_of[w] == end.line && graph.lines[end.line].vertices.size() <= 2 * edges;
+      if (!curl) pairs.push_back({edges, end.vertex, w});
+    });
   }
   std::sort(pairs.begin(), pairs.end());
   for (const Pair& pair : pairs) {

@@ -25,8 +25,7 @@ CellFrame frame_of(const Scene& scene, const std::vector<PagePoint>& seen) {
 
 CellLists face_lists(const CellFrame& frame, const Scene& scene,
                      const std::vector<PagePoint>& seen) {
-  return {frame, static_cast<Index>(scene.faces.size()),
-          [&](Index f) {
+  return {frame, static_cast<Index>(scene.faces.size()), [&](Index f) {
             const kernel::Triangle& t = scene.faces[f];
             return std::array<const PagePoint*, 3>{&seen[t[0]], &seen[t[1]], &seen[t[2]]};
           }};

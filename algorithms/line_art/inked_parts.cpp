@@ -95,8 +95,8 @@ class Pens {
     std::vector<Index> order, open;
     for (Index i = 0; i < contours_.edges.size(); ++i)
       if (seen(i)) order.push_back(i);
-    std::sort(
-        order.begin(), order.end(), [&](Index x, Index y) { return boxes_[x].x0 < boxes_[y].x0; });
+    std::sort(order.begin(), order.end(),
+              [&](Index x, Index y) { return boxes_[x].x0 < boxes_[y].x0; });
     const auto later = [&](Index x, Index y) {
       return std::pair{contours_.edges[x].crease, x} > std::pair{contours_.edges[y].crease, y};
     };

@@ -35,11 +35,9 @@ void blur(std::vector<float>& image, int width, int height, double deviation) {
   const auto w = static_cast<std::size_t>(width);
   // Lines are on their own; columns beside each other share what the cache holds.
   using Range = tbb::blocked_range<std::size_t>;
-  kernel::parallel_for(
-      Range(0, static_cast<std::size_t>(height), 16),
-      [&](const Range& range) {
-        for (std::size_t j = range.begin(); j != range.end(); ++j) pass(j * w, 1, width);
-      });
+  kernel::parallel_for(Range(0, static_cast<std::size_t>(height), 16), [&](const Range& range) {
+    for (std::size_t j = range.begin(); j != range.end(); ++j) pass(j * w, 1, width);
+  });
   kernel::parallel_for(Range(0, w, 16), [&](const Range& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) pass(i, w, height);
   });

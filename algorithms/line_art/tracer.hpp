@@ -37,8 +37,7 @@ class LinePoints {
     return std::sqrt(best);
   }
   double distance(const Vec2& p, double most) const {
-    return distance(
-        p, most, [](Index, Index) { return true; });
+    return distance(p, most, [](Index, Index) { return true; });
   }
 
  private:

@@ -29,14 +29,11 @@ bool CellTopology::trace(Side side, Start&& start, Add&& add) const {
   boost::container::small_vector<Link, 16> arcs;
   boost::container::small_vector<End, 32> ends;
   for (const Index facet : facets_)
-    faces_.for_each_arc(
-        facet, side,
-        [&](Index a) {
-          const auto place = static_cast<std::uint32_t>(arcs.size());
-          arcs.push_back({a, {}, false});
-          for (std::uint8_t k = 0; k < 2; ++k)
-            ends.push_back({faces_.arcs()[a].roots[k], place, k});
-        });
+    faces_.for_each_arc(facet, side, [&](Index a) {
+      const auto place = static_cast<std::uint32_t>(arcs.size());
+      arcs.push_back({a, {}, false});
+      for (std::uint8_t k = 0; k < 2; ++k) ends.push_back({faces_.arcs()[a].roots[k], place, k});
+    });
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
     return a.root != b.root ? a.root < b.root : a.arc < b.arc;
   });

@@ -23,11 +23,9 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 template <class F>
 void in_parallel(std::size_t n, const F& f) {
-  kernel::parallel_for(
-      tbb::blocked_range<std::size_t>(0, n, 256),
-      [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
-      });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+  });
 }
 
 using Interior = std::vector<std::array<double, 4>>;

@@ -13,11 +13,9 @@ namespace {
 
 template <class F>
 void in_parallel(std::size_t n, const F& f) {
-  kernel::parallel_for(
-      tbb::blocked_range<std::size_t>(0, n, 256),
-      [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
-      });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+  });
 }
 
 std::vector<std::uint8_t> tets_without_degenerate(std::span<const TetCorners> tets,
@@ -125,8 +123,7 @@ FaceRecords work_on(const FaceJob& job) {
 }
 
 FaceWorkers face_workers_here(kernel::Index pieces) {
-  return {pieces,
-          [](std::size_t jobs, const std::function<FaceJob(std::size_t)>& job) {
+  return {pieces, [](std::size_t jobs, const std::function<FaceJob(std::size_t)>& job) {
             std::vector<FaceRecords> r;
             for (std::size_t i = 0; i < jobs; ++i) r.push_back(work_on(job(i)));
             return r;

@@ -118,13 +118,11 @@ class Faces {
   /// Calls use(a) for the arcs of a side in the face's leaves.
   template <class Use>
   void for_each_arc(Index face, Side side, Use&& use) const {
-    for_each_leaf(
-        face,
-        [&](Index leaf) {
-          const Face& f = faces_[leaf];
-          for (Index a = f.first_arc; a < f.first_arc + f.arc_count; ++a)
-            if (arcs_[a].side == side) use(a);
-        });
+    for_each_leaf(face, [&](Index leaf) {
+      const Face& f = faces_[leaf];
+      for (Index a = f.first_arc; a < f.first_arc + f.arc_count; ++a)
+        if (arcs_[a].side == side) use(a);
+    });
   }
   RootRange roots(Index edge);
   const Counters& counters() const { return counters_; }

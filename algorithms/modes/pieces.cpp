@@ -12,8 +12,7 @@ namespace {
 using kernel::TetMesh;
 
 bool has_zero(const Vertices& vertices, const TetMesh::Tet& tet) {
-  return std::any_of(
-      tet.begin(), tet.end(), [&](Index v) { return vertices.is_zero(v); });
+  return std::any_of(tet.begin(), tet.end(), [&](Index v) { return vertices.is_zero(v); });
 }
 
 /// A tree's root with edges and faces of its own: tests do not ask what neighbours share.
@@ -118,8 +117,7 @@ TetRecords work_on(const TetJob& job) {
 }
 
 Workers workers_here(Index pieces) {
-  return {pieces,
-          [](std::size_t jobs, const std::function<TetJob(std::size_t)>& job) {
+  return {pieces, [](std::size_t jobs, const std::function<TetJob(std::size_t)>& job) {
             std::vector<TetRecords> r;
             for (std::size_t i = 0; i < jobs; ++i) r.push_back(work_on(job(i)));
             return r;

@@ -365,23 +365,19 @@ void count_placed(Extraction& extraction, const RecordedPositions& positions,
   std::atomic<std::uint32_t> placed{0}, not_placed{0};
   const auto run = [&](std::size_t size, const auto& sum_of) {
     using Range = tbb::blocked_range<std::size_t>;
-    kernel::parallel_for(
-        Range(0, size, 256),
-        [&](const Range& range) {
-          Counter counter(extraction, positions, record);
-          for (std::size_t i = range.begin(); i < range.end(); ++i)
-            for (const Side side : sides) {
-              const auto sum = sum_of(counter, i, side);
-              placed += sum.placed;
-              not_placed += sum.not_placed;
-            }
-        });
+    kernel::parallel_for(Range(0, size, 256), [&](const Range& range) {
+      Counter counter(extraction, positions, record);
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        for (const Side side : sides) {
+          const auto sum = sum_of(counter, i, side);
+          placed += sum.placed;
+          not_placed += sum.not_placed;
+        }
+    });
   };
-  run(
-      extraction.cells().size(),
-      [](Counter& counter, std::size_t i, Side side) {
-        return counter.of_cell(static_cast<Index>(i), side);
-      });
+  run(extraction.cells().size(), [](Counter& counter, std::size_t i, Side side) {
+    return counter.of_cell(static_cast<Index>(i), side);
+  });
   run(extraction.cones().size(), [&](Counter& counter, std::size_t i, Side side) {
     return counter.of_cone(extraction.cones()[i], side);
   });

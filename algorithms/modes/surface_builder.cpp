@@ -345,12 +345,10 @@ Index SurfaceBuilder::zero_point(Index vertex) {
 }
 
 void SurfaceBuilder::add_cone(Index tet, Index apex, Index f) {
-  faces_.for_each_arc(
-      f, side_,
-      [&](Index a) {
-        cones_.push_back({tet, apex, a});
-        bend(a);
-      });
+  faces_.for_each_arc(f, side_, [&](Index a) {
+    cones_.push_back({tet, apex, a});
+    bend(a);
+  });
 }
 
 void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {

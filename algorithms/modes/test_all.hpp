@@ -24,9 +24,8 @@ void for_all_groups(Vertices& vertices, std::span<const std::array<Index, D + 1>
     std::array<Corners<D>, kTogether> cells;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k <= D; ++k) cells[i][k] = &vertices.tensor(corners[first + i][k]);
-    test(
-        first, std::span<const Corners<D>>(cells.data(), count),
-        [&](std::size_t i) { return vertices.exact(corners[first + i]); });
+    test(first, std::span<const Corners<D>>(cells.data(), count),
+         [&](std::size_t i) { return vertices.exact(corners[first + i]); });
   };
   kernel::parallel_for(tbb::blocked_range<std::size_t>(0, groups, 4), [&](const auto& range) {
     for (std::size_t g = range.begin(); g < range.end(); ++g) one(g);

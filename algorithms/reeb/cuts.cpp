@@ -162,11 +162,9 @@ void Chooser::settle(Index node) {
     sum.saddles += p.saddles;
   }
   if (!sum.good()) {
-    std::sort(
-        children.begin(), children.end(),
-        [](const Child& a, const Child& b) {
-          return a.loss != b.loss ? a.loss > b.loss : a.arc < b.arc;
-        });
+    std::sort(children.begin(), children.end(), [](const Child& a, const Child& b) {
+      return a.loss != b.loss ? a.loss > b.loss : a.arc < b.arc;
+    });
   }
   // First the children with a loss; if that does not do, all that have saddles.
   for (const Child& c : children) {

@@ -70,23 +70,21 @@ Index cut(RidgeGraph& graph, const Kept& kept) {
 FilterReport filter(RidgeGraph& graph, const FilterOptions& options) {
   FilterReport report;
   if (options.min_level > 0) {
-    report.by_level = cut(
-        graph, [&](const Crossing& c, Colour) { return c.level >= options.min_level; });
+    report.by_level =
+        cut(graph, [&](const Crossing& c, Colour) { return c.level >= options.min_level; });
   }
   if (options.crest_only) {
-    report.by_crest = cut(
-        graph, [](const Crossing& c,
-                  Colour colour) { return c.type == RidgeType::elliptic && on_crest(c, colour); });
+    report.by_crest = cut(graph, [](const Crossing& c, Colour colour) {
+      return c.type == RidgeType::elliptic && on_crest(c, colour);
+    });
   }
   auto drop = [&](Index& count, auto&& below) {
     const auto last = std::remove_if(graph.ridges.begin(), graph.ridges.end(), below);
     count = static_cast<Index>(graph.ridges.end() - last);
     graph.ridges.erase(last, graph.ridges.end());
   };
-  drop(
-      report.by_sharpness, [&](const Ridge& r) { return r.sharpness < options.min_sharpness; });
-  drop(
-      report.by_strength, [&](const Ridge& r) { return r.strength < options.min_strength; });
+  drop(report.by_sharpness, [&](const Ridge& r) { return r.sharpness < options.min_sharpness; });
+  drop(report.by_strength, [&](const Ridge& r) { return r.strength < options.min_strength; });
   drop(report.by_length, [&](const Ridge& r) { return r.length < options.min_length; });
   return report;
 }

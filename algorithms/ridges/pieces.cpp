@@ -182,8 +182,7 @@ Decisions owned_of(const MeshPiece& piece, Decisions all) {
   all.states.acute = only(all.states.acute, edge);
   all.states.crossed = only(all.states.crossed, edge);
   for (auto& signs : all.states.extremality)
-    signs = only(
-        signs, [&](Index v) { return piece.owns(v); });
+    signs = only(signs, [&](Index v) { return piece.owns(v); });
   all.indices.twice =
       only(all.indices.twice, [&](Index f) { return piece.owns(lowest(mesh.faces()[f])); });
   return all;

@@ -29,11 +29,9 @@ struct Grid {
 /// Calls f(i) for each index; every call writes its own result, so threads do not matter.
 template <class F>
 void for_each_index(std::size_t n, const F& f) {
-  kernel::parallel_for(
-      tbb::blocked_range<std::size_t>(0, n, 256),
-      [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
-      });
+  kernel::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
+  });
 }
 
 struct Icosahedron {
@@ -186,12 +184,10 @@ Grid patch_grid(const Surface& s, int vertices) {
 }
 
 void project_all(const Surface& s, std::vector<Point>& points) {
-  for_each_index(
-      points.size(),
-      [&](std::size_t v) {
-        const Point origin = s.ray_origin(points[v]);
-        points[v] = project_along_ray(*s.implicit, origin, points[v] - origin);
-      });
+  for_each_index(points.size(), [&](std::size_t v) {
+    const Point origin = s.ray_origin(points[v]);
+    points[v] = project_along_ray(*s.implicit, origin, points[v] - origin);
+  });
 }
 
 /// Moves each point halfway to the mean of its neighbours, along the tangent plane. Closed meshes.

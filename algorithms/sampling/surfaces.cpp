@@ -147,11 +147,7 @@ void cylinder(Surface& s, const Parameters& p) {
   const Real r = p[0];
   s.implicit = implicit(
       [r](const auto& x, const auto& y, const auto&) { return square(x) + square(y) - r * r; });
-  patch_shape(
-      s,
-      [r](Real u, Real v) {
-        return Point{r * std::cos(u), r * std::sin(u), r * v};
-      });
+  patch_shape(s, [r](Real u, Real v) { return Point{r * std::cos(u), r * std::sin(u), r * v}; });
   s.ray_origin = [](const Point& q) { return Point{0, 0, q[2]}; };
   s.exact = [radius = p[0]](const Point&, kernel::MongeForm& m) {
     m.d1 = {0, 0, 1};

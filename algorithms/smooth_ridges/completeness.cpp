@@ -373,8 +373,8 @@ std::optional<std::size_t> place_vertices(Cover& cover, Triangulation& mesh) {
     const Vec3& p = cover.critical_points[j];
     std::optional<Index> found;
     for (int round = 0; !found && round < kRounds; ++round) {
-      found = nearest_vertex(
-          mesh, p, [&](const Vec3& x) { return well_inside(cover.boxes[j].box, x); });
+      found = nearest_vertex(mesh, p,
+                             [&](const Vec3& x) { return well_inside(cover.boxes[j].box, x); });
       const auto any = nearest_vertex(mesh, p, [](const Vec3&) { return true; });
       if (!found && any) refine_at(mesh, *any);
     }

@@ -30,13 +30,11 @@ std::optional<Vec3> Projection::newton(Vec3 p, double reach, Direction&& directi
 }
 
 std::optional<Vec3> Projection::onto(Vec3 p, double reach) {
-  return newton(
-      p, reach, [](const Sample& s) { return s.gradient; });
+  return newton(p, reach, [](const Sample& s) { return s.gradient; });
 }
 
 std::optional<Vec3> Projection::along(Vec3 p, const Vec3& m, double reach) {
-  return newton(
-      p, reach, [&](const Sample&) { return m; });
+  return newton(p, reach, [&](const Sample&) { return m; });
 }
 
 Vertex Projection::vertex(const Vec3& x) {

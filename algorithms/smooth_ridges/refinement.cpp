@@ -332,8 +332,7 @@ class Refinement {
   }
 
   void sort_patches() {
-    std::erase_if(
-        out_.patches, [](const UmbilicPatch& p) { return !p.complete; });
+    std::erase_if(out_.patches, [](const UmbilicPatch& p) { return !p.complete; });
     std::sort(out_.patches.begin(), out_.patches.end(),
               [](const UmbilicPatch& a, const UmbilicPatch& b) { return a.faces[0] < b.faces[0]; });
     out_.patch_of.assign(count(), kNone);

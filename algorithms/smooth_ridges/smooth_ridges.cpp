@@ -109,8 +109,7 @@ class Run {
       cover_ = *covered.cover;
     }
     try {
-      timed(
-          out_.seconds.start, [&] { triangulate(); });
+      timed(out_.seconds.start, [&] { triangulate(); });
     } catch (const MeshError& error) {
       out_.stopped = error.reason() == MeshError::Reason::stopped;
       out_.obstacles.push_back(error.what());

@@ -36,11 +36,9 @@ Over over(const Geometry& g) {
 
 template <int K>
 void widen(kernel::Jet<Interval, 2, K>& a, const kernel::Jet<Interval, 2, K>& b) {
-  kernel::for_each_bit(
-      a.mask() | b.mask(),
-      [&](std::size_t k) {
-        a.set(k, {std::min(a[k].inf(), b[k].inf()), std::max(a[k].sup(), b[k].sup())});
-      });
+  kernel::for_each_bit(a.mask() | b.mask(), [&](std::size_t k) {
+    a.set(k, {std::min(a[k].inf(), b[k].inf()), std::max(a[k].sup(), b[k].sup())});
+  });
 }
 template <class Field, std::size_t N>
 void widen(std::array<Field, N>& a, const std::array<Field, N>& b) {

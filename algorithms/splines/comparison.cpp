@@ -122,8 +122,7 @@ ValueAndGradient freudenthal_quadratic(const SampledGrid& grid, const Vec3& v) {
 }
 
 ValueAndGradient trilinear(const SampledGrid& grid, const Vec3& v) {
-  return interpolated(
-      grid, v, [&](const Cube& i) { return sample(grid, i); });
+  return interpolated(grid, v, [&](const Cube& i) { return sample(grid, i); });
 }
 
 ValueAndGradient trilinear_differences(const SampledGrid& grid, const Vec3& v) {

@@ -48,14 +48,12 @@ std::array<double, 8> fourfold_targets(const CubicModel& model, const Place& cub
 }
 
 void fit_centres(CubicModel& model, bool black) {
-  for_each_place(
-      model.domain.cubes,
-      [&](const Place& cube) {
-        if (!black && is_black(cube)) return;
-        const auto numbers = centre_of_targets(fourfold_targets(model, cube));
-        model.centres[model.domain.cube(cube)] = {numbers[0] / 32, numbers[1] / 16, numbers[2] / 16,
-                                                  numbers[3] / 16};
-      });
+  for_each_place(model.domain.cubes, [&](const Place& cube) {
+    if (!black && is_black(cube)) return;
+    const auto numbers = centre_of_targets(fourfold_targets(model, cube));
+    model.centres[model.domain.cube(cube)] = {numbers[0] / 32, numbers[1] / 16, numbers[2] / 16,
+                                              numbers[3] / 16};
+  });
 }
 
 }  // namespace crest::splines

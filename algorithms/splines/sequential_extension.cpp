@@ -39,13 +39,10 @@ class SequentialExtension {
     for (auto& n : size) ++n;
     for_each_place(size, [&](const Place& v) { vertex(v); });
     for (const std::size_t axis : {0, 1})
-      for_each_edge(
-          axis, [&](const Place& v) { horizontal(axis, v); });
-    for_each_place(
-        domain_.cubes,
-        [&](const Place& cube) {
-          if (is_black(cube)) black_centre(cube);
-        });
+      for_each_edge(axis, [&](const Place& v) { horizontal(axis, v); });
+    for_each_place(domain_.cubes, [&](const Place& cube) {
+      if (is_black(cube)) black_centre(cube);
+    });
     for_each_edge(2, [&](const Place& v) { vertical(v); });
     fit_centres(model_, false);
     return {std::move(model_), std::move(fits_)};

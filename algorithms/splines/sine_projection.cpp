@@ -149,8 +149,7 @@ class Projection {
   }
   template <class Numbers>
   void put(GridArray& from, std::vector<Numbers>& to, std::size_t component) const {
-    for_each(
-        from, [&](double& x, std::size_t vertex) { to[vertex][component] = x; });
+    for_each(from, [&](double& x, std::size_t vertex) { to[vertex][component] = x; });
   }
   template <class Visit>
   void for_each(GridArray& a, const Visit& visit) const {

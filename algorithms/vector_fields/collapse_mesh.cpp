@@ -86,20 +86,17 @@ bool CollapseMesh::linked(Index from, Index to, std::size_t common) const {
     const HalfEdge last = Domain::previous(leaving.back());
     if (twins_[last] == kNone) see(this->from(last));
   };
-  each(
-      fan_, [&](Index v) { stamps_[v] = stamp_; });
+  each(fan_, [&](Index v) { stamps_[v] = stamp_; });
   each(other_fan_, [&](Index v) { found += stamps_[v] == stamp_ && v != from ? 1 : 0; });
   return found == common;
 }
 
 bool CollapseMesh::positive(const Collapse& plan) const {
-  return std::all_of(
-      plan.star.begin(), plan.star.end(),
-      [&](Index t) {
-        if (t == plan.gone[0] || t == plan.gone[1]) return true;
-        const auto [p, v] = data(t, plan.from, plan.to);
-        return kernel::orientation(p[0], p[1], p[2]) == Sign::positive;
-      });
+  return std::all_of(plan.star.begin(), plan.star.end(), [&](Index t) {
+    if (t == plan.gone[0] || t == plan.gone[1]) return true;
+    const auto [p, v] = data(t, plan.from, plan.to);
+    return kernel::orientation(p[0], p[1], p[2]) == Sign::positive;
+  });
 }
 
 CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {

@@ -54,8 +54,7 @@ Kept kept_of(const Analysis& input, const Compression& result, const Compression
 }  // namespace
 
 Compression compress(const PlanarField& field, const CompressionOptions& options) {
-  return compress(
-      field, options, [](const Analysis&, const Analysis&, const SkeletonMatch&) {});
+  return compress(field, options, [](const Analysis&, const Analysis&, const SkeletonMatch&) {});
 }
 
 Compression compress(const PlanarField& field, const CompressionOptions& options,

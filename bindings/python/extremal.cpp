@@ -49,18 +49,15 @@ Output run_extremal(const Arguments& a, const Progress& progress) {
   Output out;
   std::string digest;
   if (certify) {
-    progress.step(
-        "composing the certificate",
-        [&] {
-          auto bytes = certify::encode(record);
-          record = {};  // the checker takes as much memory as the extraction did
-          const certify::Verdict verdict = certify::verify(bytes);
-          if (verdict.accepted)
-            digest = out.certify(std::move(bytes));
-          else
-            out.warnings.push_back("no certificate, its checker does not accept it: " +
-                                   verdict.reason);
-        });
+    progress.step("composing the certificate", [&] {
+      auto bytes = certify::encode(record);
+      record = {};  // the checker takes as much memory as the extraction did
+      const certify::Verdict verdict = certify::verify(bytes);
+      if (verdict.accepted)
+        digest = out.certify(std::move(bytes));
+      else
+        out.warnings.push_back("no certificate, its checker does not accept it: " + verdict.reason);
+    });
   }
   fill(result, digest, out);
   return out;

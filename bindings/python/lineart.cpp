@@ -62,11 +62,9 @@ Output run_lineart(const Arguments& a, const Progress& progress) {
   line_art::Drawing drawing;
   drawing.scene = line_art::weld(points, faces);
   drawing.view = line_art::make_view(io::view_request(view, drawing.scene), drawing.scene);
-  drawing.contours = progress.step(
-      "contours",
-      [&] {
-        return line_art::find_contours(drawing.scene, drawing.view, {a.maybe_number("crease")});
-      });
+  drawing.contours = progress.step("contours", [&] {
+    return line_art::find_contours(drawing.scene, drawing.view, {a.maybe_number("crease")});
+  });
   drawing.lines = progress.step("strokes of contours", [&] {
     return line_art::draw_contours(drawing.scene, drawing.view, drawing.contours,
                                    {a.number("line_width")});

@@ -43,11 +43,9 @@ std::vector<io::TreeLines> trees_of(const Arguments& a, const reeb::TileComplex&
     trees.push_back({kind, arcs()});
     out.values[name] = array_of(trees.back().arcs);
   };
-  add(
-      "join_tree", io::kJoinTreeKind,
+  add("join_tree", io::kJoinTreeKind,
       [&] { return reeb::arcs_of(graph, reeb::reduced(reeb::augmented_join_tree(graph))); });
-  add(
-      "split_tree", io::kSplitTreeKind,
+  add("split_tree", io::kSplitTreeKind,
       [&] { return reeb::arcs_of(graph, reeb::reduced(reeb::augmented_split_tree(graph))); });
   add("contour_tree", io::kContourTreeKind, [&] {
     try {
@@ -65,16 +63,16 @@ std::vector<io::TreeLines> trees_of(const Arguments& a, const reeb::TileComplex&
 
 Output run_reeb(const Arguments& a, const Progress& progress) {
   const kernel::QuadraticMesh mesh = function_of(a);
-  const reeb::TileComplex tiles = progress.step(
-      "tessellating", [&] { return reeb::tessellate(mesh); });
+  const reeb::TileComplex tiles =
+      progress.step("tessellating", [&] { return reeb::tessellate(mesh); });
   const reeb::ReebGraph graph = progress.step(
       "joining contours into the graph", [&] { return reeb::reeb_graph(reeb::ordered(tiles)); });
   Output out;
   std::string digest;
   if (a.flag("certificate"))
-    digest = progress.step(
-        "composing the certificate",
-        [&] { return out.certify(certify::encode(reeb::make_certificate(mesh, tiles, graph))); });
+    digest = progress.step("composing the certificate", [&] {
+      return out.certify(certify::encode(reeb::make_certificate(mesh, tiles, graph)));
+    });
   const auto places =
       progress.step("placing nodes", [&] { return reeb::node_places(mesh, tiles); });
   reeb::LabelledGraph written{graph, {}, {}};
@@ -91,10 +89,10 @@ Output run_reeb(const Arguments& a, const Progress& progress) {
     for (const double level : at) levels.push_back({level, reeb::contours(mesh, tiles, level)});
     return levels;
   };
-  const auto levels = progress.step(
-      "drawing level lines", [&] { return lines(a.numbers("level")); });
-  const std::vector<io::TreeLines> trees = progress.step(
-      "merging", [&] { return trees_of(a, tiles, graph, out); });
+  const auto levels =
+      progress.step("drawing level lines", [&] { return lines(a.numbers("level")); });
+  const std::vector<io::TreeLines> trees =
+      progress.step("merging", [&] { return trees_of(a, tiles, graph, out); });
   const auto scene = [&](const std::vector<io::LevelLines>& shown) {
     return io::ReebScene{
         mesh,  tiles, places, written.graph, written.arc_of_node, written.arc_of_tile,

@@ -85,9 +85,8 @@ Output run_ridges(const Arguments& a, const Progress& progress) {
   if (a.flag("auto_scale"))
     fitting.min_points =
         progress
-            .step(
-                "choosing the fits' support",
-                [&] { return ridges::choose_support(mesh, fitting, joining, salience); })
+            .step("choosing the fits' support",
+                  [&] { return ridges::choose_support(mesh, fitting, joining, salience); })
             .points;
   const ridges::FitResult fit =
       progress.step("fitting Monge forms", [&] { return ridges::fit_monge_forms(mesh, fitting); });
@@ -99,8 +98,8 @@ Output run_ridges(const Arguments& a, const Progress& progress) {
   ridges::RidgeGraph& graph = certified.graph;
   std::optional<ridges::SalienceReport> marked;
   if (fitting.errors) {
-    marked = progress.step(
-        "measuring salience", [&] { return ridges::mark_salience(mesh, fit, graph, salience); });
+    marked = progress.step("measuring salience",
+                           [&] { return ridges::mark_salience(mesh, fit, graph, salience); });
   }
   if (a.has("picture"))
     progress.step("drawing", [&] { draw(a, mesh, fit, marked, graph, filter_of(a)); });

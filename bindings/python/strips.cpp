@@ -17,15 +17,12 @@ Output run_strips(const Arguments& a, const Progress& progress) {
   options.swaps = !a.flag("no_swaps");
   options.effort = a.integer("effort");
   const kernel::CornerTable table(mesh.vertex_count(), mesh.faces());
-  const strips::Strips found = progress.step(
-      "joining faces",
-      [&] {
-        return strips::strips_of(table, mesh.faces(), strips::tree_links(table, mesh.faces()),
-                                 options);
-      });
-  const strips::Strips ordered = progress.step(
-      "ordering strips",
-      [&] { return strips::in_cache_order(found, mesh.vertex_count(), strips::kCacheEntries); });
+  const strips::Strips found = progress.step("joining faces", [&] {
+    return strips::strips_of(table, mesh.faces(), strips::tree_links(table, mesh.faces()), options);
+  });
+  const strips::Strips ordered = progress.step("ordering strips", [&] {
+    return strips::in_cache_order(found, mesh.vertex_count(), strips::kCacheEntries);
+  });
   if (!progress.step("checking", [&] { return strips::covers(ordered, mesh.faces()); }))
     throw std::runtime_error("strips: they are not the faces of the mesh");
   Output out;

@@ -30,9 +30,8 @@ std::string certify_checked(std::vector<std::uint8_t> bytes, Output& out) {
 }
 
 std::int64_t undecided_in(const Skeleton& skeleton) {
-  return std::count_if(
-      skeleton.separatrices.begin(), skeleton.separatrices.end(),
-      [](const Separatrix& s) { return s.end == EndKind::undecided; });
+  return std::count_if(skeleton.separatrices.begin(), skeleton.separatrices.end(),
+                       [](const Separatrix& s) { return s.end == EndKind::undecided; });
 }
 
 void fill(const PlanarField& field, const Skeleton& skeleton, const std::string& digest,

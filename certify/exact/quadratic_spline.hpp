@@ -52,8 +52,8 @@ Quadratic<Number> quadratic(const Tetrahedron& tet, Coefficients&& at) {
 }
 template <class Number>
 Quadratic<Number> quadratic(const Neighbourhood<Number>& samples, const Tetrahedron& tet) {
-  return quadratic<Number>(
-      tet, [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
+  return quadratic<Number>(tet,
+                           [&](const std::array<int, 3>& p) { return coefficient(samples, p); });
 }
 
 /// The coefficients of a cube, each computed once.

@@ -173,8 +173,7 @@ EncodedData encode_data(const ExtremalData& data) {
 }
 
 Bytes encode(EncodedData data, const ExtremalCertificate& c) {
-  return finish(
-      std::move(data), [&](ByteWriter& out) { write_claims(out, c); });
+  return finish(std::move(data), [&](ByteWriter& out) { write_claims(out, c); });
 }
 
 Bytes encode(const ExtremalCertificate& c) {

@@ -77,8 +77,7 @@ Contours::Contours(const LineArtCertificate& c) : c_(c), o_(c) {
     }
     return list;
   };
-  faces_ = std::make_unique<BoxTree>(boxes(
-      c.faces, [](const auto& face) { return face; }));
+  faces_ = std::make_unique<BoxTree>(boxes(c.faces, [](const auto& face) { return face; }));
   occluders_ = std::make_unique<BoxTree>(boxes(occluding_, [](const SceneEdge& e) {
     return std::array{e.low, e.high};
   }));

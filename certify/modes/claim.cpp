@@ -51,11 +51,9 @@ void check_parts(std::size_t count, const Field& field, Verdict& verdict, const 
 /// Calls check(i, worker) for i < count.
 template <class Check>
 void check_all(std::size_t count, const Field& field, Verdict& verdict, const Check& check) {
-  check_parts(
-      count, field, verdict,
-      [&](std::size_t first, std::size_t end, Worker& worker) {
-        for (std::size_t i = first; i < end; ++i) check(i, worker);
-      });
+  check_parts(count, field, verdict, [&](std::size_t first, std::size_t end, Worker& worker) {
+    for (std::size_t i = first; i < end; ++i) check(i, worker);
+  });
 }
 
 /// Tetrahedra first to end that are not listed.
@@ -79,13 +77,10 @@ std::vector<CellPieces> check_simplices(const LevelContext& context, const Domai
                                         Verdict& verdict) {
   const Trees& trees = context.trees;
   const Field& field = context.field;
-  check_all(
-      trees.edges.size(), field, verdict,
-      [&](std::size_t i, Worker& worker) {
-        const EdgeNode& edge = trees.edges[i];
-        if (edge.leaf() && edge.needed && !edge.open)
-          check_edge(context, static_cast<u32>(i), worker);
-      });
+  check_all(trees.edges.size(), field, verdict, [&](std::size_t i, Worker& worker) {
+    const EdgeNode& edge = trees.edges[i];
+    if (edge.leaf() && edge.needed && !edge.open) check_edge(context, static_cast<u32>(i), worker);
+  });
   check_parts(trees.faces.size(), field, verdict, [&](auto first, auto end, Worker& worker) {
     check_faces(context, first, end, worker);
   });
@@ -125,16 +120,12 @@ void check_vertices(const LevelContext& context, const Positions& positions, Ver
   const NearVertices vertices(context, positions);
   const ModeLevel& stated = context.stated;
   std::atomic<u32> near{0}, inside{0};
-  check_all(
-      context.trees.edges.size(), context.field, verdict,
-      [&](std::size_t i, Worker& worker) {
-        if (const u32 found = vertices.on_edge(context.trees.edges[i], worker)) near += found;
-      });
-  check_all(
-      context.trees.faces.size(), context.field, verdict,
-      [&](std::size_t i, Worker& worker) {
-        if (const u32 found = vertices.on_face(static_cast<u32>(i), worker)) near += found;
-      });
+  check_all(context.trees.edges.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
+    if (const u32 found = vertices.on_edge(context.trees.edges[i], worker)) near += found;
+  });
+  check_all(context.trees.faces.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
+    if (const u32 found = vertices.on_face(static_cast<u32>(i), worker)) near += found;
+  });
   check_all(stated.inner.size(), context.field, verdict, [&](std::size_t i, Worker& worker) {
     if (vertices.inside(stated.inner[i], worker)) ++inside;
   });

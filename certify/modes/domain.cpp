@@ -46,8 +46,8 @@ bool positive_relation(ExactTensors& exact, std::span<const u32> corners) {
 }
 
 bool holds(const std::array<u32, 4>& tet, const std::vector<u32>& simplex) {
-  return std::ranges::all_of(
-      simplex, [&](u32 v) { return std::ranges::find(tet, v) != tet.end(); });
+  return std::ranges::all_of(simplex,
+                             [&](u32 v) { return std::ranges::find(tet, v) != tet.end(); });
 }
 
 /// Zeros by their corners, for the look-up from a tetrahedron.

@@ -88,42 +88,38 @@ void by_eights(std::span<const Simplex> list, Worker& worker, const Check& check
 template <std::size_t n>
 void check_all_rejected(const LevelContext& context, std::span<const std::array<u32, n>> simplices,
                         Worker& worker) {
-  by_eights(
-      simplices, worker,
-      [&](const auto& part) {
-        const Hulls hulls = level_hulls(approximate_products(context.field, part), context.level);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-          const Hull found =
-              hulls[i] == Hull::unknown ? exact_level_hull(context, part[i], worker) : hulls[i];
-          require(found != Hull::mixed,
-                  "simplex ({}): stated to be free of the level, the coefficients do not say so",
-                  fmt::join(part[i], ", "));
-          if (found == Hull::nonnegative)
-            require(zero_free(worker.exact, part[i]), "simplex ({}): the tensor is zero in it",
-                    fmt::join(part[i], ", "));
-        }
-      });
+  by_eights(simplices, worker, [&](const auto& part) {
+    const Hulls hulls = level_hulls(approximate_products(context.field, part), context.level);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Hull found =
+          hulls[i] == Hull::unknown ? exact_level_hull(context, part[i], worker) : hulls[i];
+      require(found != Hull::mixed,
+              "simplex ({}): stated to be free of the level, the coefficients do not say so",
+              fmt::join(part[i], ", "));
+      if (found == Hull::nonnegative)
+        require(zero_free(worker.exact, part[i]), "simplex ({}): the tensor is zero in it",
+                fmt::join(part[i], ", "));
+    }
+  });
 }
 
 template <std::size_t n>
 void check_all_witnesses(const LevelContext& context, std::span<const Witnessed<n>> simplices,
                          Worker& worker) {
-  by_eights(
-      simplices, worker,
-      [&](const auto& part) {
-        std::vector<std::array<u32, n>> corners;
-        for (const auto& simplex : part) corners.push_back(simplex.corners);
-        const auto products =
-            approximate_products(context.field, std::span<const std::array<u32, n>>(corners));
-        const Hulls hulls = witness_hulls(
-            products, EightWitnesses<n>(part, products, context.level.neutral), context.level);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-          const Hull found =
-              hulls[i] == Hull::unknown ? exact_witness_hull(context, part[i], worker) : hulls[i];
-          require(found == Hull::positive, "simplex ({}): its witness is none",
-                  fmt::join(part[i].corners, ", "));
-        }
-      });
+  by_eights(simplices, worker, [&](const auto& part) {
+    std::vector<std::array<u32, n>> corners;
+    for (const auto& simplex : part) corners.push_back(simplex.corners);
+    const auto products =
+        approximate_products(context.field, std::span<const std::array<u32, n>>(corners));
+    const Hulls hulls = witness_hulls(
+        products, EightWitnesses<n>(part, products, context.level.neutral), context.level);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Hull found =
+          hulls[i] == Hull::unknown ? exact_witness_hull(context, part[i], worker) : hulls[i];
+      require(found == Hull::positive, "simplex ({}): its witness is none",
+              fmt::join(part[i].corners, ", "));
+    }
+  });
 }
 
 template <std::size_t n>

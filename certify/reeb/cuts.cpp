@@ -101,8 +101,7 @@ class EdgeFinder {
     const auto vertices = static_cast<u32>(k_.surface.corner.size());
     const auto lines = static_cast<u32>(k_.tiling.line_edges.size());
     if (v < vertices) {
-      for_faces_around(
-          k_, v, [&](u32 face) { add(face); });
+      for_faces_around(k_, v, [&](u32 face) { add(face); });
     } else if (v < vertices + lines) {
       const u32 side = side_of_[k_.tiling.line_edges[v - vertices]], twin = k_.mesh.twin[side];
       add(side / 3);

@@ -70,20 +70,18 @@ void write_data(const DataRows& rows, const TakePiece& take) {
   counts.count(rows.positions.size());
   counts.count(rows.faces.size());
   take(counts.result());
-  in_pieces(
-      rows.faces.size(), take, [&](ByteWriter& out, std::size_t f) { out.numbers(rows.faces[f]); });
-  in_pieces(
-      rows.positions.size(), take,
-      [&](ByteWriter& out, std::size_t v) { out.numbers(rows.positions[v]); });
+  in_pieces(rows.faces.size(), take,
+            [&](ByteWriter& out, std::size_t f) { out.numbers(rows.faces[f]); });
+  in_pieces(rows.positions.size(), take,
+            [&](ByteWriter& out, std::size_t v) { out.numbers(rows.positions[v]); });
   in_pieces(rows.positions.size(), take,
             [&](ByteWriter& out, std::size_t v) { out.numbers(rows.monge(v)); });
 }
 
 Envelope envelope_of(const RidgesMeshCertificate& certificate, const DataRows& rows,
                      const Digest& digest) {
-  return envelope(
-      {kRidgesMesh, kRidgesMeshVersion}, data_size(rows), digest,
-      [&](ByteWriter& out) { write_claims(out, certificate); });
+  return envelope({kRidgesMesh, kRidgesMeshVersion}, data_size(rows), digest,
+                  [&](ByteWriter& out) { write_claims(out, certificate); });
 }
 
 }  // namespace

@@ -70,8 +70,7 @@ int common_sign(const std::array<RayForms<M>, 2>& f, Quantity&& quantity) {
 
 template <class M>
 int PatchProver<M>::free_sign(const Forms2& f, std::size_t j) {
-  return common_sign(
-      f, [&](const auto& x) { return x.e[j].value(); });
+  return common_sign(f, [&](const auto& x) { return x.e[j].value(); });
 }
 template <class M>
 int PatchProver<M>::running_sign(const Forms2& f, std::size_t j,

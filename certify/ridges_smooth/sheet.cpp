@@ -98,13 +98,11 @@ void check_far(const Claim& claim, const std::vector<FaceResult>& faces,
 }  // namespace
 
 std::optional<Ranges> sheet_point(FaceProvers& provers, u32 face) {
-  return provers.at_order(
-      4,
-      [&](auto& prover) -> std::optional<Ranges> {
-        const auto image = prover.image(face, Piece::point(kSheetPoint), false);
-        if (!image) return std::nullopt;
-        return Ranges{image->x[0].range(), image->x[1].range(), image->x[2].range()};
-      });
+  return provers.at_order(4, [&](auto& prover) -> std::optional<Ranges> {
+    const auto image = prover.image(face, Piece::point(kSheetPoint), false);
+    if (!image) return std::nullopt;
+    return Ranges{image->x[0].range(), image->x[1].range(), image->x[2].range()};
+  });
 }
 
 std::array<Vec3, 3> conormals(const RidgesSmoothCertificate& c, u32 face) {

@@ -231,20 +231,18 @@ void FaceProof::show(const Piece& piece, const Node& node) {
 }
 
 void FaceProof::side_piece(const Piece& piece, std::size_t j, Index k) {
-  shown<Piece>(
-      piece, 2 * kFurther,
-      [&](const Piece& p) {
-        if (by_value_[j][k]) {
-          require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
-                  "an edge: E_j has no zero");
-          return;
-        }
-        const Sample<> s = sampler_.forms(p, outcome_.c, 1, 1U << j);
-        const auto d = sampler_.along(s, k);
-        const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
-        require(sign != 0, "an edge: the derivative of E_j along it has no zero");
-        outcome_.slope[j][k] = sign;
-      });
+  shown<Piece>(piece, 2 * kFurther, [&](const Piece& p) {
+    if (by_value_[j][k]) {
+      require(sampler_.forms(p, outcome_.c, 0, 1U << j).e[j][0].sign() != 0,
+              "an edge: E_j has no zero");
+      return;
+    }
+    const Sample<> s = sampler_.forms(p, outcome_.c, 1, 1U << j);
+    const auto d = sampler_.along(s, k);
+    const int sign = (d[0] * s.e[j][1] + d[1] * s.e[j][2]).sign();
+    require(sign != 0, "an edge: the derivative of E_j along it has no zero");
+    outcome_.slope[j][k] = sign;
+  });
 }
 
 }  // namespace

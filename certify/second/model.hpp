@@ -27,8 +27,7 @@ class Model {
   int degree() const { return degree_; }
   bool is_zero() const {
     return radius_ == 0 && c_[0] == 0 &&
-           std::all_of(
-               c_.begin(), c_.end(), [](auto c) { return c == 0; });
+           std::all_of(c_.begin(), c_.end(), [](auto c) { return c == 0; });
   }
   /// An enclosure of the values on the triangle: the hull of the Bernstein coefficients.
   Interval range() const;

@@ -28,8 +28,7 @@ bool has_cube(const SplineCubicData& data, const Domain& domain,
 }
 
 bool all_zero(std::span<const double> numbers) {
-  return std::ranges::all_of(
-      numbers, [](double x) { return x == 0; });
+  return std::ranges::all_of(numbers, [](double x) { return x == 0; });
 }
 
 }  // namespace

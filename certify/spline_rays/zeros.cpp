@@ -44,12 +44,10 @@ bool Zeros::ask(const Segment& segment, const Parameter& from, const Parameter& 
 }
 
 bool Zeros::any_on(const Segment& segment, const Parameter& from, const Parameter& to) {
-  return ask(
-      segment, from, to, [](const auto& b) { return has_zero(b); });
+  return ask(segment, from, to, [](const auto& b) { return has_zero(b); });
 }
 bool Zeros::any_before(const Segment& segment, const Parameter& from, const Parameter& to) {
-  return ask(
-      segment, from, to, [](const auto& b) { return has_zero_before_end(b); });
+  return ask(segment, from, to, [](const auto& b) { return has_zero_before_end(b); });
 }
 
 template <class Number>

@@ -64,11 +64,10 @@ constexpr auto minmax(const Range& range) {
 template <class Range, class Value, class Compare = std::less<>, class Projection = Same>
 constexpr auto lower_bound(Range&& range, const Value& value, Compare compare = {},
                            Projection projection = {}) {
-  return std::lower_bound(
-      std::begin(range), std::end(range), value,
-      [&](const auto& a, const Value& b) -> bool {
-        return std::invoke(compare, std::invoke(projection, a), b);
-      });
+  return std::lower_bound(std::begin(range), std::end(range), value,
+                          [&](const auto& a, const Value& b) -> bool {
+                            return std::invoke(compare, std::invoke(projection, a), b);
+                          });
 }
 template <class Range, class Value>
 constexpr bool binary_search(Range&& range, const Value& value) {
@@ -116,11 +115,10 @@ constexpr auto adjacent_find(Range&& range, Predicate predicate = {}) {
 template <class A, class B, class Predicate = std::equal_to<>, class First = Same,
           class Second = Same>
 constexpr bool equal(A&& a, B&& b, Predicate predicate = {}, First first = {}, Second second = {}) {
-  return std::equal(
-      std::begin(a), std::end(a), std::begin(b), std::end(b),
-      [&](const auto& x, const auto& y) -> bool {
-        return std::invoke(predicate, std::invoke(first, x), std::invoke(second, y));
-      });
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b),
+                    [&](const auto& x, const auto& y) -> bool {
+                      return std::invoke(predicate, std::invoke(first, x), std::invoke(second, y));
+                    });
 }
 
 template <class Range, class Out>

@@ -69,10 +69,8 @@ void row(const std::string& name, const experiments::CodingInput& mesh, int runs
   };
   const auto stream = encode(bare).stream, placed_stream = encode(placed).stream;
   const std::size_t faces = mesh.faces.size();
-  const double e = timed(
-                   faces, runs, [&] { encode(bare); }),
-               d = timed(
-                   faces, runs, [&] { coding::decode(stream); });
+  const double e = timed(faces, runs, [&] { encode(bare); }),
+               d = timed(faces, runs, [&] { coding::decode(stream); });
   const double ep = timed(faces, runs, [&] { encode(placed); }),
                dp = timed(faces, runs, [&] { coding::decode(placed_stream); });
   fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", name, faces, e, d, ep - e,

@@ -55,10 +55,9 @@ void panels(const std::string& name, const TestMesh& test, const kernel::Triangl
   const FocalSurface reference = curvature::focal_of_vertices(mesh, exact, q, kShare);
   write('a', reference);
   const auto averaged = [&](char panel, const curvature::Result& result) {
-    write(panel,
-          in_scale(
-              reference.scale,
-              [&](double share) { return curvature::focal_of_vertices(mesh, result, q, share); }));
+    write(panel, in_scale(reference.scale, [&](double share) {
+            return curvature::focal_of_vertices(mesh, result, q, share);
+          }));
   };
   const auto independent = [&](char panel, const curvature::Result& result) {
     write(panel, in_scale(reference.scale, [&](double share) {
@@ -81,12 +80,10 @@ std::optional<kernel::TriangleMesh> part_of(const kernel::TriangleMesh& mesh, co
                                             double radius) {
   std::vector<bool> kept(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    kept[f] = std::ranges::all_of(
-        mesh.faces()[f],
-        [&](Index v) {
-          const Vec3 d = mesh.points()[v] - centre;
-          return dot(d, d) <= radius * radius;
-        });
+    kept[f] = std::ranges::all_of(mesh.faces()[f], [&](Index v) {
+      const Vec3 d = mesh.points()[v] - centre;
+      return dot(d, d) <= radius * radius;
+    });
   }
   for (bool changed = true; changed;) {
     changed = false;

@@ -40,8 +40,7 @@ struct TestSurface {
 
 /// The torus R = 2, r = 1 (the thesis does not give its radii).
 inline TestSurface torus() {
-  return {"Torus", true,
-          [](double a, double b) {
+  return {"Torus", true, [](double a, double b) {
             constexpr double w = 2 * std::numbers::pi;
             const double cu = std::cos(w * a), su = std::sin(w * a), cv = std::cos(w * b),
                          sv = std::sin(w * b), rho = 2 + cv;
@@ -56,8 +55,7 @@ inline TestSurface torus() {
 
 /// Radius r(phi, z) = 1 + 0.15 cos 3 phi cos pi z + 0.2 sin 2 z around the z axis, |z| <= 1.
 inline TestSurface waved_tube() {
-  return {"Waved tube", false,
-          [](double a, double b) {
+  return {"Waved tube", false, [](double a, double b) {
             constexpr double w = 2 * std::numbers::pi, pi = std::numbers::pi;
             const double phi = w * a, z = 2 * b - 1;
             const double c3 = std::cos(3 * phi), s3 = std::sin(3 * phi), cz = std::cos(pi * z),

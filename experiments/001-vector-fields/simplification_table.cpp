@@ -57,10 +57,8 @@ void histogram(const std::string& name, const Items& items, Weight&& weight) {
 
 void histograms(const std::string& name, const PlanarField& field) {
   const Importance w = weigh(field, smoothed(field), extract_skeleton(field));
-  histogram(
-      name + ": zeros, first", w.zeros, [](const ZeroWeight& z) { return z.first; });
-  histogram(
-      name + ": zeros, consistent", w.zeros, [](const ZeroWeight& z) { return z.weight; });
+  histogram(name + ": zeros, first", w.zeros, [](const ZeroWeight& z) { return z.first; });
+  histogram(name + ": zeros, consistent", w.zeros, [](const ZeroWeight& z) { return z.weight; });
   histogram(name + ": separatrices", w.separatrices, [](double x) { return x; });
 }
 

@@ -38,21 +38,18 @@ void row(const std::string& name, sampling::PlanarSample sample) {
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
   const auto kind = [&](ZeroKind k) {
-    return count(
-        s.critical_points, [k](const CriticalPoint& c) { return c.kind == k; });
+    return count(s.critical_points, [k](const CriticalPoint& c) { return c.kind == k; });
   };
   const auto touch = [&](bool inside, bool vertex) {
-    return count(
-        s.switch_points,
-        [=](const SwitchPoint& p) { return p.inside == inside && p.at_vertex == vertex; });
+    return count(s.switch_points,
+                 [=](const SwitchPoint& p) { return p.inside == inside && p.at_vertex == vertex; });
   };
   const auto end = [&](EndKind e) {
-    return count(
-        s.separatrices, [e](const Separatrix& l) { return l.end == e; });
+    return count(s.separatrices, [e](const Separatrix& l) { return l.end == e; });
   };
-  const auto precise = count(
-      s.separatrices,
-      [](const Separatrix& l) { return l.bits > 53 && l.end != EndKind::undecided; });
+  const auto precise = count(s.separatrices, [](const Separatrix& l) {
+    return l.bits > 53 && l.end != EndKind::undecided;
+  });
   fmt::print(
       "| {} | {} | {} | {}/{}/{} ({}) | {}+{} / {}+{} | {} = {} | {} | {}/{}/{} | {} | {} | {} | "
       "{:.4f} "

@@ -137,12 +137,10 @@ int count(const Range& range, Predicate&& predicate) {
 
 std::string counts(const SmoothRidges& r) {
   const auto index = [&](int twice) {
-    return count(
-        r.umbilics, [&](const auto& u) { return u.twice_index == twice; });
+    return count(r.umbilics, [&](const auto& u) { return u.twice_index == twice; });
   };
   const auto kind = [&](int branches) {
-    return count(
-        r.umbilics, [&](const auto& u) { return u.branches[0] == branches; });
+    return count(r.umbilics, [&](const auto& u) { return u.branches[0] == branches; });
   };
   const auto ridges = [&](kernel::Colour colour) {
     const auto of = [&](bool loop) {
@@ -217,10 +215,9 @@ void phases_row(const SmoothSurface& surface, const Options& o) {
 }
 
 bool is_wanted(const std::string& name, const Options& o) {
-  return o.only.empty() ||
-         std::any_of(
-             o.only.begin(), o.only.end(),
-             [&](const std::string& part) { return name.find(part) != std::string::npos; });
+  return o.only.empty() || std::any_of(o.only.begin(), o.only.end(), [&](const std::string& part) {
+           return name.find(part) != std::string::npos;
+         });
 }
 
 struct Table {

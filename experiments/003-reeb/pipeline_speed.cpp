@@ -94,8 +94,7 @@ void print_row(double triangles, int degree, const std::string& kind, int repeti
   const auto answer = [](const Times& t) { return t[0] + t[1] + t[2]; };
   fmt::print("| {} | {} | {} |", input.surface.triangles.size(), degree, kind);
   for (std::size_t p = 0; p < std::size(kPhases); ++p)
-    fmt::print(" {:.3f} |", median(
-                                guarded, [&](const Times& t) { return t[p]; }));
+    fmt::print(" {:.3f} |", median(guarded, [&](const Times& t) { return t[p]; }));
   fmt::print(" {:.3f} | {:.2f} | {:.2f} | {:.0f} |\n", median(guarded, answer),
              median(guarded, answer) / median(plain, answer),
              median(guarded, [&](const Times& t) { return t[4] / (answer(t) + t[3]); }),

@@ -141,9 +141,9 @@ class Pipeline {
 
  private:
   std::size_t on_faces() const {
-    return static_cast<std::size_t>(std::count_if(
-        region_.points.begin(), region_.points.end(),
-        [](const auto& p) { return p.twin == SphereRegion::kNone; }));
+    return static_cast<std::size_t>(
+        std::count_if(region_.points.begin(), region_.points.end(),
+                      [](const auto& p) { return p.twin == SphereRegion::kNone; }));
   }
   std::size_t arc_points() const {
     return (region_.points.size() - on_faces()) / 2 - region_.crossings;

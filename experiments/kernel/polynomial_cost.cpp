@@ -64,11 +64,9 @@ template <int Degree>
 void print_hull() {
   const auto nets = one_sign<Degree>(4096);
   const auto lanes = in_lanes(nets);
-  const double one = microseconds(
-      nets.size(),
-      [&](std::size_t i) {
-        return *certain_hull(SimplexForm<Bounded<double>, 3, Degree>(nets[i])) == Hull::positive;
-      });
+  const double one = microseconds(nets.size(), [&](std::size_t i) {
+    return *certain_hull(SimplexForm<Bounded<double>, 3, Degree>(nets[i])) == Hull::positive;
+  });
   const double eight = microseconds(lanes.size(), [&](std::size_t i) {
     return certain_signs(SimplexForm<Bounded<Lanes>, 3, Degree>(lanes[i])).positive;
   });
@@ -87,12 +85,9 @@ void print_sextic() {
   };
   using One = Bounded<double>;
   using Eight = Bounded<Lanes>;
-  const double one = microseconds(
-      d.size(),
-      [&](std::size_t i) {
-        return certain_hull(sextic(lifted<One>(d[i]), lifted<One>(q[i]), One(0.0))) ==
-               Hull::positive;
-      });
+  const double one = microseconds(d.size(), [&](std::size_t i) {
+    return certain_hull(sextic(lifted<One>(d[i]), lifted<One>(q[i]), One(0.0))) == Hull::positive;
+  });
   const double eight = microseconds(dl.size(), [&](std::size_t i) {
     return certain_signs(sextic(lifted<Eight>(dl[i]), lifted<Eight>(ql[i]), Eight(0.0))).positive;
   });
@@ -111,17 +106,15 @@ void print_roots(std::size_t degree) {
     exact.push_back(*integers(c));
     p.push_back(IntegerPolynomial::from_bernstein(exact.back()));
   }
-  const double triage = microseconds(
-      b.size(),
-      [&](std::size_t i) {
-        const auto places = triage_unit_places(b[i], 0);
-        return places ? static_cast<double>(places->size()) : 0.0;
-      });
+  const double triage = microseconds(b.size(), [&](std::size_t i) {
+    const auto places = triage_unit_places(b[i], 0);
+    return places ? static_cast<double>(places->size()) : 0.0;
+  });
   const double unit = microseconds(
       b.size(), [&](std::size_t i) { return static_cast<double>(unit_roots(b[i])->roots.size()); });
-  const double integers_only = microseconds(
-      b.size(),
-      [&](std::size_t i) { return static_cast<double>(exact_unit_places(exact[i]).size()); });
+  const double integers_only = microseconds(b.size(), [&](std::size_t i) {
+    return static_cast<double>(exact_unit_places(exact[i]).size());
+  });
   const double line = microseconds(
       b.size(), [&](std::size_t i) { return static_cast<double>(real_roots(p[i]).roots.size()); });
   fmt::print("| {} | {:.2f} | {:.2f} | {:.1f} | {:.1f} |\n", degree, triage, unit, integers_only,
@@ -145,16 +138,12 @@ void print_numbers() {
   const auto row = [&](const char* name, auto&& operation) {
     fmt::print("| {} | {:.2f} |\n", name, microseconds(count, operation));
   };
-  row(
-      "sign of a sextic at a root of another",
+  row("sign of a sextic at a root of another",
       [&](std::size_t i) { return static_cast<double>(sign_at(q[i], numbers[i]).sign); });
-  row(
-      "the same where it is zero (a common factor)",
-      [&](std::size_t i) {
-        return static_cast<double>(sign_at(numbers[i].polynomial() * q[i], numbers[i]).sign);
-      });
-  row(
-      "order of two roots of two sextics",
+  row("the same where it is zero (a common factor)", [&](std::size_t i) {
+    return static_cast<double>(sign_at(numbers[i].polynomial() * q[i], numbers[i]).sign);
+  });
+  row("order of two roots of two sextics",
       [&](std::size_t i) { return static_cast<double>(compare(numbers[i], numbers[i + 1])); });
   row("a root of a sextic between neighbouring doubles",
       [&](std::size_t i) { return numbers[i].bracket().low; });

@@ -59,16 +59,10 @@ void print_rows() {
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} |\n", Order, name, plain, model,
                model / plain);
   };
-  row("sum",
-      nanoseconds(
-          pa, pb, [](const auto& x, const auto& y) { return x + y; }),
-      nanoseconds(
-          a, b, [](const auto& x, const auto& y) { return x + y; }));
-  row("product",
-      nanoseconds(
-          pa, pb, [](const auto& x, const auto& y) { return x * y; }),
-      nanoseconds(
-          a, b, [](const auto& x, const auto& y) { return x * y; }));
+  row("sum", nanoseconds(pa, pb, [](const auto& x, const auto& y) { return x + y; }),
+      nanoseconds(a, b, [](const auto& x, const auto& y) { return x + y; }));
+  row("product", nanoseconds(pa, pb, [](const auto& x, const auto& y) { return x * y; }),
+      nanoseconds(a, b, [](const auto& x, const auto& y) { return x * y; }));
   row("x y + x", nanoseconds(pa, pb, [](const auto& x, const auto& y) { return x * y + x; }),
       nanoseconds(a, b, [](const auto& x, const auto& y) { return x * y + x; }));
 }

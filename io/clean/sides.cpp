@@ -25,12 +25,11 @@ std::vector<Side> sorted_sides(const Surface& surface) {
     }
   }
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
-    std::sort(
-        sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-        sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
-        [](const Side& s, const Side& t) {
-          return std::tie(s.high, s.third, s.face) < std::tie(t.high, t.third, t.face);
-        });
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+              [](const Side& s, const Side& t) {
+                return std::tie(s.high, s.third, s.face) < std::tie(t.high, t.third, t.face);
+              });
   }
   return sides;
 }

@@ -195,24 +195,22 @@ std::string ply_header(const kernel::TriangleMesh& mesh) {
 
 void write_ply(const std::string& path, const kernel::TriangleMesh& mesh,
                const curvature::Result& result) {
-  write_atomically(
-      path,
-      [&](const Sink& sink) {
-        sink(ply_header(mesh));
-        BinaryNumbers numbers(sink);
-        for (Index v = 0; v < mesh.vertex_count(); ++v) {
-          const PointCurvature& c = result.vertices[v];
-          numbers.add(mesh.points()[v]);
-          numbers.add(result.normals[v]);
-          for (const Scalar& s : kScalars) numbers.add(c.*s.member);
-          for (const Direction& d : kDirections) numbers.add(c.*d.member);
-        }
-        for (const kernel::Triangle& f : mesh.faces()) {
-          numbers.add(std::uint8_t{3});
-          for (const Index v : f) numbers.add(static_cast<std::int32_t>(v));
-        }
-        numbers.flush();
-      });
+  write_atomically(path, [&](const Sink& sink) {
+    sink(ply_header(mesh));
+    BinaryNumbers numbers(sink);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const PointCurvature& c = result.vertices[v];
+      numbers.add(mesh.points()[v]);
+      numbers.add(result.normals[v]);
+      for (const Scalar& s : kScalars) numbers.add(c.*s.member);
+      for (const Direction& d : kDirections) numbers.add(c.*d.member);
+    }
+    for (const kernel::Triangle& f : mesh.faces()) {
+      numbers.add(std::uint8_t{3});
+      for (const Index v : f) numbers.add(static_cast<std::int32_t>(v));
+    }
+    numbers.flush();
+  });
 }
 
 std::array<unsigned char, 3> focal_colour(double q) {

@@ -70,9 +70,9 @@ decltype(auto) with_type(NumberType type, Use&& use) {
 /// The number at a place, converted to T.
 template <class T>
 T load_as(NumberType type, const char* at, bool big_endian) {
-  return with_type(
-      type,
-      [&](auto sample) { return static_cast<T>(load_number<decltype(sample)>(at, big_endian)); });
+  return with_type(type, [&](auto sample) {
+    return static_cast<T>(load_number<decltype(sample)>(at, big_endian));
+  });
 }
 
 }  // namespace crest::io

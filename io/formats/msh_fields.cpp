@@ -82,8 +82,8 @@ void MshFields::read_section() {
 }
 
 bool MshFields::any(bool of_nodes) const {
-  return std::any_of(
-      data_.begin(), data_.end(), [&](const Data& d) { return d.of_nodes == of_nodes; });
+  return std::any_of(data_.begin(), data_.end(),
+                     [&](const Data& d) { return d.of_nodes == of_nodes; });
 }
 
 void MshFields::require_step() const {

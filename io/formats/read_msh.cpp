@@ -92,7 +92,8 @@ class MshReader {
       else if (section == "$NodeData" || section == "$ElementData")
         fields_.read_section();
       else if (section == "$NOD")
-        fail("$NOD", "is of Gmsh's format 1", "save as 4.1 (gmsh FILE -0 -format msh41 -o NEW.msh)");
+        fail("$NOD", "is of Gmsh's format 1",
+             "save as 4.1 (gmsh FILE -0 -format msh41 -o NEW.msh)");
       source_.end_section();
     }
     if (version_ == 0) fail("file", "has no $MeshFormat", "save it from Gmsh as .msh");

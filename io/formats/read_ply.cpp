@@ -272,20 +272,18 @@ class BinaryPly : public PlyReader {
   }
 
   void read_column(const Column& column, const char* at, std::size_t rows, std::size_t size) const {
-    with_type(
-        column.property->value,
-        [&](auto sample) {
-          using Native = decltype(sample);
-          const auto copy = [&](auto* to) {
-            using To = std::remove_reference_t<decltype(*to)>;
-            to += column.stride * item_;
-            for (std::size_t i = 0; i < rows; ++i, at += size, to += column.stride)
-              *to = static_cast<To>(load_number<Native>(at, big_endian_));
-          };
-          if (column.reals) copy(column.reals);
-          if (column.integers) copy(column.integers);
-          if (column.naturals) copy(column.naturals);
-        });
+    with_type(column.property->value, [&](auto sample) {
+      using Native = decltype(sample);
+      const auto copy = [&](auto* to) {
+        using To = std::remove_reference_t<decltype(*to)>;
+        to += column.stride * item_;
+        for (std::size_t i = 0; i < rows; ++i, at += size, to += column.stride)
+          *to = static_cast<To>(load_number<Native>(at, big_endian_));
+      };
+      if (column.reals) copy(column.reals);
+      if (column.integers) copy(column.integers);
+      if (column.naturals) copy(column.naturals);
+    });
   }
 
   void take_list(const Column& column) {

@@ -120,9 +120,9 @@ std::string quoted(std::string_view word) {
 }
 
 bool is_keyword(std::string_view word, std::string_view lower) {
-  return std::equal(
-      word.begin(), word.end(), lower.begin(), lower.end(),
-      [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](char a, char b) {
+    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
+  });
 }
 
 std::string numbered(const char* what, std::size_t index, std::size_t line) {

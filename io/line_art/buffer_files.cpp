@@ -116,22 +116,15 @@ std::string vti_of(const Buffers& b) {
     image->GetPointData()->AddArray(array);
   };
   const float none = -1;
-  add(
-      "face", 1,
-      [&](std::size_t k, std::size_t) {
-        return b.face[k] == kNone ? none : static_cast<float>(b.face[k]);
-      });
-  add(
-      "nearness", 1,
+  add("face", 1, [&](std::size_t k, std::size_t) {
+    return b.face[k] == kNone ? none : static_cast<float>(b.face[k]);
+  });
+  add("nearness", 1,
       [&](std::size_t k, std::size_t) { return b.face[k] == kNone ? 0.0F : b.near[k]; });
-  add(
-      "luminance", 1, [&](std::size_t k, std::size_t) { return b.luminance[k]; });
-  add(
-      "curvature", 1, [&](std::size_t k, std::size_t) { return b.curvature[k]; });
-  add(
-      "normal", 3, [&](std::size_t k, std::size_t c) { return b.normal[k][c]; });
-  add(
-      "rib", 2, [&](std::size_t k, std::size_t c) { return b.rib[k][c]; });
+  add("luminance", 1, [&](std::size_t k, std::size_t) { return b.luminance[k]; });
+  add("curvature", 1, [&](std::size_t k, std::size_t) { return b.curvature[k]; });
+  add("normal", 3, [&](std::size_t k, std::size_t c) { return b.normal[k][c]; });
+  add("rib", 2, [&](std::size_t k, std::size_t c) { return b.rib[k][c]; });
   add("backbone", 2, [&](std::size_t k, std::size_t c) { return b.backbone[k][c]; });
   image->GetPointData()->SetActiveScalars("luminance");
   return vti_bytes(*image);
@@ -168,29 +161,26 @@ std::string buffer_file(const std::string& which, const Buffers& b,
 }
 
 void read_luminance(const std::string& path, Buffers& b) {
-  read_named(
-      path,
-      [&] {
-        const FileBytes bytes = load(path);
-        if (!std::string_view(bytes).starts_with("\x89PNG"))
-          fail("file", "is no PNG", "give the -luminance.png of --save-buffers, edited");
-        const Volume image = read_png(bytes, {});
-        if (image.size.size() < 2 || image.size[0] != static_cast<std::size_t>(b.width) ||
-            image.size[1] != static_cast<std::size_t>(b.height))
-          fail("image", fmt::format("is not {} by {} pixels", b.width, b.height),
-               "save the buffers of this view again");
-        std::visit(
-            [&](const auto& samples) {
-              using Native = typename std::decay_t<decltype(samples)>::value_type;
-              const double white = sizeof(Native) == 1 ? 255 : 65535;
-              const auto w = static_cast<std::size_t>(b.width),
-                         h = static_cast<std::size_t>(b.height);
-              for (std::size_t k = 0; k < b.size(); ++k)
-                b.luminance[k] = static_cast<float>(
-                    static_cast<double>(samples[(h - 1 - k / w) * w + k % w]) / white);
-            },
-            image.samples);
-      });
+  read_named(path, [&] {
+    const FileBytes bytes = load(path);
+    if (!std::string_view(bytes).starts_with("\x89PNG"))
+      fail("file", "is no PNG", "give the -luminance.png of --save-buffers, edited");
+    const Volume image = read_png(bytes, {});
+    if (image.size.size() < 2 || image.size[0] != static_cast<std::size_t>(b.width) ||
+        image.size[1] != static_cast<std::size_t>(b.height))
+      fail("image", fmt::format("is not {} by {} pixels", b.width, b.height),
+           "save the buffers of this view again");
+    std::visit(
+        [&](const auto& samples) {
+          using Native = typename std::decay_t<decltype(samples)>::value_type;
+          const double white = sizeof(Native) == 1 ? 255 : 65535;
+          const auto w = static_cast<std::size_t>(b.width), h = static_cast<std::size_t>(b.height);
+          for (std::size_t k = 0; k < b.size(); ++k)
+            b.luminance[k] = static_cast<float>(
+                static_cast<double>(samples[(h - 1 - k / w) * w + k % w]) / white);
+        },
+        image.samples);
+  });
 }
 
 }  // namespace crest::io

@@ -172,9 +172,8 @@ void Canvas::fill_polygon(const std::vector<Vec3>& corners, Rgb colour) {
 }
 
 void Canvas::fill_box(double x0, double y0, double x1, double y1, Rgb colour) {
-  paint(
-      x0, y0, x1, y1, colour,
-      [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });
+  paint(x0, y0, x1, y1, colour,
+        [&](double x, double y) { return x >= x0 && x < x1 && y >= y0 && y < y1; });
 }
 
 void Canvas::stamp(int left, int top, const Mask& mask, Rgb colour) {

@@ -43,8 +43,7 @@ struct Axis {
   std::size_t k;
   template <class Test>
   bool all(const Test& test) const {
-    return std::all_of(
-        points.begin(), points.end(), [&](const Vec3& p) { return test(p[k]); });
+    return std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return test(p[k]); });
   }
   double reach() const {
     double reach = 0;

@@ -22,18 +22,16 @@ std::uint64_t word_at(const Field& field, std::size_t i) {
 /// Of integers from `least` to `most` as words.
 template <class T>
 bool all_are(const std::vector<std::uint64_t>& words) {
-  return std::all_of(
-      words.begin(), words.end(),
-      [](std::uint64_t word) {
-        if constexpr (std::is_floating_point_v<T>) {
-          const auto x = std::bit_cast<double>(word);
-          return !(std::isfinite(x) && std::fabs(x) > std::numeric_limits<T>::max()) &&
-                 std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<T>(x))) == word;
-        } else {
-          const auto x = static_cast<std::int64_t>(word);
-          return static_cast<std::int64_t>(static_cast<T>(x)) == x;
-        }
-      });
+  return std::all_of(words.begin(), words.end(), [](std::uint64_t word) {
+    if constexpr (std::is_floating_point_v<T>) {
+      const auto x = std::bit_cast<double>(word);
+      return !(std::isfinite(x) && std::fabs(x) > std::numeric_limits<T>::max()) &&
+             std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<T>(x))) == word;
+    } else {
+      const auto x = static_cast<std::int64_t>(word);
+      return static_cast<std::int64_t>(static_cast<T>(x)) == x;
+    }
+  });
 }
 
 bool hold(NumberType type, const std::vector<std::uint64_t>& words) {

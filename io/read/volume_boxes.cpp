@@ -68,8 +68,7 @@ void for_each_row(const std::array<std::size_t, 3>& size, const GridBox& box, co
 }
 
 Samples empty_samples(NumberType type) {
-  return with_type(
-      type, [](auto zero) -> Samples { return std::vector<decltype(zero)>(); });
+  return with_type(type, [](auto zero) -> Samples { return std::vector<decltype(zero)>(); });
 }
 
 }  // namespace

@@ -92,12 +92,10 @@ class LayoutColumns {
 
  private:
   bool free(int column, double low, double high) const {
-    return std::none_of(
-        taken_.begin(), taken_.end(),
-        [&](const auto& span) {
-          const auto& [c, a, b] = span;
-          return c == column && a <= high && low <= b;
-        });
+    return std::none_of(taken_.begin(), taken_.end(), [&](const auto& span) {
+      const auto& [c, a, b] = span;
+      return c == column && a <= high && low <= b;
+    });
   }
   std::vector<std::tuple<int, double, double>> taken_;
 };

@@ -77,8 +77,7 @@ void add_dots(const SmoothRidges& result, const Camera& camera, const Canvas& ca
     add(p.point, [&](const Vec3& pixel) { return turning_dot(pixel, p.colour); });
   for (const auto& p : result.purple_points) add(p.point, purple_dot);
   for (const UmbilicPoint& u : result.umbilics) {
-    add(
-        u.point,
+    add(u.point,
         [&](const Vec3& pixel) { return umbilic_dot(pixel, u.twice_index, u.branches[0]); });
   }
 }

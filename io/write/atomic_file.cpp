@@ -218,8 +218,7 @@ void PendingFiles::commit() {
 }
 
 void write_atomically(const std::string& path, std::string_view bytes) {
-  write_atomically(
-      path, [&](const Sink& sink) { sink(bytes); });
+  write_atomically(path, [&](const Sink& sink) { sink(bytes); });
 }
 
 void write_atomically(const std::string& path, const std::function<void(const Sink&)>& write) {

@@ -78,11 +78,9 @@ class Pieces {
  public:
   Pieces(Data& data, long long most)
       : data_(data), cells_(cells_of(data)), most_(most), number_(points(), -1), used_(points()) {
-    for_cells(
-        cells_, 0, data.GetNumberOfCells(),
-        [&](std::size_t, vtkIdList& cell) {
-          for (const vtkIdType v : cell) used_[static_cast<std::size_t>(v)] = true;
-        });
+    for_cells(cells_, 0, data.GetNumberOfCells(), [&](std::size_t, vtkIdList& cell) {
+      for (const vtkIdType v : cell) used_[static_cast<std::size_t>(v)] = true;
+    });
   }
   vtkIdType count() const {
     return std::max<vtkIdType>(1, (data_.GetNumberOfCells() + most_ - 1) / most_);
@@ -227,15 +225,13 @@ long long cells_a_piece(long long cells) {
 }
 
 void write_pvtp(const std::string& path, vtkPolyData& data, long long most) {
-  write_pieces(
-      path, data, most, "PPolyData", ".vtp",
-      [](const std::string& name, vtkPolyData& piece) { write_vtp(name, piece); });
+  write_pieces(path, data, most, "PPolyData", ".vtp",
+               [](const std::string& name, vtkPolyData& piece) { write_vtp(name, piece); });
 }
 
 void write_pvtu(const std::string& path, vtkUnstructuredGrid& data, long long most) {
-  write_pieces(
-      path, data, most, "PUnstructuredGrid", ".vtu",
-      [](const std::string& name, vtkUnstructuredGrid& piece) { write_vtu(name, piece); });
+  write_pieces(path, data, most, "PUnstructuredGrid", ".vtu",
+               [](const std::string& name, vtkUnstructuredGrid& piece) { write_vtu(name, piece); });
 }
 
 }  // namespace crest::io

@@ -97,8 +97,7 @@ MpTaylorModel<Order> MpTaylorModel<Order>::undefined() {
 template <int Order>
 bool MpTaylorModel<Order>::all_defined() const {
   return is_defined(remainder) &&
-         std::all_of(
-             c.begin(), c.end(), [](const MpInterval& x) { return is_defined(x); });
+         std::all_of(c.begin(), c.end(), [](const MpInterval& x) { return is_defined(x); });
 }
 
 template <int Order>

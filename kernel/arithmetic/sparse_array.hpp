@@ -26,12 +26,10 @@ class SparseArray {
  public:
   SparseArray() noexcept {}
   SparseArray(const SparseArray& other) {
-    for_each_bit(
-        other.mask_, [&](std::size_t i) { put(i, other[i]); });
+    for_each_bit(other.mask_, [&](std::size_t i) { put(i, other[i]); });
   }
   SparseArray(SparseArray&& other) noexcept(std::is_nothrow_move_constructible_v<T>) {
-    for_each_bit(
-        other.mask_, [&](std::size_t i) { put(i, std::move(other.place(i))); });
+    for_each_bit(other.mask_, [&](std::size_t i) { put(i, std::move(other.place(i))); });
   }
   SparseArray& operator=(const SparseArray& other) {
     if (this != &other) assign([&](std::size_t i) -> const T& { return other[i]; }, other.mask_);

@@ -164,28 +164,22 @@ class TaylorLanes {
     return a * inverse(b);
   }
   friend TaylorLanes inverse(const TaylorLanes& a) {
-    return a.compose(
-        taylor::inverse_series, [](const Model& m) { return inverse(m); });
+    return a.compose(taylor::inverse_series, [](const Model& m) { return inverse(m); });
   }
   friend TaylorLanes sqrt(const TaylorLanes& a) {
-    return a.compose(
-        taylor::sqrt_series, [](const Model& m) { return sqrt(m); });
+    return a.compose(taylor::sqrt_series, [](const Model& m) { return sqrt(m); });
   }
   friend TaylorLanes exp(const TaylorLanes& a) {
-    return a.compose(
-        taylor::exp_series, [](const Model& m) { return exp(m); });
+    return a.compose(taylor::exp_series, [](const Model& m) { return exp(m); });
   }
   friend TaylorLanes log(const TaylorLanes& a) {
-    return a.compose(
-        taylor::log_series, [](const Model& m) { return log(m); });
+    return a.compose(taylor::log_series, [](const Model& m) { return log(m); });
   }
   friend TaylorLanes sin(const TaylorLanes& a) {
-    return a.compose(
-        taylor::sin_series, [](const Model& m) { return sin(m); });
+    return a.compose(taylor::sin_series, [](const Model& m) { return sin(m); });
   }
   friend TaylorLanes cos(const TaylorLanes& a) {
-    return a.compose(
-        taylor::cos_series, [](const Model& m) { return cos(m); });
+    return a.compose(taylor::cos_series, [](const Model& m) { return cos(m); });
   }
   /// In all lanes (defined.hpp).
   friend TaylorLanes undefined_of(TaylorLanes a) {
@@ -229,13 +223,11 @@ void copy_lane(TaylorLanes<Order>& f, std::size_t from, std::size_t to) {
 }
 template <int Order, int Variables, int JetOrder>
 void copy_lane(Jet<TaylorLanes<Order>, Variables, JetOrder>& f, std::size_t from, std::size_t to) {
-  for_each_bit(
-      f.mask(),
-      [&](std::size_t i) {
-        auto coefficient = f[i];
-        copy_lane(coefficient, from, to);
-        f.set(i, coefficient);
-      });
+  for_each_bit(f.mask(), [&](std::size_t i) {
+    auto coefficient = f[i];
+    copy_lane(coefficient, from, to);
+    f.set(i, coefficient);
+  });
 }
 
 extern template class TaylorLanes<3>;

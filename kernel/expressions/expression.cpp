@@ -153,12 +153,10 @@ Expression Expression::parse(std::string_view text, const std::vector<std::strin
 }
 
 bool Expression::rational() const {
-  return std::all_of(
-             program_.begin(), program_.end(),
-             [](const Operation& o) { return o.code <= Code::power; }) &&
-         std::all_of(
-             constants_.begin(), constants_.end(),
-             [](const Constant& c) { return c.kind == Constant::Kind::number; });
+  return std::all_of(program_.begin(), program_.end(),
+                     [](const Operation& o) { return o.code <= Code::power; }) &&
+         std::all_of(constants_.begin(), constants_.end(),
+                     [](const Constant& c) { return c.kind == Constant::Kind::number; });
 }
 
 bool Expression::affine() const {

@@ -13,25 +13,21 @@ namespace crest::kernel {
 /// body(part) for parts that cover the range. Throws: Stopped, and what the body throws.
 template <class Range, class Body>
 void parallel_for(const Range& range, const Body& body) {
-  tbb::parallel_for(
-      range,
-      [&body, flag = stop_flag()](const Range& part) {
-        const Stoppable stoppable(flag);
-        stop_point();
-        body(part);
-      });
+  tbb::parallel_for(range, [&body, flag = stop_flag()](const Range& part) {
+    const Stoppable stoppable(flag);
+    stop_point();
+    body(part);
+  });
 }
 
 /// body(i) for first <= i < last. Throws: Stopped, and what the body throws.
 template <class Index, class Body>
 void parallel_for(Index first, Index last, const Body& body) {
-  tbb::parallel_for(
-      first, last,
-      [&body, flag = stop_flag()](Index i) {
-        const Stoppable stoppable(flag);
-        stop_point();
-        body(i);
-      });
+  tbb::parallel_for(first, last, [&body, flag = stop_flag()](Index i) {
+    const Stoppable stoppable(flag);
+    stop_point();
+    body(i);
+  });
 }
 
 /// join over parts that cover the range of body(part, value). Throws: Stopped, and what the

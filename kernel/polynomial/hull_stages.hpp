@@ -18,9 +18,8 @@ std::optional<Hull> interval_hull(const Formula& formula) {
 
 template <class Formula>
 Hull exact_hull(const Formula& formula) {
-  return *hull_of(
-      formula.template value<Rational>(),
-      [](const Rational& x) -> MaybeSign { return sign_of(x); });
+  return *hull_of(formula.template value<Rational>(),
+                  [](const Rational& x) -> MaybeSign { return sign_of(x); });
 }
 
 /// Compiles both stages of a formula in this file.

@@ -118,12 +118,10 @@ DecimalAngle::DecimalAngle(std::string text) : text_(std::move(text)) {
 }
 
 MaybeSign triage_dihedral_angle(const DihedralEdge& e, const DecimalAngle& angle) {
-  return by_stage(
-      e, angle, [](const auto& formula) { return triage(formula); });
+  return by_stage(e, angle, [](const auto& formula) { return triage(formula); });
 }
 MaybeSign interval_dihedral_angle(const DihedralEdge& e, const DecimalAngle& angle) {
-  return by_stage(
-      e, angle, [](const auto& formula) { return interval_stage(formula); });
+  return by_stage(e, angle, [](const auto& formula) { return interval_stage(formula); });
 }
 Sign exact_dihedral_angle(const DihedralEdge& e, const DecimalAngle& angle) {
   const auto exact = [](const auto& formula) { return MaybeSign(exact_stage(formula)); };

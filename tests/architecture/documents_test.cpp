@@ -32,8 +32,8 @@ bool line_has(const std::string& line, const std::string& phrase) {
 }
 
 bool any_line_has(const std::vector<std::string>& lines, const std::string& phrase) {
-  return std::any_of(
-      lines.begin(), lines.end(), [&](const std::string& line) { return line_has(line, phrase); });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line_has(line, phrase); });
 }
 
 /// The comment that says what a header is about: the first one after its guard.

@@ -18,11 +18,9 @@ std::size_t place(const std::vector<Row>& rows, Random& random) {
 }
 
 void sort_arcs(ReebCertificate& c) {
-  std::sort(
-      c.arcs.begin(), c.arcs.end(),
-      [](const ArcRecord& a, const ArcRecord& b) {
-        return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
-      });
+  std::sort(c.arcs.begin(), c.arcs.end(), [](const ArcRecord& a, const ArcRecord& b) {
+    return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
+  });
 }
 
 void exchange_ends(ReebCertificate& c, Random& random) {

@@ -169,8 +169,7 @@ Edits first_edits() {
              t = {b, d, e};
              return true;
            }},
-          {"a bit of a place",
-           [](auto& c, auto& r) {
+          {"a bit of a place", [](auto& c, auto& r) {
              c.positions[r() % c.positions.size()][r() % 3] ^= 1;
              return c.mode == CodingMode::exact;
            }}};

@@ -236,8 +236,8 @@ TEST_CASE("a level at a saddle of a piece is not decided, and listed") {
 
 TEST_CASE("a thin tube is decided, however many bisections its tetrahedra take") {
   // Of radius 0.02 about an axis of samples' distances.
-  const QuadraticSpline spline(volume_of<double>(
-      4, [](double x, double y, double) { return 9 * (x * x + y * y); }));
+  const QuadraticSpline spline(
+      volume_of<double>(4, [](double x, double y, double) { return 9 * (x * x + y * y); }));
   const auto surface = certified(spline, 2 + 4 * 0.02 * 0.02);
   CHECK(surface.components == 1);
   CHECK(surface.euler_characteristic == 0);

@@ -92,13 +92,11 @@ class Comparison {
       caster.emplace(spline_, kLevel);
       return Made{spline_.cube_count(), 0};
     });
-    measure(
-        "2 Crest, rays, first hits proven",
-        [&] {
-          std::vector<splines::Hit> hits(rays_.size());
-          const auto counts = caster->cast(rays_, hits);
-          return Made{rays_.size(), counts.hits};
-        });
+    measure("2 Crest, rays, first hits proven", [&] {
+      std::vector<splines::Hit> hits(rays_.size());
+      const auto counts = caster->cast(rays_, hits);
+      return Made{rays_.size(), counts.hits};
+    });
     measure("3 Crest, mesh of proven topology, triangles", [&] {
       return Made{splines::extract_isosurface(spline_, kLevel, 30).triangles.size(), 0};
     });
