@@ -100,9 +100,13 @@ bool certify_curves(Run& run, const modes::ModeField& field, const modes::Degene
 
 /// Throws: InputError where the tensors are too large for claim 6, whose lambda goes with their
 /// size and must stay a number.
-void check_size(const ModesOptions& o, const modes::ModeField& field) {
+void check_size(const ModesOptions& o, const std::vector<Wanted>& wanted,
+                const modes::ModeField& field) {
   constexpr int most = 1000;  // lambda is below 2^14 times that power of two
-  if (modes::scale_of(field.tensors) <= most) return;
+  if (std::all_of(wanted.begin(), wanted.end(),
+                  [](const Wanted& w) { return w.level.neutral(); }) ||
+      modes::scale_of(field.tensors) <= most)
+    return;
   throw kernel::InputError(
       o.common.input +
       ": tensors: entries of 1e301 and more have no certificate; divide all by "
@@ -156,9 +160,7 @@ Outcome work(Run& run, const ModesOptions& o) {
     scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool of_curves = wanted.empty() && run.wanted("--certificate");
-  const bool has_lambdas =
-      std::any_of(wanted.begin(), wanted.end(), [](const Wanted& w) { return !w.level.neutral(); });
-  if (run.wanted("--certificate") && has_lambdas) check_size(o, field);
+  if (run.wanted("--certificate")) check_size(o, wanted, field);
   const bool curves_decided =
       !o.degenerate || add_curves(run, field, file, of_curves, scene, summary);
   const modes::ZeroSet zeros =

@@ -157,6 +157,19 @@ void count_over_contours(const Barriers& barriers, Drawing& drawing) {
   }
 }
 
+/// `unit`: a millimetre of the page in the mesh's units.
+FieldOptions field_options(const HatchOptions& options, const View& view, double unit) {
+  const double spacing = options.tone.spacing;
+  FieldOptions o;
+  o.cross = options.cross_field;
+  o.spacing = spacing * unit;
+  o.smooth = options.smooth * spacing * unit;
+  // The page's up, tilted to the right and towards the eye.
+  o.axis = 0.35 * view.x + 0.85 * view.y + (-0.4) * view.z;
+  o.crease = options.crease;
+  return o;
+}
+
 }  // namespace
 
 void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
@@ -164,16 +177,10 @@ void add_hatches(Drawing& drawing, const kernel::TriangleMesh& mesh,
                  const Phase& phase) {
   drawing.regions = options.steering.regions;
   const View& view = drawing.view;
-  const double unit = unit_of(view, drawing.scene), spacing = options.tone.spacing;
+  const double spacing = options.tone.spacing;
   DirectionField field;
   phase("field", [&] {
-    FieldOptions o;
-    o.cross = options.cross_field;
-    o.spacing = spacing * unit;
-    o.smooth = options.smooth * spacing * unit;
-    // The page's up, tilted to the right and towards the eye.
-    o.axis = 0.35 * view.x + 0.85 * view.y + (-0.4) * view.z;
-    o.crease = options.crease;
+    const FieldOptions o = field_options(options, view, unit_of(view, drawing.scene));
     field = direction_field(mesh, frames, o);
     if (o.cross) align(mesh, frames, o, field);
   });

@@ -311,7 +311,7 @@ class CompressedField(Skeleton):
 
 
 def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str = "original",
-             test: str = "retrace", priority: str = "product", flips: bool = True,
+             test: str = "retrace", priority: str = "product", no_flips: bool = False,
              simplify: float | None = None, laplacian: str = "uniform", certificate: bool = True,
              threads: int = 0, progress: Progress = None) -> CompressedField:
     """A plane vector field on fewer triangles whose skeleton is proven to be the same
@@ -319,7 +319,7 @@ def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str
 
     equivalence: "strong" keeps all triangles that the skeleton meets, "original" those of zeros,
     "relaxed" their classes. test: "retrace" or "thesis". priority: "length", "error", "product"
-    of both. flips: where nothing collapses, edges are flipped by the same test.
+    of both. no_flips: else, where nothing collapses, edges are flipped by the same test.
     simplify, laplacian: as for skeleton(); critical points that weigh less may move and vanish in
     pairs, and the certificate is of the output's skeleton alone. Not with equivalence or test.
     V, F, vectors: as for skeleton(); threads, progress, errors: as for ridges().
@@ -336,7 +336,7 @@ def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str
         "equivalence": check.word(equivalence, "equivalence", ("strong", "original", "relaxed")),
         "test": check.word(test, "test", ("retrace", "thesis")),
         "priority": check.word(priority, "priority", ("length", "error", "product")),
-        "flips": bool(flips),
+        "flips": not no_flips,
         "certificate": bool(certificate)}
     return CompressedField(run("compress", arguments, threads, progress))
 
