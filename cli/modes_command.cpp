@@ -12,7 +12,6 @@
 #include "algorithms/modes/degenerate_curves.hpp"
 #include "algorithms/modes/level_text.hpp"
 #include "algorithms/modes/surface_geometry.hpp"
-#include "algorithms/modes/tensors.hpp"
 #include "certify/certificate.hpp"
 #include "certify/modes_curves/encode.hpp"
 #include "certify/verify.hpp"
@@ -98,21 +97,6 @@ bool certify_curves(Run& run, const modes::ModeField& field, const modes::Degene
   });
 }
 
-/// Throws: InputError where the tensors are too large for claim 6, whose lambda goes with their
-/// size and must stay a number.
-void check_size(const ModesOptions& o, const std::vector<Wanted>& wanted,
-                const modes::ModeField& field) {
-  constexpr int most = 1000;  // lambda is below 2^14 times that power of two
-  if (std::all_of(wanted.begin(), wanted.end(),
-                  [](const Wanted& w) { return w.level.neutral(); }) ||
-      modes::scale_of(field.tensors) <= most)
-    return;
-  throw kernel::InputError(
-      o.common.input +
-      ": tensors: entries of 1e301 and more have no certificate; divide all by "
-      "one number, which leaves the mode as it is");
-}
-
 /// Degenerate curves into the scene, the report and the summary. Returns whether all are decided,
 /// and proven if `certify`.
 bool add_curves(Run& run, const modes::ModeField& field, const io::TensorFile& file, bool certify,
@@ -160,7 +144,6 @@ Outcome work(Run& run, const ModesOptions& o) {
     scene.outline = io::domain_outline(field.mesh);
   std::string summary;
   const bool of_curves = wanted.empty() && run.wanted("--certificate");
-  if (run.wanted("--certificate")) check_size(o, wanted, field);
   const bool curves_decided =
       !o.degenerate || add_curves(run, field, file, of_curves, scene, summary);
   const modes::ZeroSet zeros =

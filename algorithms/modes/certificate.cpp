@@ -7,6 +7,8 @@
 #include <span>
 
 #include "algorithms/modes/positions.hpp"
+#include "algorithms/modes/tensors.hpp"
+#include "kernel/geometry/input_error.hpp"
 #include "kernel/geometry/parallel.hpp"
 
 namespace crest::modes {
@@ -394,6 +396,11 @@ certify::SurfaceCounts counts_of(const ModeSurface& surface) {
 
 ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
                    certify::ModeLevel& record, const Workers* workers) {
+  constexpr int most = 1000;  // lambda is below 2^14 times that power of two
+  if (!level.neutral() && scale_of(field.tensors) > most)
+    throw kernel::InputError(
+        "tensors: entries of 1e301 and more have no certificate; divide all by one number, which "
+        "leaves the mode as it is");
   Extraction e(field, level, options, workers);
   ModeResult r = e.result();
   record.numerator = static_cast<std::uint64_t>(level.p);

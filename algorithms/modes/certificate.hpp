@@ -8,7 +8,8 @@
 
 namespace crest::modes {
 
-/// extract(), with the record of its trees and counts.
+/// extract(), with the record of its trees and counts. Throws: kernel::InputError where the tensors
+/// are too large for claim 6: its lambdas go with their size and must stay numbers.
 ModeResult extract(const ModeField& field, const Level& level, const ModeOptions& options,
                    certify::ModeLevel& record, const Workers* workers = nullptr);
 
