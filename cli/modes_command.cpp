@@ -157,9 +157,11 @@ Outcome work(Run& run, const ModesOptions& o) {
     certify::ModeLevel record;
     auto result = run.step("extract", fmt::format("mode {}", w.level.value()), [&] {
       const modes::Workers* workers = mesh_workers().modes;
-      return run.wanted("--certificate")
-                 ? modes::extract(field, w.level, extraction, record, workers)
-                 : modes::extract(field, w.level, extraction, workers);
+      return run.with_input([&] {
+        return run.wanted("--certificate")
+                   ? modes::extract(field, w.level, extraction, record, workers)
+                   : modes::extract(field, w.level, extraction, workers);
+      });
     });
     const bool known = std::any_of(records.begin(), records.end(), [&](const auto& r) {
       return r.numerator == record.numerator && r.denominator == record.denominator;

@@ -217,7 +217,7 @@ std::pair<ridges::SupportChoice, ridges::FitResult> fitted(Run& run,
 Outcome work(Run& run, const RidgesOptions& o) {
   const io::MeshFile file = run.read_mesh();
   const kernel::TriangleMesh& mesh = file.mesh;
-  const auto fits = fitted(run, mesh, o);
+  const auto fits = run.with_input([&] { return fitted(run, mesh, o); });
   const ridges::SupportChoice& choice = fits.first;
   const ridges::FitResult& fit = fits.second;
   warn_about_fit(fit, o.fit.degree, run);

@@ -236,6 +236,7 @@ TEST_CASE(
       INFO(command << " " << power << "\n" << run.err);
       CHECK(run.exit_code == 3);
       CHECK(is_one_line(run.err));
+      CHECK(run.err.starts_with("crest: t.off: points: "));
       CHECK(run.err.find("scale the mesh by 1e") != std::string::npos);
       CHECK_FALSE(fs::exists(folder / "o.vtp"));
       CHECK_FALSE(fs::exists(folder / "r.json"));
