@@ -17,7 +17,7 @@ namespace {
 /// zlib expands a byte to at most 1032.
 constexpr std::uint64_t kExpansion = 1032, kSlack = 1 << 20;
 
-constexpr std::string_view kTruncated =
+constexpr std::string_view kTruncatedXml =
     "the file is truncated or its header wrong; export the mesh again";
 
 /// The number at `text`, past blanks, '=' and quotes; a number too large is the largest.
@@ -115,7 +115,8 @@ void check_array(std::string_view text, const Storage& storage, bool base64, std
   const auto check = [&](std::uint64_t announced, std::uint64_t limit) {
     if (announced <= limit) return;
     fail(fmt::format("array {}", array),
-         fmt::format("announces {}, more than the file holds", announced), std::string(kTruncated));
+         fmt::format("announces {}, more than the file holds", announced),
+         std::string(kTruncatedXml));
   };
   WordReader words(text, storage, base64);
   const auto first = words.next();
@@ -162,7 +163,7 @@ void check_xml(std::string_view bytes) {
     const std::uint64_t count = attribute_sum(bytes, name);
     if (count > room) {
       fail("header", fmt::format("{} is {}, more than the file holds", name, count),
-           std::string(kTruncated));
+           std::string(kTruncatedXml));
     }
   }
   const std::string_view text = bytes;

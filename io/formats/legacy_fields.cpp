@@ -6,11 +6,10 @@
 #include <map>
 
 #include "io/formats/files.hpp"
+#include "io/formats/remedy.hpp"
 
 namespace crest::io {
 namespace {
-
-constexpr const char* kRepair = "export the mesh again";
 
 /// Of colours: bytes in binary files, reals from 0 to 1 in texts.
 LegacyType colour_type(const LegacySource& source) {
@@ -78,9 +77,9 @@ void LegacyFields::read_field_array() {
 }
 
 void LegacyFields::read_values(const std::string& name, std::size_t components, LegacyType type) {
-  if (!owner_) fail(source_.where(), "is neither of POINT_DATA nor of CELL_DATA", kRepair);
+  if (!owner_) fail(source_.where(), "is neither of POINT_DATA nor of CELL_DATA", kExportMesh);
   if (components > 1000)
-    fail(source_.where(), fmt::format("has {} components", components), kRepair);
+    fail(source_.where(), fmt::format("has {} components", components), kExportMesh);
   const std::size_t numbers = source_.product(components, owner_->count);
   Field field{.name = name, .components = static_cast<int>(components)};
   field.normals = source_.section() == "normals" && owner_ == &points_;
@@ -93,7 +92,7 @@ void LegacyFields::read_values(const std::string& name, std::size_t components, 
 
 std::vector<Field> LegacyFields::taken(const char* section, Owner& owner, std::size_t count) {
   if (owner.announced && owner.count != count)
-    fail(section, fmt::format("is of {}, the file has {}", owner.count, count), kRepair);
+    fail(section, fmt::format("is of {}, the file has {}", owner.count, count), kExportMesh);
   return std::move(owner.fields);
 }
 

@@ -7,11 +7,10 @@
 #include <map>
 
 #include "io/formats/files.hpp"
+#include "io/formats/remedy.hpp"
 
 namespace crest::io {
 namespace {
-
-constexpr const char* kRepair = "export the mesh again";
 
 std::vector<std::int64_t> unpacked_bits(std::string_view bytes, std::size_t count) {
   std::vector<std::int64_t> bits;
@@ -53,16 +52,16 @@ std::string decoded(std::string_view name) {
 LegacySource::LegacySource(std::string_view bytes) : scan_(bytes) {
   constexpr std::string_view start = "# vtk datafile version";
   if (!is_keyword(scan_.peek_bytes(start.size()), start))
-    fail("header (line 1)", "does not start with '# vtk DataFile Version'", kRepair);
+    fail("header (line 1)", "does not start with '# vtk DataFile Version'", kExportMesh);
   scan_.take_bytes(start.size());
   if (!scan_.in_line() || !scan_.take(version_) || !(version_ >= 1 && version_ < 6))
-    fail("header (line 1)", "has no version from 1.0 to 5.1", kRepair);
+    fail("header (line 1)", "has no version from 1.0 to 5.1", kExportMesh);
   scan_.next_line();  // to the title, which may be empty
   scan_.next_line();
   const std::string_view kind = scan_.more() ? scan_.word() : "";  // as VTK: past blank lines
   binary_ = is_keyword(kind, "binary");
   if (!binary_ && !is_keyword(kind, "ascii"))
-    fail("header (line 3)", "is neither ASCII nor BINARY", kRepair);
+    fail("header (line 3)", "is neither ASCII nor BINARY", kExportMesh);
   if (binary_) return;
   const std::string_view text = check_text(bytes);
   const std::size_t place = std::min(scan_.position(), text.size());
@@ -83,7 +82,7 @@ std::string LegacySource::where() const {
 }
 
 std::string_view LegacySource::take_word() {
-  if (!scan_.in_line()) fail(where(), "ends early", kRepair);
+  if (!scan_.in_line()) fail(where(), "ends early", kExportMesh);
   return scan_.word();
 }
 
@@ -94,14 +93,14 @@ std::string LegacySource::take_name() {
 std::size_t LegacySource::take_count() {
   std::int64_t count = 0;
   if (!scan_.in_line() || !scan_.take(count) || count < 0)
-    fail(where(), fmt::format("has a bad count {}", quoted(scan_.peek())), kRepair);
+    fail(where(), fmt::format("has a bad count {}", quoted(scan_.peek())), kExportMesh);
   return static_cast<std::size_t>(count);
 }
 
 double LegacySource::take_real() {
   double x = 0;
   if (!scan_.in_line() || !scan_.take(x))
-    fail(where(), fmt::format("{} is not a number", quoted(scan_.peek())), kRepair);
+    fail(where(), fmt::format("{} is not a number", quoted(scan_.peek())), kExportMesh);
   return x;
 }
 
@@ -169,7 +168,7 @@ void LegacySource::require_words(std::size_t count) const {
 
 std::size_t LegacySource::product(std::size_t a, std::size_t b) const {
   std::size_t result = 0;
-  if (__builtin_mul_overflow(a, b, &result)) fail(where(), "has a bad count", kRepair);
+  if (__builtin_mul_overflow(a, b, &result)) fail(where(), "has a bad count", kExportMesh);
   return result;
 }
 

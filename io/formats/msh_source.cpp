@@ -7,11 +7,11 @@
 
 #include "io/formats/binary.hpp"
 #include "io/formats/files.hpp"
+#include "io/formats/remedy.hpp"
 
 namespace crest::io {
 namespace {
 
-constexpr const char* kRepair = "export the mesh again";
 constexpr std::size_t kNone = ~std::size_t{0};
 
 }  // namespace
@@ -32,7 +32,7 @@ TagTable::TagTable(const std::vector<std::int64_t>& tags, const char* what) {
       is_new = slot == kNone;
       slot = i;
     }
-    if (!is_new) fail(fmt::format("{} {}", what, tag), "is there twice", kRepair);
+    if (!is_new) fail(fmt::format("{} {}", what, tag), "is there twice", kExportMesh);
   }
 }
 
@@ -71,7 +71,7 @@ void MshSource::set_binary() {
   if (load<std::int32_t>() == 1) return;
   big_endian_ = true;
   scan_.move_to(scan_.position() - 4);
-  if (load<std::int32_t>() != 1) fail(section_, "has no mark of the byte order", kRepair);
+  if (load<std::int32_t>() != 1) fail(section_, "has no mark of the byte order", kExportMesh);
 }
 
 void MshSource::begin_line() {
@@ -86,14 +86,14 @@ void MshSource::fail_end() const {
 void MshSource::require_word() {
   if (scan_.in_line()) return;
   if (scan_.room() == 0) fail_end();
-  fail(line(), "has too few numbers", kRepair);
+  fail(line(), "has too few numbers", kExportMesh);
 }
 
 std::int64_t MshSource::word_integer() {
   std::int64_t value = 0;
   require_word();
   if (!scan_.take(value))
-    fail(line(), fmt::format("{} is not an integer", quoted(scan_.peek())), kRepair);
+    fail(line(), fmt::format("{} is not an integer", quoted(scan_.peek())), kExportMesh);
   return value;
 }
 
@@ -101,7 +101,7 @@ double MshSource::word_real() {
   double value = 0;
   require_word();
   if (!scan_.take(value))
-    fail(line(), fmt::format("{} is not a number", quoted(scan_.peek())), kRepair);
+    fail(line(), fmt::format("{} is not a number", quoted(scan_.peek())), kExportMesh);
   return value;
 }
 

@@ -5,12 +5,11 @@
 
 #include "io/formats/binary.hpp"
 #include "io/formats/files.hpp"
+#include "io/formats/remedy.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
 namespace {
-
-const std::string kTruncated = "the file is truncated; export the mesh again";
 
 class BinaryOff {
  public:

@@ -16,7 +16,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kRepair = "write the results again";
+constexpr const char* kWriteResults = "write the results again";
 
 /// CalculiX's elements as VTK's cells; `order`: which node comes k-th in VTK.
 struct Element {
@@ -67,7 +67,7 @@ class FrdLines {
   void require_line() {
     if (!next_line())
       fail(fmt::format("line {}", number_), "is the last of a block",
-           "the file is truncated; " + std::string(kRepair));
+           "the file is truncated; " + std::string(kWriteResults));
   }
   template <class T>
   T number(std::size_t first, std::size_t count) const {
@@ -78,7 +78,7 @@ class FrdLines {
     if (error != std::errc() || end != s.data() + s.size() || s.empty())
       fail(fmt::format("line {}", number_),
            fmt::format("{} in columns {} to {} is no number", quoted(s), first + 1, first + count),
-           kRepair);
+           kWriteResults);
     return x;
   }
   bool is_end() const { return blank_free(column(0, 3)) == "-3"; }
@@ -128,7 +128,7 @@ class FrdReader {
       else if (key == "9999")
         break;
     }
-    if (soup_.points.empty()) fail("nodes", "there are none", kRepair);
+    if (soup_.points.empty()) fail("nodes", "there are none", kWriteResults);
     if (request_.step && !found_step_)
       fail("time step", fmt::format("there is no step {}", *request_.step),
            steps_.empty() ? "the file has none" : "its steps are " + steps_);
@@ -149,7 +149,7 @@ class FrdReader {
   }
   std::size_t node(std::int64_t tag) const {
     const auto found = table_ ? table_->find(tag) : std::nullopt;
-    if (!found) fail(lines_.where(), fmt::format("node {} does not exist", tag), kRepair);
+    if (!found) fail(lines_.where(), fmt::format("node {} does not exist", tag), kWriteResults);
     return *found;
   }
 
@@ -157,19 +157,19 @@ class FrdReader {
     const std::size_t width = lines_.id_width(73), most = width == 10 ? 10 : 15;
     lines_.require_line();
     while (!lines_.is_end()) {
-      if (!lines_.is_record("-1")) fail(lines_.where(), "begins no element", kRepair);
+      if (!lines_.is_record("-1")) fail(lines_.where(), "begins no element", kWriteResults);
       const auto tag = lines_.number<std::int64_t>(3, width),
                  type = lines_.number<std::int64_t>(3 + width, 5);
       const Element* e = element(type);
       if (!e)
         fail(fmt::format("element {} (line {})", tag, lines_.line_number()),
-             fmt::format("has the unknown type {}", type), kRepair);
+             fmt::format("has the unknown type {}", type), kWriteResults);
       std::vector<Cells::Node> nodes;
       while (nodes.size() < e->order.size()) {
         lines_.require_line();
         if (!lines_.is_record("-2"))
           fail(fmt::format("element {} (line {})", tag, lines_.line_number()), "has too few nodes",
-               kRepair);
+               kWriteResults);
         for (std::size_t k = 0; k < most && nodes.size() < e->order.size(); ++k)
           nodes.push_back(
               static_cast<Cells::Node>(node(lines_.number<std::int64_t>(3 + width * k, width))));
@@ -187,7 +187,7 @@ class FrdReader {
     const auto step = lines_.number<std::int64_t>(58, 5);
     const std::size_t width = lines_.id_width(73);
     lines_.require_line();
-    if (!lines_.is_record("-4")) fail(lines_.where(), "begins no quantity", kRepair);
+    if (!lines_.is_record("-4")) fail(lines_.where(), "begins no quantity", kWriteResults);
     Field field;
     field.name = std::string(lines_.line_column(5, 8));
     const auto announced = lines_.number<std::size_t>(13, 5);
@@ -195,7 +195,7 @@ class FrdReader {
     bool tensor = announced == 6;
     for (std::size_t k = 0; k < announced; ++k) {
       lines_.require_line();
-      if (!lines_.is_record("-5")) fail(lines_.where(), "begins no component", kRepair);
+      if (!lines_.is_record("-5")) fail(lines_.where(), "begins no component", kWriteResults);
       // Those that the reading program computes (iexist = 1) have no numbers.
       if (!lines_.line_column(33, 5).empty() && lines_.number<int>(33, 5) == 1) continue;
       const auto row = lines_.number<std::size_t>(23, 5), at = lines_.number<std::size_t>(28, 5);
@@ -223,7 +223,7 @@ class FrdReader {
         k = 0;
         field.missing[v] = false;
       } else if (!lines_.is_record("-2") || k == 0) {
-        fail(lines_.where(), "begins no value", kRepair);
+        fail(lines_.where(), "begins no value", kWriteResults);
       }
       for (std::size_t i = 0; i < 6 && k < n && wanted; ++i, ++k)
         numbers[n * v + place[k]] = lines_.number<double>(3 + width + 12 * i, 12);

@@ -10,7 +10,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kRepair = "correct the INRIMAGE header";
+constexpr const char* kCorrectInr = "correct the INRIMAGE header";
 
 class InrHeader {
  public:
@@ -19,7 +19,7 @@ class InrHeader {
     if (!bytes.starts_with(first))
       fail("header", "does not start with #INRIMAGE-4#{", "save the volume as NRRD");
     const std::size_t end = bytes.find(last);
-    if (end == std::string_view::npos) fail("header", "has no end ##}", kRepair);
+    if (end == std::string_view::npos) fail("header", "has no end ##}", kCorrectInr);
     constexpr std::size_t block = 256;
     size_ = (end + last.size() + block) / block * block;  // a line's end at least
     if (size_ > bytes.size()) fail("header", "the file ends in it", "export it again");
@@ -27,7 +27,8 @@ class InrHeader {
     while (scan.more()) {
       const std::string line(scan.rest_of_line());
       const std::size_t sign = line.find('=');
-      if (sign == std::string::npos) fail("header", io::quoted(line) + " is no KEY=VALUE", kRepair);
+      if (sign == std::string::npos)
+        fail("header", io::quoted(line) + " is no KEY=VALUE", kCorrectInr);
       values_[line.substr(0, sign)] = line.substr(sign + 1);
     }
   }
@@ -43,7 +44,8 @@ class InrHeader {
     if (text.empty()) return otherwise;
     TextScan scan(text);
     Number x{};
-    if (!scan.in_line() || !scan.take(x)) fail(key, io::quoted(text) + " is not a number", kRepair);
+    if (!scan.in_line() || !scan.take(x))
+      fail(key, io::quoted(text) + " is not a number", kCorrectInr);
     return x;
   }
 
@@ -70,7 +72,7 @@ bool is_big_endian(const InrHeader& header) {
   const std::string cpu = header.value("CPU");
   if (cpu == "sun" || cpu == "sgi") return true;
   if (cpu == "decm" || cpu == "alpha" || cpu == "pc") return false;
-  fail("CPU", io::quoted(cpu) + " is none of decm, alpha, pc, sun, sgi", kRepair);
+  fail("CPU", io::quoted(cpu) + " is none of decm, alpha, pc, sun, sgi", kCorrectInr);
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ Volume read_inrimage(std::string_view bytes, const VolumeRequest&) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string axis(1, "XYZ"[k]);
     const auto size = header.number<std::int64_t>(axis + "DIM", 1);
-    if (size < 1) fail(axis + "DIM", fmt::format("{} is no size", size), kRepair);
+    if (size < 1) fail(axis + "DIM", fmt::format("{} is no size", size), kCorrectInr);
     volume.size.push_back(static_cast<std::size_t>(size));
     kernel::Vec3 step{};
     step[k] = header.number<double>("V" + axis, 1);

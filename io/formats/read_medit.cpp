@@ -6,13 +6,12 @@
 #include <map>
 
 #include "io/formats/files.hpp"
+#include "io/formats/remedy.hpp"
 #include "io/formats/solid_readers.hpp"
 #include "io/formats/text_scan.hpp"
 
 namespace crest::io {
 namespace {
-
-constexpr const char* kRepair = "export the mesh again";
 
 class Source {
  public:
@@ -45,18 +44,18 @@ class Source {
   std::size_t count(std::size_t words) {
     const std::int64_t n = integer();
     if (n < 0 || static_cast<std::uint64_t>(n) > scan_.room() / (2 * words) + 1)
-      fail(where(), fmt::format("announces {} entries, more than the file holds", n), kRepair);
+      fail(where(), fmt::format("announces {} entries, more than the file holds", n), kExportMesh);
     return static_cast<std::size_t>(n);
   }
   std::size_t line() const { return scan_.line(); }
 
  private:
   void require_word() {
-    if (!scan_.more()) fail(where(), "ends early", kRepair);
+    if (!scan_.more()) fail(where(), "ends early", kExportMesh);
   }
   [[noreturn]] void refuse(const char* what) {
     fail(fmt::format("{}, line {}", keyword_, scan_.line()),
-         fmt::format("{} is not {}", quoted(scan_.peek()), what), kRepair);
+         fmt::format("{} is not {}", quoted(scan_.peek()), what), kExportMesh);
   }
 
   TextScan scan_;
@@ -92,7 +91,7 @@ Soup read_medit(std::string_view bytes) {
   Soup soup;
   if (!source.next() || source.keyword() != "MeshVersionFormatted")
     fail("header", "has no MeshVersionFormatted",
-         "is it a text mesh of Medit? " + std::string(kRepair));
+         "is it a text mesh of Medit? " + std::string(kExportMesh));
   source.integer();
   while (source.next()) {
     if (source.keyword() == "Dimension") {
@@ -118,7 +117,7 @@ Soup read_medit(std::string_view bytes) {
       const std::size_t count = source.count(other->second);
       for (std::size_t i = 0; i < other->second * count; ++i) source.real();
     } else {
-      fail(source.where(), "is an unknown keyword", kRepair);
+      fail(source.where(), "is an unknown keyword", kExportMesh);
     }
   }
   return soup;
@@ -139,13 +138,14 @@ void read_medit_solution(std::string_view bytes, Soup& soup) {
       if (points != soup.points.size())
         fail(source.where(),
              fmt::format("is about {} points, the mesh has {}", points, soup.points.size()),
-             kRepair);
+             kExportMesh);
       const std::size_t fields = source.count(1);
       const std::size_t first = soup.point_fields.size();
       for (std::size_t f = 0; f < fields; ++f) {
         const std::int64_t type = source.integer();
         if (type < 1 || type > 3)
-          fail(source.where(), fmt::format("has a field of the unknown type {}", type), kRepair);
+          fail(source.where(), fmt::format("has a field of the unknown type {}", type),
+               kExportMesh);
         soup.point_fields.push_back(
             {.name = fmt::format("solution{}", f + 1), .components = components[type]});
       }

@@ -11,7 +11,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kRepair = "correct the MetaImage header";
+constexpr const char* kCorrectMeta = "correct the MetaImage header";
 
 /// The lines "KEY = VALUE", the last of which is ElementDataFile.
 class MetaHeader {
@@ -21,7 +21,7 @@ class MetaHeader {
       const std::string key(scan_.word().substr(0, 60));
       if (!scan_.in_line() || !scan_.take('='))
         fail(fmt::format("header (line {})", scan_.line()),
-             io::quoted(key) + " is followed by no '='", kRepair);
+             io::quoted(key) + " is followed by no '='", kCorrectMeta);
       scan_.in_line();
       values_[key] = std::string(scan_.rest_of_line());
       scan_.next_line();
@@ -30,7 +30,7 @@ class MetaHeader {
         return;
       }
     }
-    fail("header", "has no ElementDataFile", kRepair);
+    fail("header", "has no ElementDataFile", kCorrectMeta);
   }
   std::size_t size() const { return size_; }
   bool has(const char* key) const { return values_.count(key) > 0; }
@@ -46,7 +46,7 @@ class MetaHeader {
     TextScan scan(text);
     for (double& x : result)
       if (!scan.in_line() || !scan.take(x))
-        fail(key, fmt::format("{} are no {} numbers", io::quoted(text), count), kRepair);
+        fail(key, fmt::format("{} are no {} numbers", io::quoted(text), count), kCorrectMeta);
     return result;
   }
 
@@ -102,11 +102,11 @@ Volume read_meta_image(std::string_view bytes, const VolumeRequest& request) {
     fail("NDims", io::quoted(header.value("NDims")) + " is not 2 or 3",
          "give a volume or an image");
   const auto axes = static_cast<std::size_t>(dimension);
-  if (!header.has("DimSize")) fail("header", "has no DimSize", kRepair);
+  if (!header.has("DimSize")) fail("header", "has no DimSize", kCorrectMeta);
   Volume volume;
   for (const double n : header.numbers("DimSize", axes, 0)) {
     if (!(n >= 1 && n < 1e15) || n != std::floor(n))
-      fail("DimSize", io::quoted(header.value("DimSize")) + " are no counts", kRepair);
+      fail("DimSize", io::quoted(header.value("DimSize")) + " are no counts", kCorrectMeta);
     volume.size.push_back(static_cast<std::size_t>(n));
   }
   const double channels = header.numbers("ElementNumberOfChannels", 1, 1)[0];

@@ -10,13 +10,13 @@
 namespace crest::io {
 namespace {
 
-constexpr std::size_t kHeader = 1024;
+constexpr std::size_t kMrcHeader = 1024;
 
 /// Words of the header, counted from 0.
 class MrcHeader {
  public:
   explicit MrcHeader(std::string_view bytes) : bytes_(bytes) {
-    if (bytes.size() < kHeader) fail("header", "the file ends in it", "export it again");
+    if (bytes.size() < kMrcHeader) fail("header", "the file ends in it", "export it again");
     if (bytes.substr(208, 4) != "MAP ")
       fail("header", "has no 'MAP ' at byte 208", "save the map as MRC2014 or CCP4");
     // The stamp is wrong in many files: the mode and the axes' order are small numbers.
@@ -116,12 +116,12 @@ Volume read_mrc(std::string_view bytes, const VolumeRequest&) {
     volume.size.push_back(static_cast<std::size_t>(header.integer(k)));
   }
   const std::int32_t extended = header.integer(23);
-  if (extended < 0 || static_cast<std::size_t>(extended) > bytes.size() - kHeader)
+  if (extended < 0 || static_cast<std::size_t>(extended) > bytes.size() - kMrcHeader)
     fail("header", fmt::format("announces an extended header of {} bytes", extended),
          "the file is truncated or its header wrong; export it again");
   place(header, volume);
   volume.samples = load_samples(number_type(header.integer(3)),
-                                bytes.substr(kHeader + static_cast<std::size_t>(extended)),
+                                bytes.substr(kMrcHeader + static_cast<std::size_t>(extended)),
                                 volume.size, header.big_endian());
   return volume;
 }

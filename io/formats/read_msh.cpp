@@ -11,11 +11,10 @@
 #include "io/formats/msh_fields.hpp"
 #include "io/formats/msh_source.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/remedy.hpp"
 
 namespace crest::io {
 namespace {
-
-constexpr const char* kRepair = "export the mesh again";
 
 struct ElementType {
   CellType type = CellType::empty;
@@ -110,7 +109,7 @@ class MshReader {
       fail("$MeshFormat", "is neither 2.2 nor 4.1", "save as one of these");
     const bool binary = source_.word_integer() != 0;
     if (source_.in_line() && source_.word_integer() != 8)
-      fail("$MeshFormat", "has numbers of another size than 8 bytes", kRepair);
+      fail("$MeshFormat", "has numbers of another size than 8 bytes", kExportMesh);
     source_.end_line();
     if (binary) source_.set_binary();
   }
@@ -190,20 +189,21 @@ class MshReader {
   void add_element(std::int64_t tag, std::int64_t type_number, bool wide) {
     const auto name = [&] { return source_.name_of("element", tag); };
     const ElementType type = element_type(type_number);
-    if (type.nodes == 0) fail(name(), fmt::format("has the unknown type {}", type_number), kRepair);
+    if (type.nodes == 0)
+      fail(name(), fmt::format("has the unknown type {}", type_number), kExportMesh);
     element_.clear();
     for (std::size_t k = 0; k < type.nodes; ++k) {
       if (!source_.binary() && !source_.in_line()) {
         fail(name(), fmt::format("has {} nodes instead of {}", k, type.nodes),
-             k >= 3 ? "its mid-side nodes are missing, add them" : kRepair);
+             k >= 3 ? "its mid-side nodes are missing, add them" : kExportMesh);
       }
       const std::int64_t node = wide ? source_.size() : source_.integer();
       const auto position = nodes_ ? nodes_->find(node) : std::nullopt;
-      if (!position) fail(name(), fmt::format("node {} does not exist", node), kRepair);
+      if (!position) fail(name(), fmt::format("node {} does not exist", node), kExportMesh);
       element_.push_back(static_cast<Cells::Node>(*position));
     }
     if (!source_.binary() && source_.in_line())
-      fail(name(), fmt::format("has more than {} nodes", type.nodes), kRepair);
+      fail(name(), fmt::format("has more than {} nodes", type.nodes), kExportMesh);
     if (type.type == CellType::quadratic_tetrahedron) std::swap(element_[8], element_[9]);
     soup_.cells.add(type.type, element_);
     soup_.cell_tags.push_back(tag);
@@ -212,7 +212,7 @@ class MshReader {
   void skip_tags(std::int64_t count) {
     if (count < 0 || count > 1000)
       fail(source_.binary() ? source_.section() : source_.line(), "has a bad number of tags",
-           kRepair);
+           kExportMesh);
     for (std::int64_t i = 0; i < count; ++i) source_.integer();
   }
 
@@ -223,7 +223,7 @@ class MshReader {
         // Elements of one type have one head.
         const std::int64_t type = source_.integer(), follow = source_.integer(),
                            tags = source_.integer();
-        if (follow <= 0) fail("$Elements", "has an empty block", kRepair);
+        if (follow <= 0) fail("$Elements", "has an empty block", kExportMesh);
         for (std::int64_t i = 0; i < follow; ++i, ++done) {
           const std::int64_t tag = source_.integer();
           skip_tags(tags);

@@ -12,17 +12,17 @@ namespace {
 
 /// Where the numbers of a header stand: of NIfTI 1 in floats and shorts, of NIfTI 2 in doubles and
 /// 64-bit integers.
-struct Layout {
+struct NiftiLayout {
   std::size_t size, magic, datatype, dim, pixdim, offset, slope, qform, sform, quaternion, shift,
       rows;
 };
-constexpr Layout kFirst = {348, 344, 70, 40, 76, 108, 112, 252, 254, 256, 268, 280};
-constexpr Layout kSecond = {540, 4, 12, 16, 104, 168, 176, 344, 348, 352, 376, 400};
+constexpr NiftiLayout kFirst = {348, 344, 70, 40, 76, 108, 112, 252, 254, 256, 268, 280};
+constexpr NiftiLayout kSecond = {540, 4, 12, 16, 104, 168, 176, 344, 348, 352, 376, 400};
 
 class NiftiHeader {
  public:
   explicit NiftiHeader(std::string_view bytes) : bytes_(bytes) {
-    for (const Layout& layout : {kFirst, kSecond})
+    for (const NiftiLayout& layout : {kFirst, kSecond})
       for (const bool big : {false, true}) {
         if (bytes.size() < layout.size) continue;
         if (load_number<std::int32_t>(bytes.data(), big) != static_cast<std::int32_t>(layout.size))
@@ -35,7 +35,7 @@ class NiftiHeader {
     fail("header", "is none of NIfTI", "export the file again");
   }
   bool big_endian() const { return big_endian_; }
-  const Layout& at() const { return layout_; }
+  const NiftiLayout& at() const { return layout_; }
   bool second() const { return layout_.size == kSecond.size; }
   double real(std::size_t place, std::size_t k = 0) const {
     return second() ? load_number<double>(bytes_.data() + place + 8 * k, big_endian_)
@@ -75,7 +75,7 @@ class NiftiHeader {
     fail("header", "is ANALYZE's, not NIfTI's", "save it as .nii");
   }
   std::string_view bytes_;
-  Layout layout_{};
+  NiftiLayout layout_{};
   bool big_endian_ = false;
 };
 
@@ -95,7 +95,7 @@ NumberType number_type(const NiftiHeader& header) {
 
 /// The axes' steps by the first of sform, qform and spacings that the header has.
 void place(const NiftiHeader& header, Volume& volume) {
-  const Layout& at = header.at();
+  const NiftiLayout& at = header.at();
   const std::size_t word = header.second() ? 8 : 4;
   kernel::Vec3 steps[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   double spacing[3];

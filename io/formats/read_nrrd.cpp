@@ -14,7 +14,7 @@ namespace {
 
 using kernel::operator*;
 
-constexpr const char* kRepair = "correct the NRRD header";
+constexpr const char* kCorrectNrrd = "correct the NRRD header";
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -35,7 +35,7 @@ class NrrdHeader {
  public:
   explicit NrrdHeader(std::string_view bytes) {
     if (!bytes.starts_with("NRRD000"))
-      fail("header (line 1)", "does not start with 'NRRD000'", kRepair);
+      fail("header (line 1)", "does not start with 'NRRD000'", kCorrectNrrd);
     for (std::size_t begin = 0; begin < bytes.size();) {
       const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
       const std::string_view line = trimmed(bytes.substr(begin, end - begin));
@@ -68,7 +68,7 @@ class NrrdHeader {
     while (scan.in_line()) {
       std::uint64_t n = 0;
       if (!scan.take(n) || n == 0)
-        fail(where(key), fmt::format("{} is no count", io::quoted(scan.peek())), kRepair);
+        fail(where(key), fmt::format("{} is no count", io::quoted(scan.peek())), kCorrectNrrd);
       result.push_back(n);
     }
     return result;
@@ -85,7 +85,7 @@ class NrrdHeader {
       values_[lower(line.substr(0, colon))] = {std::string(trimmed(line.substr(colon + 2))), line_};
     } else if (line.find(":=") == line.npos && line.back() != ':') {
       fail(fmt::format("header (line {})", line_), fmt::format("{} is no field", io::quoted(line)),
-           kRepair);
+           kCorrectNrrd);
     }
   }
   std::map<std::string, Value> values_;
@@ -152,8 +152,8 @@ kernel::Vec3 vector_of(const std::string& where, std::string_view text) {
   TextScan scan(numbers);
   std::size_t k = 0;
   while (scan.in_line())
-    if (k == 3 || !scan.take(v[k++])) fail(where, io::quoted(text) + " is no vector", kRepair);
-  if (k < 2) fail(where, io::quoted(text) + " is no vector", kRepair);
+    if (k == 3 || !scan.take(v[k++])) fail(where, io::quoted(text) + " is no vector", kCorrectNrrd);
+  if (k < 2) fail(where, io::quoted(text) + " is no vector", kCorrectNrrd);
   return v;
 }
 
@@ -184,7 +184,7 @@ void place(const NrrdHeader& header, Volume& volume) {
   const auto check = [&](const char* key, std::size_t count) {
     if (count != axes)
       fail(header.where(key), fmt::format("there are {}, the dimension is {}", count, axes),
-           kRepair);
+           kCorrectNrrd);
   };
   volume.steps.assign(axes, {});
   std::size_t k = 0;  // of the axes in space, of which vectors and the like are none
@@ -201,7 +201,7 @@ void place(const NrrdHeader& header, Volume& volume) {
     for (; scan.in_line(); ++i) {
       double spacing = 0;
       if (!scan.take(spacing))
-        fail(header.where("spacings"), io::quoted(scan.peek()) + " is no number", kRepair);
+        fail(header.where("spacings"), io::quoted(scan.peek()) + " is no number", kCorrectNrrd);
       if (i < axes && std::isfinite(spacing)) volume.steps[i] = spacing * volume.steps[i];
     }
     check("spacings", i);
@@ -246,7 +246,8 @@ PlainSamples frame_of(const NrrdHeader& header) {
   const auto dimension = header.counts("dimension");
   if (dimension.size() != 1 || dimension[0] != volume.size.size() || dimension[0] == 0)
     fail(header.where("sizes"),
-         fmt::format("there are {}, not as many as the dimension", volume.size.size()), kRepair);
+         fmt::format("there are {}, not as many as the dimension", volume.size.size()),
+         kCorrectNrrd);
   place(header, volume);
   plain.type = number_type(header);
   plain.big_endian = lower(header.value("endian")) == "big";

@@ -8,6 +8,7 @@
 #include "io/formats/files.hpp"
 #include "io/formats/off_binary.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/remedy.hpp"
 #include "io/formats/text_parts.hpp"
 #include "io/formats/text_scan.hpp"
 #include "kernel/geometry/input_error.hpp"
@@ -16,8 +17,6 @@ namespace crest::io {
 namespace {
 
 const std::string kStart = "start the file with 'OFF' and the line 'vertices faces edges'";
-const std::string kTruncated = "the file is truncated; export the mesh again";
-
 /// A colour after a face's corners has no mark of its own and lines may be wrapped, so a file is
 /// read by the first of these rules that it obeys to its end; the message is that of the first.
 enum class Layout {

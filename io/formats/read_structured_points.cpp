@@ -8,7 +8,7 @@
 namespace crest::io {
 namespace {
 
-constexpr const char* kRepair = "export the volume again";
+constexpr const char* kExportVolume = "export the volume again";
 
 class StructuredPoints {
  public:
@@ -18,8 +18,8 @@ class StructuredPoints {
   Volume read() {
     while (source_.next_section())
       if (!read_geometry() && !fields_.read_section())
-        fail(source_.where(), "is an unknown keyword", kRepair);
-    if (volume_.size.empty()) fail("header", "has no DIMENSIONS", kRepair);
+        fail(source_.where(), "is an unknown keyword", kExportVolume);
+    if (volume_.size.empty()) fail("header", "has no DIMENSIONS", kExportVolume);
     for (std::size_t k = 0; k < 3; ++k) volume_.steps.emplace_back()[k] = spacing_[k];
     const std::vector<Field> fields = fields_.finish_points(product(volume_.size));
     volume_.samples = narrowed(chosen_field(fields, request_.field, "").numbers);

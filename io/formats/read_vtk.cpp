@@ -10,12 +10,11 @@
 #include "io/formats/files.hpp"
 #include "io/formats/legacy_fields.hpp"
 #include "io/formats/readers.hpp"
+#include "io/formats/remedy.hpp"
 #include "io/formats/vtk_cells.hpp"
 
 namespace crest::io {
 namespace {
-
-constexpr const char* kRepair = "export the mesh again";
 
 class LegacyReader {
  public:
@@ -25,8 +24,8 @@ class LegacyReader {
   Soup read() {
     while (source_.next_section())
       if (!read_geometry() && !fields_.read_section())
-        fail(source_.where(), "is an unknown keyword", kRepair);
-    if (!has_dataset_) fail("header", "has no DATASET", kRepair);
+        fail(source_.where(), "is an unknown keyword", kExportMesh);
+    if (!has_dataset_) fail("header", "has no DATASET", kExportMesh);
     join_cells();
     fields_.finish(soup_);
     return std::move(soup_);
@@ -89,7 +88,7 @@ class LegacyReader {
       const std::size_t room = list.size() - at;
       if (room == 0 || list[at] < 0 || static_cast<std::size_t>(list[at]) > room - 1)
         fail(source_.section(), fmt::format("cell {} of it does not fit its size {}", c, size),
-             kRepair);
+             kExportMesh);
       const auto nodes = static_cast<std::size_t>(list[at]);
       cells.add(poly_type(kind, nodes), {list.data() + at + 1, nodes});
       at += nodes + 1;
@@ -100,7 +99,7 @@ class LegacyReader {
     const auto take_array = [&](std::string_view name, std::size_t count) {
       source_.require_more();
       if (!is_keyword(source_.take_word(), name))
-        fail(source_.where(), fmt::format("lacks '{}'", name), kRepair);
+        fail(source_.where(), fmt::format("lacks '{}'", name), kExportMesh);
       const LegacyType type = source_.take_type();
       return source_.take_integers(type, count);
     };
@@ -113,13 +112,14 @@ class LegacyReader {
   void join_cells() {
     const bool is_grid = !types_.empty();
     const Cells& grid = cells_[static_cast<std::size_t>(PolyKind::polygons)];
-    if (is_grid && types_.size() != grid.size()) fail("cells", "have not one type each", kRepair);
+    if (is_grid && types_.size() != grid.size())
+      fail("cells", "have not one type each", kExportMesh);
     for (const Cells& cells : cells_) {
       for (std::size_t c = 0; c < cells.size(); ++c) {
         CellType type = cells.type(c);
         if (is_grid && &cells == &grid) {
           if (types_[c] < 0 || types_[c] > 255)
-            fail(fmt::format("cell {}", c), fmt::format("has the type {}", types_[c]), kRepair);
+            fail(fmt::format("cell {}", c), fmt::format("has the type {}", types_[c]), kExportMesh);
           type = static_cast<CellType>(types_[c]);
         }
         soup_.cells.add(type, cells.nodes(c));
