@@ -4,7 +4,7 @@
 namespace crest::recheck {
 namespace {
 
-constexpr int kFurther = 2;
+constexpr int kFurtherRays = 2;
 
 std::vector<Balls> enclosed(const Form<Model>& jets, int k) {
   std::vector<Balls> all;
@@ -109,7 +109,7 @@ std::array<Ball, 2> ray_at(int side, double t) {
 std::array<int, 2> Rays::show(const Statement& s, const Coefficients& sector) const {
   std::array<int, 2> signs{};
   const Rectangle whole = {{Ball(0.0), Ball(s.arc.t0)}, {length_, Ball(s.arc.t1)}};
-  shown<Rectangle>(whole, kFurther, [&](const Rectangle& part) {
+  shown<Rectangle>(whole, kFurtherRays, [&](const Rectangle& part) {
     for (const bool second : {false, true}) show_on(s, sector, part.triangle(second), signs);
   });
   return signs;

@@ -39,7 +39,7 @@ bool meet(const Scene& scene, Index f, Index g) {
   return !(shared == 1 && point) && !(shared == 2 && segment);
 }
 
-std::optional<std::pair<Index, Index>> brute_force(const Scene& scene) {
+std::optional<std::pair<Index, Index>> first_pair(const Scene& scene) {
   const auto faces = static_cast<Index>(scene.faces.size());
   std::vector<bool> flat;
   for (Index f = 0; f < faces; ++f) flat.push_back(triangle(scene, f).is_degenerate());
@@ -72,7 +72,7 @@ TEST_CASE("Faces that go through one another are found, and no others") {
   std::size_t with = 0, without = 0;
   for (const Scene& scene : hard_scenes()) {
     const auto found = meeting_faces(scene);
-    CHECK(found == brute_force(scene));
+    CHECK(found == first_pair(scene));
     ++(found ? with : without);
   }
   // Few faces at small places: both answers occur, sides and corners touch.
@@ -92,7 +92,7 @@ TEST_CASE("Faces that go through one another are found, and no others") {
     if (!kept) continue;
     const Scene scene = soup.scene();
     const auto found = meeting_faces(scene);
-    CHECK(found == brute_force(scene));
+    CHECK(found == first_pair(scene));
     ++(found ? with : without);
   }
   CHECK(with > 50);

@@ -14,21 +14,11 @@ using namespace crest;
 using namespace crest::tests;
 using kernel::Index;
 
-namespace {
-
-/// Small integers: special faces.
-modes::ModeField integers(Index n, std::uint64_t seed) {
-  Random random(seed);
-  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
-}
-
-}  // namespace
-
 TEST_CASE("mode pieces: degenerate curves have the bytes of the whole, special faces, too") {
   std::size_t points = 0, special = 0;
   Random random(8);
   const auto real = [&] { return static_cast<double>(random() % 1000) / 999 - 0.5; };
-  for (const auto& field : {integers(4, 6), integers(5, 7), random_box(6, real)}) {
+  for (const auto& field : {random_integers(4, 6), random_integers(5, 7), random_box(6, real)}) {
     const auto curves_of = [&](const modes::FaceWorkers* workers) {
       return modes::degenerate_curves(field.mesh.points(), field.mesh.tets(), field.tensors,
                                       workers);

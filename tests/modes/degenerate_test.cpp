@@ -53,22 +53,6 @@ struct Summary {
   }
 };
 
-double mode_of(const Tensor& a) {
-  const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
-  const double det =
-      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
-  const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
-  return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
-}
-
-template <std::size_t K>
-Tensor blend(const std::array<Tensor, K>& t, const std::array<double, K>& w) {
-  Tensor sum{};
-  for (std::size_t i = 0; i < K; ++i)
-    for (std::size_t k = 0; k < 6; ++k) sum[k] += w[i] * t[i][k];
-  return sum;
-}
-
 std::array<double, 3> middles(const std::array<kernel::Ball, 3>& b) {
   return {b[0].mid, b[1].mid, b[2].mid};
 }

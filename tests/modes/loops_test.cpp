@@ -63,7 +63,7 @@ bool has_extremum_in_face(const modes::ModeField& field) {
   return false;
 }
 
-certify::Verdict checked(modes::ModeField field, const Level& level) {
+certify::Verdict verdict_of(modes::ModeField field, const Level& level) {
   const modes::ZeroSet zeros = modes::insert_zeros(field);
   std::vector<certify::ModeLevel> records(1);
   modes::extract(field, level, {}, records[0]);
@@ -105,7 +105,7 @@ TEST_CASE("loops inside faces, several sheets, annuli and pairs of disks in one 
         for (const auto& c : s.components) CHECK(c.boundary_loops > 0);
         if (s.face_loops > 0) CHECK(has_extremum_in_face(field));
       }
-      if (i < 20) CHECK(checked(field, level).accepted);
+      if (i < 20) CHECK(verdict_of(field, level).accepted);
     }
   }
   CAPTURE(seen.face_loops, seen.sheets, seen.annuli, seen.pairs_of_disks);

@@ -122,7 +122,8 @@ void check_files(const TemporaryFolder& folder, const modes::ModeResult& r, cons
   CHECK(counts_in_file(folder / "s.obj", std::nullopt) == all);
 }
 
-void check_row(const TemporaryFolder& folder, const Row& row, const modes::ModeField& field) {
+void check_written_row(const TemporaryFolder& folder, const Row& row,
+                       const modes::ModeField& field) {
   constexpr Level levels[] = {{0, 1}, {3, 10}, {3, 5}, {9, 10}};
   for (std::size_t k = 0; k < 4; ++k) {
     const ModeCounts plus = k == 0 ? row.neutral : row.pairs[k - 1][0];
@@ -142,12 +143,14 @@ void check_row(const TemporaryFolder& folder, const Row& row, const modes::ModeF
 TEST_CASE("the reference fields have their counts on unstructured meshes, in files too") {
   const TemporaryFolder folder;
   for (std::size_t f = 0; f < small_boxes().size(); ++f)
-    check_row(folder, small_boxes()[f], unstructured(small_boxes()[f].rows, 2, 60, kSeed + 80 + f));
+    check_written_row(folder, small_boxes()[f],
+                      unstructured(small_boxes()[f].rows, 2, 60, kSeed + 80 + f));
 }
 
 TEST_CASE("the reference fields have their counts in files from a mirrored grid") {
   const TemporaryFolder folder;
-  for (const Row& row : small_boxes()) check_row(folder, row, box(row.rows, 2, 4, Cut::mirrored));
+  for (const Row& row : small_boxes())
+    check_written_row(folder, row, box(row.rows, 2, 4, Cut::mirrored));
 }
 
 TEST_CASE("triangles are as near to the surface as asked, the counts stay") {

@@ -79,7 +79,7 @@ TEST_CASE("the piecewise linear fields have their counts") {
 }
 
 TEST_CASE("the levels at both sides of a node are surfaces") {
-  const auto field = box(node_field(), 400, 5, Cut::diagonal);
+  const auto field = box(rows_of(node_field()), 400, 5, Cut::diagonal);
   check_level(field, {41, 100}, {0, 2, 4}, {-2, 1, 4});
   check_level(field, {21, 50}, {0, 2, 4}, {0, 2, 4});
 }

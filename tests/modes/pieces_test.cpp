@@ -58,12 +58,6 @@ void check_pieces(const modes::ModeField& field, const modes::Level& level,
   }
 }
 
-/// Small integers: exact zeros, and edges of exactly the same angle.
-modes::ModeField integers(Index n, std::uint64_t seed) {
-  Random random(seed);
-  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
-}
-
 }  // namespace
 
 TEST_CASE("mode pieces: 2, 7 and 64 pieces have the bytes of the whole") {
@@ -78,14 +72,14 @@ TEST_CASE("mode pieces: small integers, with ties, exact zeros and spent budgets
   modes::ModeOptions options;
   options.budget = 2000;
   for (const modes::Level& level : {modes::Level{0, 1}, modes::Level{1, 2}})
-    check_pieces(integers(4, 6), level, options);
+    check_pieces(random_integers(4, 6), level, options);
   options.budget = 3;  // spent in most tetrahedra
   options.max_depth = 2;
-  check_pieces(integers(4, 9), {1, 2}, options);
+  check_pieces(random_integers(4, 9), {1, 2}, options);
 }
 
 TEST_CASE("mode pieces: each tetrahedron is in one piece, and what its record says counts") {
-  const auto field = integers(4, 6);
+  const auto field = random_integers(4, 6);
   std::size_t tets = 0, tests = 0;
   modes::Workers workers = modes::workers_here(5);
   const auto plain = workers.tests;
@@ -106,7 +100,7 @@ TEST_CASE("mode pieces: each tetrahedron is in one piece, and what its record sa
 }
 
 TEST_CASE("mode pieces: a tetrahedron each, and more workers than there are") {
-  const auto field = integers(3, 5);
+  const auto field = random_integers(3, 5);
   const Extracted whole = extracted(field, {1, 2}, {}, nullptr);
   for (const std::size_t pieces : {field.mesh.tets().size(), 2 * field.mesh.tets().size()}) {
     const modes::Workers workers = modes::workers_here(static_cast<Index>(pieces));

@@ -125,7 +125,7 @@ TEST_CASE("refereed 6: surfaces end on edges where the tensor is zero") {
 }
 
 TEST_CASE("a uniform mode carries no surface") {
-  auto field = box(node_field(), 1, 3, Cut::diagonal);
+  auto field = box(rows_of(node_field()), 1, 3, Cut::diagonal);
   for (auto& t : field.tensors) t = {-11, 13, -2, 0, 0, 0};
   const auto r = modes::extract(field, {143, 343});
   CHECK(r.counts.uniform == r.counts.total);
@@ -134,7 +134,7 @@ TEST_CASE("a uniform mode carries no surface") {
 }
 
 TEST_CASE("a node at the mode exactly leaves its own cells undecided") {
-  const auto field = box(node_field(), 10, 4, Cut::diagonal);
+  const auto field = box(rows_of(node_field()), 10, 4, Cut::diagonal);
   modes::ModeOptions options;
   options.max_depth = 16;
   const auto r = modes::extract(field, {143, 343}, options);

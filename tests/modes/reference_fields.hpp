@@ -3,6 +3,7 @@
 
 // Linear fields with known mode surfaces and degenerate curves, sampled on tet meshes of a box.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -87,6 +88,25 @@ inline SampledField sampled(const LinearField& field, std::uint32_t n, double si
   SampledField result = box_mesh(n, size, mirrored);
   for (const kernel::Vec3& x : result.points) result.tensors.push_back(tensor_at(field, x));
   return result;
+}
+
+/// The sum of w[i] t[i].
+template <std::size_t K>
+std::array<double, 6> blend(const std::array<std::array<double, 6>, K>& t,
+                            const std::array<double, K>& w) {
+  std::array<double, 6> sum{};
+  for (std::size_t i = 0; i < K; ++i)
+    for (std::size_t k = 0; k < 6; ++k) sum[k] += w[i] * t[i][k];
+  return sum;
+}
+
+/// In [-1, 1].
+inline double mode_of(const std::array<double, 6>& a) {
+  const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
+  const double det =
+      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
+  const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
+  return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
 }
 
 }  // namespace crest::tests

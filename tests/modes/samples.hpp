@@ -7,11 +7,17 @@
 #include <vector>
 
 #include "algorithms/modes/modes.hpp"
+#include "tests/modes/reference_fields.hpp"
+#include "tests/support/random.hpp"
 
 namespace crest::tests {
 
 /// Rows xx yy xy xz yz (zz = -xx - yy) of T0, Tx, Ty, Tz.
 using Rows = std::vector<std::array<int, 5>>;
+
+inline Rows rows_of(const LinearField& field) {
+  return {field.begin(), field.end()};
+}
 
 inline std::array<double, 6> tensor_of(const std::array<double, 5>& r) {
   return {r[0], r[1], -r[0] - r[1], r[2], r[4], r[3]};
@@ -75,6 +81,12 @@ modes::ModeField random_box(kernel::Index n, const Entry& entry) {
   return field;
 }
 
+/// Small integers: exact zeros, edges of exactly the same angle, special faces.
+inline modes::ModeField random_integers(kernel::Index n, std::uint64_t seed) {
+  Random random(seed);
+  return random_box(n, [&] { return static_cast<double>(static_cast<int>(random() % 5) - 2); });
+}
+
 /// Euler characteristic, components, boundary loops of a surface.
 struct ModeCounts {
   long euler_characteristic, components, loops;
@@ -98,27 +110,27 @@ struct Row {
 inline const std::vector<Row>& small_boxes() {
   static const std::vector<Row> rows = {
       {"1",
-       {{-4, 3, 6, 6, -5}, {-2, -5, 1, 6, 1}, {1, 4, 0, 6, -3}, {-5, 1, -6, 0, 0}},
+       rows_of(reference_fields()[0]),
        {2, 2, 2},
        {{{1, 2, 3}, {2, 2, 2}}, {{1, 2, 3}, {1, 2, 3}}, {{1, 2, 3}, {1, 2, 3}}}},
       {"2",
-       {{-6, -5, -5, -1, -4}, {5, 6, 4, -2, -2}, {3, -3, 3, -6, 3}, {4, -4, 0, 4, 0}},
+       rows_of(reference_fields()[1]),
        {1, 1, 1},
        {{{2, 2, 2}, {1, 2, 3}}, {{2, 2, 2}, {1, 2, 3}}, {{0, 2, 4}, {0, 1, 2}}}},
       {"3",
-       {{-3, 3, 2, -4, -1}, {3, 1, 4, 3, -5}, {3, -6, 1, -2, 2}, {-3, -3, 5, 1, 2}},
+       rows_of(reference_fields()[2]),
        {-1, 1, 1},
        {{{-1, 1, 1}, {0, 1, 2}}, {{0, 1, 2}, {0, 1, 2}}, {{0, 1, 2}, {0, 1, 2}}}},
       {"4",
-       {{-3, -2, -5, 5, 0}, {1, -4, -5, -5, -6}, {0, 2, -2, 6, 6}, {-6, -3, 2, 2, -1}},
+       rows_of(reference_fields()[3]),
        {-1, 1, 3},
        {{{-1, 1, 3}, {-1, 1, 3}}, {{0, 1, 2}, {-1, 1, 3}}, {{1, 2, 3}, {-1, 1, 3}}}},
       {"5",
-       {{3, -2, 5, -1, 6}, {5, 5, 4, 2, -6}, {1, 6, -3, 4, -6}, {-4, -5, -1, 1, -3}},
+       rows_of(reference_fields()[4]),
        {0, 1, 2},
        {{{0, 1, 2}, {-1, 1, 3}}, {{0, 1, 2}, {-1, 1, 3}}, {{0, 1, 2}, {0, 1, 2}}}},
       {"6",
-       {{6, 3, -5, 1, 6}, {-2, -6, -6, -4, 4}, {3, 1, 6, 5, -1}, {-1, 6, -6, -2, 1}},
+       rows_of(reference_fields()[5]),
        {1, 1, 1},
        {{{2, 2, 2}, {1, 1, 1}}, {{2, 2, 2}, {1, 1, 1}}, {{1, 2, 3}, {-1, 1, 3}}}}};
   return rows;
@@ -157,11 +169,6 @@ inline const std::vector<Rows>& piecewise_linear() {
                                             {1, 3, -3, 0, -5},
                                             {1, -3, 6, -6, 5}}};
   return fields;
-}
-
-/// mu* = 143/343, node at the origin.
-inline Rows node_field() {
-  return {{11, -13, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
 }
 
 }  // namespace crest::tests

@@ -30,19 +30,6 @@ std::array<Tensor, 4> corners_of(const LinearField& f, double size = 1) {
 std::array<const Tensor*, 4> pointers(const std::array<Tensor, 4>& t) {
   return {&t[0], &t[1], &t[2], &t[3]};
 }
-Tensor blend(const std::array<Tensor, 4>& t, const std::array<double, 4>& w) {
-  Tensor sum{};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 6; ++k) sum[k] += w[i] * t[i][k];
-  return sum;
-}
-double mode_of(const Tensor& a) {
-  const double m = (a[0] + a[1] + a[2]) / 3, x = a[0] - m, y = a[1] - m, z = a[2] - m;
-  const double det =
-      x * (y * z - a[4] * a[4]) - a[3] * (a[3] * z - a[4] * a[5]) + a[5] * (a[3] * a[4] - y * a[5]);
-  const double n = x * x + y * y + z * z + 2 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]);
-  return 3 * std::sqrt(6.0) * det / (n * std::sqrt(n));
-}
 Vec3 times(const Tensor& a, const Vec3& v) {
   return {a[0] * v[0] + a[3] * v[1] + a[5] * v[2], a[3] * v[0] + a[1] * v[1] + a[4] * v[2],
           a[5] * v[0] + a[4] * v[1] + a[2] * v[2]};
