@@ -35,7 +35,7 @@ struct CommonOptions {
 inline constexpr const char* kMeshGroup = "Meshes";
 
 /// What INPUT may be, for the help.
-inline constexpr const char* kMeshFormats = ".off .obj .ply .stl .vtp .vtu .vtk .msh";
+inline constexpr const char* kMeshFormats = ".off .obj .ply .stl .vtp .vtu .vtk .msh .pvtp .pvtu";
 
 /// Refuses NaN, which CLI::Range lets pass, infinity and numbers below `least`.
 CLI::Validator finite_number(double least);

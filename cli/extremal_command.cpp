@@ -264,7 +264,7 @@ std::function<int()> add_extremal(CLI::App& app) {
   ExtremalOptions& o = *options;
   add_common_options(
       app, o.common,
-      "a volume or an image (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr .png "
+      "a volume or an image (.nrrd .mha .mhd .vti .pvti .vtk .nii .nii.gz .mrc .map .cube .inr .png "
       ".pgm), or points with normals (.xyz .pwn .ply .obj .off)",
       "the surface or the curves (.vtp .pvtp .obj .ply)");
   app.add_flag("--critical", o.critical, "keep the merely critical part, too");

@@ -201,7 +201,7 @@ std::function<int()> add_modes(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   ModesOptions& o = *options;
   add_common_options(app, o.common,
-                     "solids with a tensor at each point (.vtu .vtk .msh .frd .mesh .nrrd)",
+                     "solids with a tensor at each point (.vtu .pvtu .vtk .msh .frd .mesh .nrrd)",
                      "surfaces (.vtp .pvtp .ply .obj)");
   app.add_option("--tensor", o.tensor.field, "the array (default: the only one of 6 or 9 numbers)")
       ->type_name("NAME");

@@ -113,7 +113,7 @@ std::function<int()> add_spline(CLI::App& app) {
   SplineOptions& o = *options;
   add_common_options(
       app, o.common,
-      "a volume (.nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr), a table of "
+      "a volume (.nrrd .mha .mhd .vti .pvti .vtk .nii .nii.gz .mrc .map .cube .inr), a table of "
       "samples x,y,z,value (.csv), or a saved spline (.vti)",
       "the spline (.vti)");
   app.add_option("--evaluate", o.evaluate, "points x,y,z to evaluate at (.csv)")->type_name("FILE");

@@ -11,7 +11,8 @@
 namespace crest::cli {
 
 const char* const kVectorFormats =
-    "a plane mesh or grid with vectors (.vtu .vtp .vtk .msh .vti .vtr .vts .nrrd .nc, winds .json, "
+    "a plane mesh or grid with vectors (.vtu .vtp .pvtu .pvtp .vtk .msh .vti .vtr .vts .nrrd .nc, "
+    "winds .json, "
     "velocimetry .txt .vec)";
 
 void add_vector_options(CLI::App& app, io::VectorRequest& request) {

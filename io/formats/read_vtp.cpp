@@ -5,6 +5,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "io/formats/bounded_reader.hpp"
+#include "io/formats/join_soups.hpp"
 #include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
@@ -15,6 +16,7 @@ Soup read_vtp(std::string_view bytes, const FieldRequest& request) {
   reader->most = kCornersAByte * static_cast<double>(bytes.size());
   auto& data = static_cast<vtkPolyData&>(read_xml(*reader, bytes, "VTP", request, soup));
   take_cells(data, soup.cells);
+  leave_out_ghosts(soup);
   return soup;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/formats/bounded_reader.hpp"
 #include "io/formats/files.hpp"
+#include "io/formats/join_soups.hpp"
 #include "io/formats/vtk_input.hpp"
 
 namespace crest::io {
@@ -28,6 +29,7 @@ Soup read_vtu(std::string_view bytes, const FieldRequest& request) {
   reader->most = kCornersAByte * static_cast<double>(bytes.size());
   auto& grid = static_cast<vtkUnstructuredGrid&>(read_xml(*reader, bytes, "VTU", request, soup));
   take_cells(grid, soup.cells);
+  leave_out_ghosts(soup);
   return soup;
 }
 

@@ -43,10 +43,11 @@ using SoupReader = std::function<Soup(std::string_view, const FieldRequest&)>;
 /// format has none; fails for an unknown extension.
 SoupReader soup_reader(const std::string& extension);
 
-/// Of a file, whose extension is looked at before it is loaded. What holds another format than its
+/// Of a file, whose extension is looked at before it is loaded; of .pvtp and .pvtu the pieces that
+/// they name (join_soups.hpp). What holds another format than its
 /// name says, or is compressed, is refused with that.
 Soup read_soup(const std::string& path, const FieldRequest& request);
-/// Of its bytes. Throws as for a file.
+/// Of its bytes. Throws as for a file, and where its pieces are in other files.
 Soup read_soup(const std::string& name, std::string_view bytes, const FieldRequest& request);
 
 }  // namespace crest::io

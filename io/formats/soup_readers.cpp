@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <map>
 
 #include "io/formats/binary.hpp"
 #include "io/formats/files.hpp"
+#include "io/formats/join_soups.hpp"
+#include "io/formats/parallel_index.hpp"
 #include "io/formats/readers.hpp"
 #include "kernel/geometry/input_error.hpp"
 
@@ -17,7 +22,7 @@ SoupReader soup_reader(const std::string& extension) {
   if (found == readers.end()) {
     fail("file",
          extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-         "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk or .msh");
+         "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk, .msh, .pvtp or .pvtu");
   }
   return [reader = found->second, extension](std::string_view bytes, const FieldRequest& request) {
     if (request.step && extension != ".msh")
@@ -80,14 +85,41 @@ Soup read_as(const std::string& name, std::string_view bytes, const SoupReader& 
   fail("file", signature->problem, signature->remedy);
 }
 
+/// Of .pvtp and .pvtu: their pieces lie beside them.
+Soup read_pieces(const std::string& path, const FieldRequest& request) {
+  const bool grid = lower_extension(path) == ".pvtu";
+  const std::string extension = grid ? ".vtu" : ".vtp";
+  const ParallelIndex index =
+      parallel_index(load(path), grid ? "PUnstructuredGrid" : "PPolyData", extension);
+  std::vector<Soup> pieces;
+  for (const ParallelIndex::Piece& piece : index.pieces) {
+    const auto place = std::filesystem::path(path).parent_path() / piece.source;
+    try {
+      pieces.push_back(read_soup(place.string(), request));
+    } catch (const kernel::InputError& error) {
+      throw kernel::InputError(
+          fmt::format("piece {} ('{}'): {}", pieces.size(), one_line(piece.source), error.what()));
+    }
+  }
+  return join(std::move(pieces));
+}
+
+bool has_pieces(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".pvtp" || extension == ".pvtu";
+}
+
 }  // namespace
 
 Soup read_soup(const std::string& path, const FieldRequest& request) {
+  if (has_pieces(path)) return read_pieces(path, request);
   const SoupReader reader = soup_reader(lower_extension(path));
   return read_as(path, load(path), reader, request);
 }
 
 Soup read_soup(const std::string& name, std::string_view bytes, const FieldRequest& request) {
+  if (has_pieces(name))
+    fail("file", "names other files as its pieces", "give its path, not its bytes");
   const SoupReader reader = soup_reader(lower_extension(name));
   if (bytes.empty()) fail("file", "is empty", "export the mesh again");
   return read_as(name, bytes, reader, request);

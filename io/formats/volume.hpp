@@ -41,6 +41,7 @@ struct VolumeRequest {
 Volume read_nrrd(std::string_view bytes, const VolumeRequest& request);
 Volume read_meta_image(std::string_view bytes, const VolumeRequest& request);
 Volume read_vti(std::string_view bytes, const VolumeRequest& request);
+Volume read_pvti(std::string_view bytes, const VolumeRequest& request);
 Volume read_structured_points(std::string_view bytes, const VolumeRequest& request);
 Volume read_nifti(std::string_view bytes, const VolumeRequest& request);
 Volume read_mrc(std::string_view bytes, const VolumeRequest& request);

@@ -144,6 +144,7 @@ vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* 
   vtkDataArraySelection& of_cells = *reader.GetCellDataArraySelection();
   select(request, request.normals, of_points);  // which are normals is known once they are read
   select(request, false, of_cells);
+  if (of_cells.ArrayExists(kGhostType) != 0) of_cells.EnableArray(kGhostType);
   const auto update = [&]() -> vtkPointSet& {
     reader.Update();
     auto* data = vtkPointSet::SafeDownCast(reader.GetOutputAsDataSet());

@@ -16,6 +16,9 @@ class vtkXMLReader;
 
 namespace crest::io {
 
+/// VTK's array of cells that belong to another piece or are hidden.
+inline constexpr const char* kGhostType = "vtkGhostType";
+
 /// Before VTK reads VTP or VTU: throws where a header or a block announces more than the bytes may
 /// hold, which VTK would allocate.
 void check_xml(std::string_view bytes);
@@ -26,8 +29,8 @@ void check_extents(std::string_view bytes);
 vtkSmartPointer<vtkImageData> read_image_data(std::string_view bytes, const char* remedy);
 
 /// Checks the bytes, reads them and takes over points and fields: a named field alone if it is a
-/// scalar of the points, else, for the message, all fields; any: all. The data set belongs to the
-/// reader.
+/// scalar of the points, else, for the message, all fields; any: all; kGhostType always. The data
+/// set belongs to the reader.
 vtkPointSet& read_xml(vtkXMLReader& reader, std::string_view bytes, const char* format,
                       const FieldRequest& request, Soup& soup);
 

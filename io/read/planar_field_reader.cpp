@@ -217,7 +217,7 @@ PlanarFieldFile read_planar_field(const std::string& path, const VectorRequest& 
     FieldRequest fields;
     fields.wanted = true;
     fields.name = request.field;
-    file = planar_field_of_soup(soup_reader(end)(load(path), fields), request);
+    file = planar_field_of_soup(read_soup(path, fields), request);
   });
   return file;
 }

@@ -256,12 +256,12 @@ TensorFile read_file(const std::string& path, const TensorRequest& request) {
   fields.step = request.step;
   if (extension == ".frd") return tensors_of_soup(read_frd(load(path), fields), request);
   if (extension == ".mesh") return tensors_of_soup(read_medit_pair(path), request);
-  for (const char* known : {".vtu", ".vtk", ".msh"})
+  for (const char* known : {".vtu", ".pvtu", ".vtk", ".msh"})
     if (extension == known) return tensors_of_soup(read_soup(path, fields), request);
   for (const char* packed : {".gz", ".xz", ".bz2", ".zip"})
     if (extension == packed) fail("file", "is packed", "unpack it");
   fail("file", "has the extension '" + extension + "', which holds no tensors on solids",
-       "use .vtu, .vtk, .msh, .mesh, .frd or .nrrd");
+       "use .vtu, .pvtu, .vtk, .msh, .mesh, .frd or .nrrd");
 }
 
 }  // namespace

@@ -85,6 +85,10 @@ VolumeBoxes::VolumeBoxes(const std::string& path, const VolumeSource& source) : 
     frame_.grid.samples = empty_samples(plain->type);
   });
   if (plain) return;
+  read_named(path, [&] {
+    if (source.raw.empty() && lower_extension(path) == ".pvti") open_pieces(source);
+  });
+  if (pieces_) return;
   frame_ = read_volume(path, source);
   whole_ = std::move(frame_.grid);
   frame_.grid = {whole_->size, whole_->spacing, whole_->origin, whole_->directions};
@@ -92,9 +96,23 @@ VolumeBoxes::VolumeBoxes(const std::string& path, const VolumeSource& source) : 
       [](const auto& x) -> Samples { return std::decay_t<decltype(x)>(); }, whole_->samples);
 }
 
+void VolumeBoxes::open_pieces(const VolumeSource& source) {
+  ImagePieces pieces(load(path_), {.field = source.field, .companion = companions_of(path_)});
+  const std::vector<std::size_t>& size = pieces.frame().size;
+  if (std::count(size.begin(), size.end(), 1) > 0) return;  // boxes have three axes
+  frame_ = frame_of(pieces.frame());
+  frame_.grid.samples = pieces.frame().samples;
+  pieces_ = std::move(pieces);
+}
+
 Samples VolumeBoxes::read(const GridBox& box) const {
   Samples r = frame_.grid.samples;
   read_named(path_, [&] {
+    if (pieces_) {
+      r = pieces_->read(box);
+      check_samples(r, frame_.grid.dimension(), box);
+      return;
+    }
     std::visit(
         [&](auto& samples) {
           using Native = typename std::decay_t<decltype(samples)>::value_type;

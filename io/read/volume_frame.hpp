@@ -16,4 +16,7 @@ VolumeFile frame_of(const Volume& volume);
 /// its place is that in the whole of which `box` is a part.
 void check_samples(const Samples& samples, int dimension, const kernel::GridBox& box);
 
+/// Loads files by names relative to that of `path`'s folder.
+std::function<FileBytes(const std::string& name)> companions_of(const std::string& path);
+
 }  // namespace crest::io

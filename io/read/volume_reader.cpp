@@ -32,8 +32,8 @@ Reader reader_of(const std::string& extension) {
       {".mhd", read_meta_image}, {".vti", read_vti},   {".vtk", read_structured_points},
       {".nii", read_nifti},      {".map", read_mrc},   {".mrc", read_mrc},
       {".ccp4", read_mrc},       {".cube", read_cube}, {".inr", read_inrimage},
-      {".png", read_png},        {".pgm", read_pnm},   {".ppm", read_pnm},
-      {".pnm", read_pnm}};
+      {".pvti", read_pvti},      {".png", read_png},   {".pgm", read_pnm},
+      {".ppm", read_pnm},        {".pnm", read_pnm}};
   const auto found = readers.find(extension);
   return found == readers.end() ? nullptr : found->second;
 }
@@ -53,9 +53,10 @@ Reader reader_of(const std::string& extension) {
   fail("file",
        extension.empty() ? "has no extension"
                          : "volumes of the extension '" + extension + "' are not read",
-       found != remedies.end() ? found->second
-                               : "use .nrrd .mha .mhd .vti .vtk .nii .nii.gz .mrc .map .cube .inr "
-                                 ".png or .pgm, or --raw NX,NY,NZ,TYPE");
+       found != remedies.end()
+           ? found->second
+           : "use .nrrd .mha .mhd .vti .pvti .vtk .nii .nii.gz .mrc .map .cube .inr "
+             ".png or .pgm, or --raw NX,NY,NZ,TYPE");
 }
 
 /// Leaves out axes of one sample, those of space being two or three.
@@ -192,19 +193,22 @@ bool is_volume_name(const std::string& path) {
   return reader_of(lower_extension(without_gz(path))) != nullptr;
 }
 
+std::function<FileBytes(const std::string&)> companions_of(const std::string& path) {
+  return [path](const std::string& name) {
+    const auto place = std::filesystem::path(path).parent_path() / name;
+    try {
+      return load(place.string());
+    } catch (const kernel::InputError& error) {
+      fail("samples", fmt::format("the file '{}' that the header names: {}", name, error.what()),
+           "put it beside the header");
+    }
+  };
+}
+
 VolumeFile read_volume(const std::string& path, const VolumeSource& source) {
   VolumeFile file;
   read_named(path, [&] {
-    VolumeRequest request{.field = source.field};
-    request.companion = [&](const std::string& name) {
-      const auto place = std::filesystem::path(path).parent_path() / name;
-      try {
-        return load(place.string());
-      } catch (const kernel::InputError& error) {
-        fail("samples", fmt::format("the file '{}' that the header names: {}", name, error.what()),
-             "put it beside the header");
-      }
-    };
+    const VolumeRequest request{.field = source.field, .companion = companions_of(path)};
     if (source.raw.empty() && !is_volume_name(path)) refuse(lower_extension(path));
     file = from_bytes(path, load(path), source, request);
   });
