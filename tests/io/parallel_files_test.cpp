@@ -18,6 +18,7 @@
 #include "io/read/volume_boxes.hpp"
 #include "io/write/formats.hpp"
 #include "io/write/poly_data.hpp"
+#include "io/write/vtk_pieces.hpp"
 #include "kernel/geometry/input_error.hpp"
 #include "tests/support/closed_surfaces.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -134,9 +135,9 @@ TEST_CASE("a mesh in pieces is the mesh: what crest wrote, read again") {
   CHECK(file.warnings.empty());
   for (kernel::Index f = 0; f < mesh.face_count(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      const kernel::Index v = file.mesh.face(f)[k];
-      CHECK(file.mesh.point(v) == mesh.point(mesh.face(f)[k]));
-      CHECK(file.values[v] == file.mesh.point(v)[2]);
+      const kernel::Index v = file.mesh.faces()[f][k];
+      CHECK(file.mesh.points()[v] == mesh.points()[mesh.faces()[f][k]]);
+      CHECK(file.values[v] == file.mesh.points()[v][2]);
     }
 }
 
