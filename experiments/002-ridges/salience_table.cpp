@@ -28,6 +28,7 @@ using experiments::near_share;
 struct Options {
   std::string table = "noise";
   fs::path data = "../shared/data/meshes", pictures;
+  std::string part = "fandisk.off";
   std::vector<double> percent = {0, 0.1, 0.3, 1, 3};
   std::vector<std::string> surfaces = {"ellipsoid", "blend"};
   std::vector<std::string> meshes = {"max-planck_decimated.obj", "rocker-arm.obj", "armadillo.off",
@@ -231,7 +232,7 @@ void draw(const Options& o, const std::string& file, const kernel::TriangleMesh&
   options.by_salience = true;
   options.note = "subset by significance";
   options.spur = m.radius;
-  const std::string name = "salient-" + fs::path(file).stem().string() + ".png";
+  const std::string name = "salience-" + fs::path(file).stem().string() + ".png";
   io::write_picture((o.pictures / name).string(), mesh, m.graph, options);
 }
 
@@ -335,10 +336,10 @@ std::vector<experiments::Dash> sharp_edges(const kernel::TriangleMesh& mesh, dou
   return all;
 }
 
-/// fandisk: how much of the edges over 40 degrees has a line within 1, 1.5, 2 mean edges, how much
-/// of the lines has no feature, an edge over 15 degrees, within two.
+/// A part, fandisk: how much of the edges over 40 degrees has a line within 1, 1.5, 2 mean edges,
+/// how much of the lines has no feature, an edge over 15 degrees, within two.
 void fandisk_table(const Options& o) {
-  const fs::path path = o.data / "fandisk.off";
+  const fs::path path = o.data / o.part;
   if (!fs::exists(path)) return;
   const kernel::TriangleMesh mesh = io::read_mesh(path.string()).mesh;
   const double edge = sampling::mean_edge_length(mesh.points(), mesh.faces());
@@ -355,9 +356,11 @@ void fandisk_table(const Options& o) {
                  near_share(sharp, lines, 2 * edge, true),
                  1 - near_share(lines, features, 2 * edge, true));
     };
-    row("graph", dashes(m.graph, 0, edge / 4));
-    row("significant", dashes(m.graph, 1, edge / 4));
-    row("salient", dashes(m.graph, 2, edge / 4));
+    const char* names[] = {"graph", "significant", "salient"};
+    for (const int level : {0, 1, 2}) row(names[level], dashes(m.graph, level, edge / 4));
+    for (const int level : {0, 1, 2})
+      row(fmt::format("{}, as drawn", names[level]).c_str(),
+          experiments::drawn_dashes(m.graph, level, edge / 4));
     row("sharpest at the salient length",
         dashes(sharpest(m.graph, m.report.length_salient), 2, edge / 4));
   }
@@ -420,6 +423,7 @@ int main(int argc, char** argv) {
   program.option("--data", o.data, "folder of meshes");
   program.option("--pictures", o.pictures, "folder for pictures of the scans (default: none)");
   program.list("--noise", o.percent, "percents of the mean edge length");
+  program.option("--part", o.part, "mesh of the table fandisk");
   program.option("--surfaces", o.surfaces, "samples, NAME or NAME:P/P/P");
   program.option("--meshes", o.meshes, "scans");
   program.list("--points", o.points, "supports (default: chosen)");
