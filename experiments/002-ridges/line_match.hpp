@@ -43,9 +43,9 @@ inline std::vector<Dash> dashes(const ridges::RidgeGraph& graph, int level, doub
   return all;
 }
 
-/// The same and, as files and pictures have them, the ends inside the umbilics' patches, of the
+/// The same and, as files have them, the ends inside the umbilics' patches, of the
 /// level of the crossing beside them.
-inline std::vector<Dash> drawn_dashes(const ridges::RidgeGraph& graph, int level, double step) {
+inline std::vector<Dash> dashes_with_ends(const ridges::RidgeGraph& graph, int level, double step) {
   std::vector<Dash> all = dashes(graph, level, step);
   for (const ridges::Ridge& r : graph.ridges) {
     std::vector<kernel::Vec3> in = r.lead_in, out = {r.crossings.back().point};
