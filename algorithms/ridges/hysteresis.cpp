@@ -106,11 +106,21 @@ void close_loop(const Line& line, std::vector<Run>& runs, std::size_t& closed) {
 
 }  // namespace
 
-bool infinite_at_ends(const Profile& profile, const Run& run) {
-  const std::size_t n = profile.z.size(), last = (run.first + run.count - 1) % n;
-  if (profile.loop && run.count == n)
-    return std::all_of(profile.z.begin(), profile.z.end(), [](double z) { return std::isinf(z); });
-  return std::isinf(profile.z[run.first]) && std::isinf(profile.z[last]);
+Run crease_piece(const Profile& profile, const Run& run) {
+  const std::size_t n = profile.z.size();
+  std::vector<std::size_t> at;  // from the run's first point on
+  for (std::size_t i = 0; i < run.count; ++i)
+    if (std::isinf(profile.z[(run.first + i) % n])) at.push_back(i);
+  if (at.empty()) return {run.first, 0};
+  if (!profile.loop || run.count < n)
+    return {(run.first + at.front()) % n, at.back() - at.front() + 1};
+  std::size_t first = at.front(), gap = at.front() + n - at.back();  // the widest, before first
+  for (std::size_t i = 1; i < at.size(); ++i)
+    if (at[i] - at[i - 1] > gap) {
+      gap = at[i] - at[i - 1];
+      first = at[i];
+    }
+  return {(run.first + first) % n, n - gap + 1};
 }
 
 Runs hysteresis(const Profile& p, double threshold) {
@@ -121,11 +131,16 @@ Runs hysteresis(const Profile& p, double threshold) {
   const auto weak =
       std::find_if(p.z.begin(), p.z.end(), [&](double z) { return !(z >= threshold / 2); });
   if (strong_share(p, threshold) >= kWhole) return {{{0, n}}, 1, 0};
+  // A run of at least R, or else the piece of a crease in it.
+  const auto keep = [&](const Run& run, bool as_it_is) {
+    const Run kept = as_it_is ? run : crease_piece(p, run);
+    if (as_it_is || kept.count > 1) result.kept.push_back(kept);
+  };
   const bool even = p.loop && weak == p.z.end();
   const Line line(p, p.loop && !even ? static_cast<std::size_t>(weak - p.z.begin()) : 0);
   if (even) {
     result.found = *std::max_element(p.z.begin(), p.z.end()) >= threshold ? 1 : 0;
-    if (result.found > 0 && line.around() >= line.radius(0, 0)) result.kept.push_back({0, n});
+    if (result.found > 0) keep({0, n}, line.around() >= line.radius(0, 0));
     return result;
   }
   std::vector<Run> runs = strong_runs(line, threshold);
@@ -139,10 +154,9 @@ Runs hysteresis(const Profile& p, double threshold) {
   for (const Run& run : runs) {
     const std::size_t last = run.first + run.count - 1;
     const bool whole = run.count == n;
-    const Run found{whole ? 0 : line.index(run.first), run.count};
-    if (line.length(run.first, last) >= line.radius(run.first, last) ||
-        (whole && p.between_umbilics) || infinite_at_ends(p, found))
-      result.kept.push_back(found);
+    keep({whole ? 0 : line.index(run.first), run.count},
+         line.length(run.first, last) >= line.radius(run.first, last) ||
+             (whole && p.between_umbilics));
   }
   return result;
 }

@@ -4,8 +4,9 @@
 // Which parts of a line are kept for a number z at its points: hysteresis. A run of points with
 // z >= Z / 2 that holds one with z >= Z is kept; gaps up to R between two runs, or between a run
 // and an end that holds, are closed; then runs shorter than R are dropped, but for two kinds
-// that are as long as they can be: a whole line between two umbilics, and a run with an infinite z
-// at both ends (a piece of a crease). A line with z >= Z on 80 % of its length is kept whole.
+// that are as long as they can be: a whole line between two umbilics, and a piece of a crease, from
+// a run's first point of infinite z to its last; of any other run shorter than R that piece stays.
+// A line with z >= Z on 80 % of its length is kept whole.
 #include <cstddef>
 #include <vector>
 
@@ -31,9 +32,10 @@ struct Runs {
   std::size_t closed = 0;  ///< gaps
 };
 
-/// A piece of a crease: z is infinite at its first point and at its last; in a whole loop, which
-/// has no ends, everywhere.
-bool infinite_at_ends(const Profile& profile, const Run& run);
+/// The run's piece of a crease: from its first point of infinite z to its last; in a whole loop,
+/// which has no ends, all but the longest gap between two such points, all of it if there is none.
+/// Of no points where z is finite throughout.
+Run crease_piece(const Profile& profile, const Run& run);
 
 /// Guarantees: runs in order, disjoint. A point's share of the length is half of its gaps. R of a
 /// gap or run is the mean at its two ends.

@@ -143,11 +143,12 @@ void mark_ridge(Ridge& ridge, Profile& p, const std::vector<bool>& at_crease,
     const double weight = weight_of(p, run, ridge, drops);
     ridge.weight = std::max(ridge.weight, weight);
     report.length_unweighted += length_of(p, run);
-    const bool crease = weight > 0 && infinite_at_ends(p, run);
-    if (weight < options.min_weight && !crease) continue;
+    const bool light = weight < options.min_weight;
+    const Run shown = light ? crease_piece(p, run) : run;
+    if (light && shown.count < 2) continue;
     salient = true;
-    report.length_salient += length_of(p, run);
-    raise(ridge, run, 2);
+    report.length_salient += length_of(p, shown);
+    raise(ridge, shown, 2);
   }
   for_segments(p, {0, n}, [&](std::size_t i, std::size_t j, double length) {
     const bool kept = ridge.crossings[i].level > 0 && ridge.crossings[j].level > 0;

@@ -8,8 +8,8 @@
 //   whose weight W = integral of min(drop, 2 max|k|) ds (no unit) is at least min_weight. Umbilics:
 //   umbilic_regions.hpp.
 // At a crossing beside a vertex of a crease (creases.hpp) curvature has no bound: z and drop count
-// as infinite. A run on the crest that begins and ends there is salient whatever its weight:
-// between corners it may be a few edges long.
+// as infinite. Of a run on the crest that is too light its piece of the crease, from the first such
+// crossing to the last, is salient whatever its weight: between corners it may be a few edges long.
 #include "algorithms/ridges/ridges.hpp"
 
 namespace crest::ridges {

@@ -43,6 +43,24 @@ inline std::vector<Dash> dashes(const ridges::RidgeGraph& graph, int level, doub
   return all;
 }
 
+/// The same and, as files have them, the ends inside the umbilics' patches, of the
+/// level of the crossing beside them.
+inline std::vector<Dash> dashes_with_ends(const ridges::RidgeGraph& graph, int level, double step) {
+  std::vector<Dash> all = dashes(graph, level, step);
+  for (const ridges::Ridge& r : graph.ridges) {
+    std::vector<kernel::Vec3> in = r.lead_in, out = {r.crossings.back().point};
+    in.push_back(r.crossings.front().point);
+    out.insert(out.end(), r.lead_out.begin(), r.lead_out.end());
+    const auto add = [&](const std::vector<kernel::Vec3>& line, const ridges::Crossing& beside) {
+      for (std::size_t i = 0; beside.level >= level && i + 1 < line.size(); ++i)
+        add_dashes(line[i], line[i + 1], r.colour, step, all);
+    };
+    add(in, r.crossings.front());
+    add(out, r.crossings.back());
+  }
+  return all;
+}
+
 inline double length_of(const std::vector<Dash>& all) {
   double sum = 0;
   for (const Dash& d : all) sum += d.length;

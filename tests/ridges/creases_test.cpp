@@ -13,12 +13,13 @@ using namespace crest;
 
 namespace {
 
-/// A strip of n x 2m squares of side 1, folded along its middle line by an angle in degrees.
-kernel::TriangleMesh folded(unsigned n, unsigned m, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
+/// A strip of n x 2m squares of side 1, folded along its middle line by an angle that goes from
+/// `degrees` to `last`.
+kernel::TriangleMesh folded(unsigned n, unsigned m, double degrees, double last) {
   std::vector<kernel::Vec3> points;
   for (unsigned i = 0; i <= n; ++i)
     for (unsigned j = 0; j <= 2 * m; ++j) {
+      const double angle = (degrees + (last - degrees) * i / n) * std::numbers::pi / 180;
       const double y = double(j) - m, turn = j > m ? angle : 0;
       points.push_back({double(i), y * std::cos(turn), y * std::sin(turn)});
     }
@@ -33,9 +34,26 @@ kernel::TriangleMesh folded(unsigned n, unsigned m, double degrees) {
   return {std::move(points), std::move(faces)};
 }
 
+kernel::TriangleMesh folded(unsigned n, unsigned m, double degrees) {
+  return folded(n, m, degrees, degrees);
+}
+
 std::ptrdiff_t marked(const kernel::TriangleMesh& mesh) {
   const auto crease = ridges::crease_vertices(mesh);
   return std::count(crease.begin(), crease.end(), 1);
+}
+
+/// Of the salient lines beside the fold, from x to x.
+double salient_along(const ridges::RidgeGraph& graph, double from, double to) {
+  double length = 0;
+  for (const ridges::Ridge& r : graph.ridges)
+    for (std::size_t i = 0; i < r.segment_count(); ++i) {
+      const auto &a = r.crossings[i], &b = r.crossings[(i + 1) % r.crossings.size()];
+      if (a.level == 2 && b.level == 2 && std::fabs(a.point[1]) < 1.5 && a.point[0] >= from &&
+          a.point[0] <= to)
+        length += kernel::distance(a.point, b.point);
+    }
+  return length;
 }
 
 }  // namespace
@@ -59,14 +77,22 @@ TEST_CASE("creases: a fold is a salient line whatever the support and the weight
     CHECK(fit.quality[20 * 21 + 1].points >= std::min(points, 100));
     ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
     ridges::mark_salience(mesh, fit, graph, {4, weight});
-    double length = 0;
-    for (const ridges::Ridge& r : graph.ridges)
-      for (std::size_t i = 0; i < r.segment_count(); ++i) {
-        const auto &a = r.crossings[i], &b = r.crossings[(i + 1) % r.crossings.size()];
-        if (a.level == 2 && b.level == 2 && std::fabs(a.point[1]) < 1.5)
-          length += kernel::distance(a.point, b.point);
-      }
+    const double length = salient_along(graph, 0, 40);
     CAPTURE(points, weight, length);
     CHECK(length > 30);  // of 40
   }
+}
+
+TEST_CASE("creases: where a fold fades its sharp part is salient whatever the weight") {
+  const kernel::TriangleMesh mesh = folded(120, 10, 70, 0);
+  ridges::FitOptions options;
+  options.errors = true;
+  const ridges::FitResult fit = ridges::fit_monge_forms(mesh, options);
+  const auto sharp = std::count(fit.creases.begin(), fit.creases.end(), 1);
+  CHECK(sharp > 40);
+  CHECK(sharp < 60);
+  ridges::RidgeGraph graph = ridges::extract_ridge_graph(mesh, fit.forms);
+  ridges::mark_salience(mesh, fit, graph, {4, 1e9});
+  CHECK(salient_along(graph, 0, 50) > 40);
+  CHECK(salient_along(graph, 55, 120) == 0);
 }

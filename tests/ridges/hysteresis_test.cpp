@@ -68,6 +68,23 @@ TEST_CASE("hysteresis: a short line is kept whole between two umbilics, a short 
   check(hysteresis(line({0, kInfinite, kInfinite, 0, 0, 0, kInfinite, 9, 0, 0, 0}), 4), {{1, 2}});
 }
 
+TEST_CASE("hysteresis: of a short run the piece of a crease stays") {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto short_run = [&](std::vector<double> z, bool loop = false) {
+    Profile p = line(std::move(z), loop);
+    p.radius.assign(p.z.size(), 100.0);
+    return p;
+  };
+  check(hysteresis(short_run({0, 3, kInfinite, 3, kInfinite, 3, 0, 0, 0}), 4), {{2, 3}});
+  check(hysteresis(short_run({0, 9, kInfinite, 9, 0, 0, 0, 0, 0}), 4), {});  // no segment
+  // The loop is closed as a run; its crease reaches over its first point.
+  check(hysteresis(short_run({kInfinite, 0, 0, 0, 0, 0, 0, 0, 3, kInfinite}, true), 4), {{9, 2}});
+  const Profile p = short_run({kInfinite, 3, kInfinite, kInfinite, 3, 3}, true);
+  const Run piece = crease_piece(p, {0, 6});
+  CHECK(piece.first == 0);
+  CHECK(piece.count == 4);
+}
+
 TEST_CASE("hysteresis: a line that is strong on 80 % of its length is kept whole") {
   std::vector<double> z(21, 9.0);
   z[5] = z[6] = z[7] = 0;  // two gaps and two halves of 20
