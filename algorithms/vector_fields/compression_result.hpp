@@ -38,6 +38,7 @@ struct RefusedCollapses {
 struct CompressionCounts {
   int passes = 0;
   std::uint64_t collapses = 0, tests = 0, flips = 0, retraced_crossings = 0, inherited = 0;
+  std::uint64_t filled = 0;  ///< of the collapses: vertices taken out with another filling
   RefusedCollapses refused;
   int rounds = 1;             ///< searches, until the proven skeletons were equal
   std::size_t pinned = 0;     ///< separatrices whose triangles were kept for that
