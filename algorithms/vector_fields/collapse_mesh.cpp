@@ -136,7 +136,8 @@ bool CollapseMesh::passes_boundary(const std::vector<HalfEdge>& fan) const {
     return false;
   const Sign s = kernel::flow_across(p, q, vector(at));
   return s != Sign::zero && kernel::flow_across(p, q, vector(before)) == s &&
-         kernel::flow_across(q, r, vector(at)) == s && kernel::flow_across(q, r, vector(after)) == s;
+         kernel::flow_across(q, r, vector(at)) == s &&
+         kernel::flow_across(q, r, vector(after)) == s;
 }
 
 /// Along the boundary.

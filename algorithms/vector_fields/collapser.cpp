@@ -19,7 +19,6 @@ using kernel::operator-;
 
 namespace {
 
-constexpr int kFruitless = 4;  ///< so many rounds of flips without a collapse are the last ones
 constexpr std::size_t kFillings = 132;  ///< of one hole: all of those with up to eight corners
 
 /// Whether a closed triangle has a zero: outside of it all turns do not have one sign.
@@ -122,8 +121,9 @@ void Collapser::collect() {
   lost_sides_.clear();
   for (const Index t : plan_.star)
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (plan_.flipped != kNone || !plan_.filling.empty() || t == plan_.gone[0] || t == plan_.gone[1] ||
-          state_.mesh.from(h) == plan_.from || state_.mesh.to(h) == plan_.from)
+      if (plan_.flipped != kNone || !plan_.filling.empty() || t == plan_.gone[0] ||
+          t == plan_.gone[1] || state_.mesh.from(h) == plan_.from ||
+          state_.mesh.to(h) == plan_.from)
         lost_sides_.push_back(h);
   std::sort(lines_.begin(), lines_.end());
   std::sort(chains_.begin(), chains_.end());
@@ -496,9 +496,9 @@ bool Collapser::may_go(Index vertex) const {
   std::vector<HalfEdge> fan;
   state_.mesh.fan(vertex, fan);
   return std::none_of(fan.begin(), fan.end(), [&](HalfEdge h) {
-           return state_.frozen(h / 3) ||
-                  (options_.equivalence != Equivalence::relaxed && state_.zero_in[h / 3] != kNone);
-         });
+    return state_.frozen(h / 3) ||
+           (options_.equivalence != Equivalence::relaxed && state_.zero_in[h / 3] != kNone);
+  });
 }
 
 /// Whether its star and those of its neighbours are those around which nothing would do.
@@ -593,13 +593,12 @@ void Collapser::loosen(CompressionCounts& counts) {
 
 void Collapser::run(CompressionCounts& counts) {
   const bool flips = options_.flips && options_.test == CollapseTest::retrace;
-  for (int fruitless = 0; fruitless < kFruitless;) {
+  for (bool again = true; again;) {
     const std::uint64_t before = counts.collapses;
     do ++counts.passes;
     while (pass(counts));
-    if (!flips) break;
-    loosen(counts);
-    fruitless = counts.collapses > before ? 0 : fruitless + 1;
+    if (flips) loosen(counts);
+    again = counts.collapses > before && flips;
   }
   counts.retraced_crossings = state_.crossings;
   counts.inherited = state_.inherited;

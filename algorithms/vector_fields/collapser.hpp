@@ -87,7 +87,7 @@ class Collapser {
   Collapse plan_;
   std::vector<Index> corners_;  ///< of a hole
   std::vector<std::uint8_t> in_star_;
-  std::vector<std::size_t> seen_;  ///< by line, then orbit: the last attempt it was met in
+  std::vector<std::size_t> seen_;    ///< by line, then orbit: the last attempt it was met in
   std::vector<std::size_t> failed_;  ///< by line: the last attempt refused for it
   std::size_t attempts_ = 1;
   std::vector<Index> lines_, chains_;  ///< through the star

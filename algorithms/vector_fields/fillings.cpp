@@ -12,8 +12,7 @@ Fillings::Fillings(const std::vector<Index>& corners,
   for (std::size_t width = 2; width < n_; ++width)
     for (std::size_t first = 0; first + width < n_; ++first)
       for (std::size_t apex = first + 1; apex < first + width; ++apex)
-        if (fills(first, apex) && fills(apex, first + width) &&
-            may_be(first, apex, first + width))
+        if (fills(first, apex) && fills(apex, first + width) && may_be(first, apex, first + width))
           apices_[at(first, first + width)].push_back(apex);
 }
 

@@ -5,6 +5,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "algorithms/vector_fields/certificate.hpp"
+#include "certify/verify.hpp"
+#include "kernel/predicates/planar_field.hpp"
 #include "tests/vector_fields/counts.hpp"
 
 using namespace crest;
@@ -133,4 +136,23 @@ TEST_CASE("Vertices taken out are put back to the last bit") {
   CHECK(inner > 0);
   CHECK(outer > 0);
   CHECK(none > 0);
+}
+
+TEST_CASE("Compression: holes filled otherwise save more, and the skeleton stays") {
+  const PlanarField field = field_of(sampling::lattice_field(6, 40, true));
+  for (const Equivalence e : {Equivalence::original, Equivalence::relaxed}) {
+    CompressionOptions options;
+    options.equivalence = e;
+    certify::CompressionCertificate record;
+    const Compression c = compress(field, options, record);
+    INFO(c.difference);
+    REQUIRE(c.same_skeleton);
+    CHECK(c.counts.filled > 0);
+    CHECK(c.counts.collapses >= c.counts.filled);
+    const auto verdict = certify::verify(certify::encode(record));
+    INFO(verdict.reason);
+    CHECK(verdict.accepted);
+    options.flips = false;
+    CHECK(compress(field, options).counts.filled == 0);
+  }
 }
