@@ -126,7 +126,8 @@ std::function<int()> add_compress(CLI::App& app) {
       ->type_name("WORD");
   app.add_flag(
       "--no-flips", [&o](std::int64_t) { o.compression.flips = false; },
-      "collapses alone (default: where nothing collapses, edges are flipped by the same test)");
+      "collapses alone (default: where nothing collapses, vertices are taken out with other "
+      "fillings of their holes and edges are flipped, by the same test)");
   return [options] {
     options->compression.simplify = options->simplify.threshold;
     options->compression.laplacian = options->simplify.laplacian;

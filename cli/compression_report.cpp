@@ -62,6 +62,7 @@ void report_compression(Report& report, const PlanarField& field, const Compress
   const CompressionCounts& c = r.counts;
   report["passes"] = c.passes;
   report["collapses"] = c.collapses;
+  report["filled"] = c.filled;
   report["flips"] = c.flips;
   report["tests"] = c.tests;
   report["refused"] = {{"geometry", c.refused.geometry},

@@ -2,6 +2,7 @@
 #include "algorithms/vector_fields/collapse_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/predicates/planar_field.hpp"
 
@@ -44,6 +45,15 @@ kernel::FieldOnTriangle CollapseMesh::data(Index t, Index from, Index to) const 
     const Index v = corners_[h] == from ? to : corners_[h];
     d.p[h % 3] = point(v);
     d.v[h % 3] = vector(v);
+  }
+  return d;
+}
+
+kernel::FieldOnTriangle CollapseMesh::data(const std::array<Index, 3>& corners) const {
+  kernel::FieldOnTriangle d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    d.p[i] = point(corners[i]);
+    d.v[i] = vector(corners[i]);
   }
   return d;
 }
@@ -105,6 +115,7 @@ CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {
   plan.from = from;
   plan.to = to;
   plan.flipped = kNone;
+  plan.filling.clear();
   plan.star.clear();
   if (twins_[fan_.front()] == kNone) return plan_boundary(from, to, plan);
   const auto first =
@@ -115,19 +126,25 @@ CollapseRefusal CollapseMesh::plan(Index from, Index to, Collapse& plan) const {
   return linked(from, to, 2) && positive(plan) ? CollapseRefusal::none : CollapseRefusal::geometry;
 }
 
-/// Along the boundary, where it is straight and the flow across it has one strict sign.
+/// Whether the boundary is straight at the fan's vertex and the flow across it has one strict sign.
+bool CollapseMesh::passes_boundary(const std::vector<HalfEdge>& fan) const {
+  const Index before = from(Domain::previous(fan.back())), at = from(fan.front()),
+              after = to(fan.front());
+  const Vec2 &p = point(before), &q = point(at), &r = point(after);
+  if (kernel::orientation(p, q, r) != Sign::zero ||
+      kernel::flow_along(p, q, {r[0] - q[0], r[1] - q[1]}) != Sign::positive)
+    return false;
+  const Sign s = kernel::flow_across(p, q, vector(at));
+  return s != Sign::zero && kernel::flow_across(p, q, vector(before)) == s &&
+         kernel::flow_across(q, r, vector(at)) == s &&
+         kernel::flow_across(q, r, vector(after)) == s;
+}
+
+/// Along the boundary.
 CollapseRefusal CollapseMesh::plan_boundary(Index from, Index to, Collapse& plan) const {
   const HalfEdge after = fan_.front(), before = Domain::previous(fan_.back());
   const bool ahead = this->to(after) == to;
-  if (!ahead && this->from(before) != to) return CollapseRefusal::boundary;
-  const Vec2 &p = point(this->from(before)), &q = point(from), &r = point(this->to(after));
-  if (kernel::orientation(p, q, r) != Sign::zero ||
-      kernel::flow_along(p, q, {r[0] - q[0], r[1] - q[1]}) != Sign::positive)
-    return CollapseRefusal::boundary;
-  const Sign s = kernel::flow_across(p, q, vector(from));
-  if (s == Sign::zero || kernel::flow_across(p, q, vector(this->from(before))) != s ||
-      kernel::flow_across(q, r, vector(from)) != s ||
-      kernel::flow_across(q, r, vector(this->to(after))) != s)
+  if ((!ahead && this->from(before) != to) || !passes_boundary(fan_))
     return CollapseRefusal::boundary;
   if (fan_.size() < 2) return CollapseRefusal::geometry;
   for (const HalfEdge h : fan_) plan.star.push_back(h / 3);
@@ -144,19 +161,42 @@ bool CollapseMesh::plan_flip(HalfEdge side, Collapse& plan) const {
               d = from(Domain::previous(other));
   for (const Index v : {a, b, c, d})
     if (fixed_[v] != 0) return false;
-  plan = {kNone, kNone, {side / 3, other / 3}, {kNone, kNone}, side};
+  plan = {kNone, kNone, {side / 3, other / 3}, {kNone, kNone}, side, {}};
   return kernel::orientation(point(a), point(d), point(c)) == Sign::positive &&
          kernel::orientation(point(d), point(b), point(c)) == Sign::positive && !adjacent(c, d);
 }
 
+bool CollapseMesh::plan_hole(Index vertex, std::vector<Index>& corners, Collapse& plan) const {
+  fan(vertex, fan_);
+  const bool open = twins_[fan_.front()] == kNone;
+  const std::size_t least = open ? 2 : 3;
+  if (fan_.size() < least || (open && !passes_boundary(fan_))) return false;
+  corners.clear();
+  plan = {vertex, kNone, {}, {kNone, kNone}, kNone, {}};
+  for (const HalfEdge h : fan_) {
+    corners.push_back(to(h));
+    plan.star.push_back(h / 3);
+  }
+  plan.gone = {plan.star[plan.star.size() - (open ? 1 : 2)], plan.star.back()};
+  if (open) corners.push_back(from(Domain::previous(fan_.back())));
+  ++stamp_;
+  return std::all_of(corners.begin(), corners.end(), [&](Index v) {
+    return fixed_[v] == 0 && std::exchange(stamps_[v], stamp_) != stamp_;
+  });
+}
+
 kernel::FieldOnTriangle CollapseMesh::data_after(const Collapse& plan, Index t) const {
+  if (!plan.filling.empty()) {
+    const auto k = std::find(plan.star.begin(), plan.star.end(), t) - plan.star.begin();
+    return data(plan.filling[static_cast<std::size_t>(k)]);
+  }
   if (plan.flipped == kNone) return data(t, plan.from, plan.to);
   const HalfEdge side = t == plan.flipped / 3 ? plan.flipped : twins_[plan.flipped];
   return data(t, to(side), from(Domain::previous(twins_[side])));
 }
 
-/// `h` takes the place of `replaced` at its neighbour, or at the boundary.
-void CollapseMesh::set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced) {
+/// `h` takes the place of another at its neighbour, or at the boundary.
+void CollapseMesh::set_twin(HalfEdge h, HalfEdge twin, const BoundaryEdge& edge) {
   journal_.twins.push_back({h, twins_[h]});
   twins_[h] = twin;
   if (twin != kNone) {
@@ -164,12 +204,12 @@ void CollapseMesh::set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced) {
     twins_[twin] = h;
     return;
   }
-  const BoundaryEdge edge = boundary_edges_[replaced];
+  const Index ordinal = edge.ordinal;
   journal_.edges.push_back({h, boundary_edges_[h]});
   boundary_edges_[h] = edge;
-  if (edge.ordinal == kNone) return;
-  journal_.ordinals.push_back({edge.ordinal, by_ordinal_[edge.ordinal]});
-  by_ordinal_[edge.ordinal] = h;
+  if (ordinal == kNone) return;
+  journal_.ordinals.push_back({ordinal, by_ordinal_[ordinal]});
+  by_ordinal_[ordinal] = h;
 }
 
 void CollapseMesh::set_leaving(Index vertex, HalfEdge h) {
@@ -185,18 +225,63 @@ void CollapseMesh::apply_flip(HalfEdge side) {
   if (leaving_[a] == ad) set_leaving(a, side);
   if (leaving_[b] == bc) set_leaving(b, other);
   const HalfEdge beyond_ad = twins_[ad], beyond_bc = twins_[bc];
-  set_twin(side, beyond_ad, ad);
-  set_twin(other, beyond_bc, bc);
-  set_twin(bc, ad, kNone);
+  set_twin(side, beyond_ad, boundary_edges_[ad]);
+  set_twin(other, beyond_bc, boundary_edges_[bc]);
+  set_twin(bc, ad, {});
   journal_.corners.push_back({bc, b});
   journal_.corners.push_back({ad, a});
   corners_[bc] = d;
   corners_[ad] = c;
 }
 
+/// Sides of the hole by their tails; diagonals meet their twins by both ends.
+void CollapseMesh::apply_filling(const Collapse& plan) {
+  struct Outer {
+    Index tail, head;
+    HalfEdge twin, old;
+  };
+  fan(plan.from, fan_);
+  std::vector<Outer> outer;
+  for (const HalfEdge h : fan_)
+    outer.push_back({to(h), from(Domain::previous(h)), twins_[Domain::next(h)], Domain::next(h)});
+  if (twins_[fan_.front()] == kNone)
+    outer.push_back({from(Domain::previous(fan_.back())), to(fan_.front()), kNone,
+                     Domain::previous(fan_.back())});
+  std::vector<BoundaryEdge> edges;
+  for (const Outer& o : outer) edges.push_back(boundary_edges_[o.old]);
+  for (const Index t : plan.gone) {
+    live_ -= alive_[t];
+    alive_[t] = 0;
+  }
+  std::vector<HalfEdge> diagonals;
+  for (std::size_t k = 0; k < plan.filling.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const HalfEdge h = 3 * plan.star[k] + static_cast<HalfEdge>(i);
+      const Index tail = plan.filling[k][i], head = plan.filling[k][(i + 1) % 3];
+      journal_.corners.push_back({h, corners_[h]});
+      corners_[h] = tail;
+      const auto side = std::find_if(outer.begin(), outer.end(), [&](const Outer& o) {
+        return o.tail == tail && o.head == head;
+      });
+      if (side == outer.end()) {
+        diagonals.push_back(h);
+        continue;
+      }
+      set_leaving(tail, h);
+      set_twin(h, side->twin, edges[static_cast<std::size_t>(side - outer.begin())]);
+    }
+  for (const HalfEdge h : diagonals)
+    for (const HalfEdge g : diagonals)
+      if (h < g && from(h) == to(g) && to(h) == from(g)) set_twin(h, g, {});
+}
+
 void CollapseMesh::apply(const Collapse& plan) {
   journal_ = {};
   if (plan.flipped != kNone) return apply_flip(plan.flipped);
+  if (!plan.filling.empty()) {
+    journal_.gone = plan.gone;
+    return apply_filling(plan);
+  }
   fan(plan.from, fan_);
   journal_.gone = plan.gone;
   const bool open = twins_[fan_.front()] == kNone;
@@ -213,7 +298,7 @@ void CollapseMesh::apply(const Collapse& plan) {
   if (last_goes) {
     const HalfEdge gone = Domain::next(fan_[n - 1]), kept = Domain::previous(fan_[n - 2]);
     const HalfEdge behind = Domain::previous(fan_[n - 1]);
-    set_twin(kept, twins_[gone], gone);
+    set_twin(kept, twins_[gone], boundary_edges_[gone]);
     set_leaving(b, kept);
     leaves = fan_[n - 2];
     if (open) {
@@ -228,7 +313,7 @@ void CollapseMesh::apply(const Collapse& plan) {
   }
   if (first_goes) {
     const HalfEdge gone = Domain::next(fan_[0]), kept = fan_[1];
-    set_twin(kept, twins_[gone], gone);
+    set_twin(kept, twins_[gone], boundary_edges_[gone]);
     set_leaving(a, Domain::next(fan_[1]));
     leaves = fan_[1];
   }

@@ -19,12 +19,15 @@ struct BoundaryEdge {
   EdgeRegions regions;
 };
 
-/// A collapse, or an edge flipped, that keeps the domain and all triangles positive.
+/// A collapse, an edge flipped, or a vertex taken out, that keeps the domain and all triangles
+/// positive.
 struct Collapse {
   Index from = kNone, to = kNone;
   std::vector<Index> star;  ///< triangles around `from`, counter-clockwise from `to` on
   std::array<Index, 2> gone{kNone, kNone};  ///< those that vanish; at the boundary one, twice
   HalfEdge flipped = kNone;                 ///< of a flip, whose star is both its triangles
+  /// Of a vertex taken out: what the star's first triangles become. `to`: none.
+  std::vector<std::array<Index, 3>> filling = {};
 };
 
 enum class CollapseRefusal : std::uint8_t { none, geometry, boundary };
@@ -44,6 +47,7 @@ class CollapseMesh {
   const Vec2& point(Index v) const { return domain_.point(v); }
   const Vec2& vector(Index v) const { return domain_.vector(v); }
   kernel::FieldOnTriangle data(Index t) const { return data(t, kNone, kNone); }
+  kernel::FieldOnTriangle data(const std::array<Index, 3>& corners) const;
   /// The same with `from` replaced by `to`.
   kernel::FieldOnTriangle data(Index t, Index from, Index to) const;
   const BoundaryEdge& boundary_edge(HalfEdge h) const { return boundary_edges_[h]; }
@@ -62,6 +66,10 @@ class CollapseMesh {
   CollapseRefusal plan(Index from, Index to, Collapse& plan) const;
   /// Whether the edge may become the other diagonal of its triangles, and how.
   bool plan_flip(HalfEdge side, Collapse& plan) const;
+  /// Whether a vertex may be taken out, and the corners of the hole, counter-clockwise, at the
+  /// boundary from the next one to the one before; leaves the filling open. Requires: not a vertex
+  /// that stays.
+  bool plan_hole(Index vertex, std::vector<Index>& corners, Collapse& plan) const;
   /// What a triangle of the star that does not vanish will be.
   kernel::FieldOnTriangle data_after(const Collapse& plan, Index t) const;
   /// Whether no collapse moves the vertex.
@@ -79,10 +87,12 @@ class CollapseMesh {
 
  private:
   CollapseRefusal plan_boundary(Index from, Index to, Collapse& plan) const;
+  bool passes_boundary(const std::vector<HalfEdge>& fan) const;
   bool linked(Index from, Index to, std::size_t common) const;
   bool positive(const Collapse& plan) const;
   void apply_flip(HalfEdge side);
-  void set_twin(HalfEdge h, HalfEdge twin, HalfEdge replaced);
+  void apply_filling(const Collapse& plan);
+  void set_twin(HalfEdge h, HalfEdge twin, const BoundaryEdge& edge);
   void set_leaving(Index vertex, HalfEdge h);
 
   /// What one collapse changed, to take it back.

@@ -6,6 +6,7 @@
 #include <queue>
 #include <tuple>
 
+#include "algorithms/vector_fields/fillings.hpp"
 #include "algorithms/vector_fields/thesis_test.hpp"
 #include "kernel/geometry/stop.hpp"
 
@@ -18,7 +19,7 @@ using kernel::operator-;
 
 namespace {
 
-constexpr int kFruitless = 4;  ///< so many rounds of flips without a collapse are the last ones
+constexpr std::size_t kFillings = 132;  ///< of one hole: all of those with up to eight corners
 
 /// Whether a closed triangle has a zero: outside of it all turns do not have one sign.
 bool has_zero(const kernel::FieldOnTriangle& f, Sign& turn) {
@@ -120,8 +121,9 @@ void Collapser::collect() {
   lost_sides_.clear();
   for (const Index t : plan_.star)
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (plan_.flipped != kNone || t == plan_.gone[0] || t == plan_.gone[1] ||
-          state_.mesh.from(h) == plan_.from || state_.mesh.to(h) == plan_.from)
+      if (plan_.flipped != kNone || !plan_.filling.empty() || t == plan_.gone[0] ||
+          t == plan_.gone[1] || state_.mesh.from(h) == plan_.from ||
+          state_.mesh.to(h) == plan_.from)
         lost_sides_.push_back(h);
   std::sort(lines_.begin(), lines_.end());
   std::sort(chains_.begin(), chains_.end());
@@ -252,7 +254,11 @@ Collapser::Answer Collapser::examine_lines() {
       return std::find(z.lines.begin(), z.lines.end(), number) != z.lines.end();
     });
   };
-  for (const Index number : lines_) {
+  // Those first for which attempts nearby were refused lately.
+  std::vector<Index> order = lines_;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return failed_[a] > failed_[b]; });
+  for (const Index number : order) {
     const SearchLine& line = state_.lines[number];
     if (line.end == EndKind::undecided || done(number)) continue;
     std::size_t from = 0;
@@ -261,7 +267,10 @@ Collapser::Answer Collapser::examine_lines() {
       ++from;
     // It ends at a segment that it passed before.
     if (from < line.steps.size() && in_star_[line.steps[from].exit / 3] == 0) ++from;
-    if (const Answer a = retrace(number, from); a != Answer::yes) return a;
+    if (const Answer a = retrace(number, from); a != Answer::yes) {
+      failed_[number] = attempts_;
+      return a;
+    }
   }
   return Answer::yes;
 }
@@ -398,20 +407,29 @@ bool Collapser::cancels(Index from, Index to) {
 
 /// Stars at the corners of the star are others now.
 void Collapser::note_change() {
+  const auto corners_of = [&](Index t) {
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      changed_[state_.mesh.from(h)] = pass_;
+      changed_at_[state_.mesh.from(h)] = attempts_;
+    }
+  };
   for (const Index t : plan_.star)
-    if (state_.mesh.alive(t))
-      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) changed_[state_.mesh.from(h)] = pass_;
+    if (state_.mesh.alive(t)) corners_of(t);
   // A corner of the triangles that vanished alone.
   for (const Index t : plan_.gone)
-    if (t != kNone)
-      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) changed_[state_.mesh.from(h)] = pass_;
+    if (t != kNone) corners_of(t);
 }
 
 bool Collapser::try_collapse(Index from, Index to, CompressionCounts& counts) {
   kernel::stop_point();
+  return note(attempt(from, to), counts);
+}
+
+/// Counts a test's answer; whether it was yes.
+bool Collapser::note(Answer answer, CompressionCounts& counts) {
   ++counts.tests;
   RefusedCollapses& r = counts.refused;
-  switch (attempt(from, to)) {
+  switch (answer) {
     case Answer::yes:
       ++counts.collapses;
       return true;
@@ -472,16 +490,60 @@ bool Collapser::pass(CompressionCounts& counts) {
   return any;
 }
 
-/// Whether a collapse might move the vertex, inside the domain.
+/// Whether a vertex might be taken out.
 bool Collapser::may_go(Index vertex) const {
   if (state_.mesh.stays(vertex)) return false;
   std::vector<HalfEdge> fan;
   state_.mesh.fan(vertex, fan);
-  return state_.mesh.twin(fan.front()) != kNone &&
-         std::none_of(fan.begin(), fan.end(), [&](HalfEdge h) {
-           return state_.frozen(h / 3) ||
-                  (options_.equivalence != Equivalence::relaxed && state_.zero_in[h / 3] != kNone);
-         });
+  return std::none_of(fan.begin(), fan.end(), [&](HalfEdge h) {
+    return state_.frozen(h / 3) ||
+           (options_.equivalence != Equivalence::relaxed && state_.zero_in[h / 3] != kNone);
+  });
+}
+
+/// Whether its star and those of its neighbours are those around which nothing would do.
+bool Collapser::as_it_was(Index vertex) const {
+  const std::size_t then = stuck_at_[vertex];
+  if (changed_at_[vertex] > then) return false;
+  std::vector<HalfEdge> fan;
+  state_.mesh.fan(vertex, fan);
+  return std::none_of(fan.begin(), fan.end(), [&](HalfEdge h) {
+    return changed_at_[state_.mesh.to(h)] > then ||
+           changed_at_[state_.mesh.from(Domain::previous(h))] > then;
+  });
+}
+
+Collapser::Answer Collapser::attempt_filling() {
+  moved_zeros_.clear();
+  if (const Answer a = examine_zeros(); a != Answer::yes) return a;
+  return change();
+}
+
+/// Takes the vertex out if one of the triangulations of its star will do. A collapse has those
+/// that have all their edges at one corner.
+bool Collapser::take_out(Index vertex, CompressionCounts& counts) {
+  const CollapseMesh& mesh = state_.mesh;
+  if (!mesh.plan_hole(vertex, corners_, plan_)) return false;
+  const bool open = plan_.gone[0] == plan_.gone[1];
+  if (open && !options_.boundary) return false;
+  const bool zeros = std::any_of(plan_.star.begin(), plan_.star.end(),
+                                 [&](Index t) { return state_.zero_in[t] != kNone; });
+  const auto may_be = [&](std::size_t first, std::size_t apex, std::size_t last) {
+    const bool outer = !open && first == 0 && last + 1 == corners_.size();
+    if (!outer && mesh.adjacent(corners_[first], corners_[last])) return false;
+    const std::array<Index, 3> t = {corners_[first], corners_[apex], corners_[last]};
+    const auto f = mesh.data(t);
+    Sign turn = Sign::zero;
+    return kernel::orientation(f.p[0], f.p[1], f.p[2]) == Sign::positive &&
+           (zeros || !has_zero(f, turn));
+  };
+  return Fillings(corners_, may_be).any(kFillings, [&](const Fillings::Triangles& filling) {
+    kernel::stop_point();
+    plan_.filling = filling;
+    if (!note(attempt_filling(), counts)) return false;
+    ++counts.filled;
+    return true;
+  });
 }
 
 /// Flips edges at the vertex until it collapses.
@@ -491,6 +553,7 @@ void Collapser::loosen(Index vertex, CompressionCounts& counts) {
   for (bool flipped = true; flipped;) {
     flipped = false;
     mesh.fan(vertex, fan);
+    if (mesh.twin(fan.front()) == kNone) return;
     for (const HalfEdge h : fan) {
       kernel::stop_point();
       if (attempt_flip(h) != Answer::yes) continue;
@@ -521,19 +584,21 @@ void Collapser::loosen(CompressionCounts& counts) {
   for (HalfEdge h = 0; h < 3 * mesh.triangle_count(); ++h) {
     if (!mesh.alive(h / 3) || seen[mesh.from(h)] != 0) continue;
     seen[mesh.from(h)] = 1;
-    if (may_go(mesh.from(h))) loosen(mesh.from(h), counts);
+    const Index v = mesh.from(h);
+    if (!may_go(v) || as_it_was(v)) continue;
+    stuck_at_[v] = attempts_;
+    if (!take_out(v, counts)) loosen(v, counts);
   }
 }
 
 void Collapser::run(CompressionCounts& counts) {
   const bool flips = options_.flips && options_.test == CollapseTest::retrace;
-  for (int fruitless = 0; fruitless < kFruitless;) {
+  for (bool again = true; again;) {
     const std::uint64_t before = counts.collapses;
     do ++counts.passes;
     while (pass(counts));
-    if (!flips) break;
-    loosen(counts);
-    fruitless = counts.collapses > before ? 0 : fruitless + 1;
+    if (flips) loosen(counts);
+    again = counts.collapses > before && flips;
   }
   counts.retraced_crossings = state_.crossings;
   counts.inherited = state_.inherited;

@@ -16,8 +16,11 @@ class Collapser {
         minor_(std::any_of(state.zeros.begin(), state.zeros.end(),
                            [](const SearchZero& z) { return !z.kept; })),
         changed_(state.mesh.vertex_count(), 0),
+        changed_at_(state.mesh.vertex_count(), 1),
+        stuck_at_(state.mesh.vertex_count(), 0),
         in_star_(state.mesh.triangle_count(), 0),
-        seen_(state.line_count() + state.orbits.size(), 0) {}
+        seen_(state.line_count() + state.orbits.size(), 0),
+        failed_(state.line_count(), 0) {}
 
   /// Until nothing more collapses.
   void run(CompressionCounts& counts);
@@ -45,9 +48,13 @@ class Collapser {
 
   bool pass(CompressionCounts& counts);
   bool try_collapse(Index from, Index to, CompressionCounts& counts);
+  static bool note(Answer answer, CompressionCounts& counts);
   void loosen(CompressionCounts& counts);
   void loosen(Index vertex, CompressionCounts& counts);
   bool may_go(Index vertex) const;
+  bool as_it_was(Index vertex) const;
+  bool take_out(Index vertex, CompressionCounts& counts);
+  Answer attempt_filling();
   bool cancels(Index from, Index to);
   double priority(Index from, Index to) const;
   Answer attempt(Index from, Index to);
@@ -74,11 +81,15 @@ class Collapser {
   const bool minor_;          ///< there are zeros that may vanish
   std::vector<int> changed_;  ///< by vertex: the pass in which its star changed last
   int pass_ = 0;
+  /// By vertex: the attempts made when its star changed last, when nothing around it would do.
+  std::vector<std::size_t> changed_at_, stuck_at_;
   // Of the attempt at hand.
   Collapse plan_;
+  std::vector<Index> corners_;  ///< of a hole
   std::vector<std::uint8_t> in_star_;
-  std::vector<std::size_t> seen_;  ///< by line, then orbit: the last attempt it was met in
-  std::size_t attempts_ = 0;
+  std::vector<std::size_t> seen_;    ///< by line, then orbit: the last attempt it was met in
+  std::vector<std::size_t> failed_;  ///< by line: the last attempt refused for it
+  std::size_t attempts_ = 1;
   std::vector<Index> lines_, chains_;  ///< through the star
   std::vector<HalfEdge> lost_sides_;   ///< sides of the star that change
   std::vector<MovedZero> moved_zeros_;

@@ -20,8 +20,9 @@ struct CompressionOptions {
   CollapseTest test = CollapseTest::retrace;
   CollapsePriority priority = CollapsePriority::product;
   bool boundary = true;  ///< collapses along the boundary, too
-  /// Where nothing collapses any more, edges at inner vertices are flipped, by the same test, so
-  /// that more of them can. Not with the test as printed.
+  /// Where nothing collapses any more, vertices are taken out with any other filling of their
+  /// holes, and edges at inner vertices are flipped so that more of them can, by the same test. Not
+  /// with the test as printed.
   bool flips = true;
   /// Zeros that weigh less may move, change and vanish in pairs, with the separatrices that start
   /// at them (section 5.5.4). Requires: Equivalence::original, the test retrace.
@@ -38,6 +39,7 @@ struct RefusedCollapses {
 struct CompressionCounts {
   int passes = 0;
   std::uint64_t collapses = 0, tests = 0, flips = 0, retraced_crossings = 0, inherited = 0;
+  std::uint64_t filled = 0;  ///< of the collapses: vertices taken out with another filling
   RefusedCollapses refused;
   int rounds = 1;             ///< searches, until the proven skeletons were equal
   std::size_t pinned = 0;     ///< separatrices whose triangles were kept for that

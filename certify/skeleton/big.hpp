@@ -13,23 +13,21 @@
 
 namespace crest::certify::skeleton {
 
+/// Its digits stand in the object: no memory is taken.
 class Big {
  public:
+  static constexpr mpfr_prec_t kMostBits = 1000;
+
   Big() : Big(0.0) {}
-  Big(double x) {  // NOLINT: numbers convert; exact from 53 bits on
-    mpfr_init2(x_, bits);
+  Big(double x) : Big(Precision{bits}) {  // NOLINT: numbers convert; exact from 53 bits on
     mpfr_set_d(x_, x, MPFR_RNDN);
   }
-  Big(const Big& o) {
-    mpfr_init2(x_, mpfr_get_prec(o.x_));
+  Big(const Big& o) : Big(Precision{mpfr_get_prec(o.x_)}) { mpfr_set(x_, o.x_, MPFR_RNDN); }
+  Big& operator=(const Big& o) {
+    if (mpfr_get_prec(x_) != mpfr_get_prec(o.x_)) begin(mpfr_get_prec(o.x_));
     mpfr_set(x_, o.x_, MPFR_RNDN);
-  }
-  Big(Big&& o) noexcept : Big() { mpfr_swap(x_, o.x_); }
-  Big& operator=(Big o) noexcept {
-    mpfr_swap(x_, o.x_);
     return *this;
   }
-  ~Big() { mpfr_clear(x_); }
 
   friend Big operator+(const Big& a, const Big& b) { return made(mpfr_add, a, b); }
   friend Big operator-(const Big& a, const Big& b) { return made(mpfr_sub, a, b); }
@@ -72,10 +70,21 @@ class Big {
  private:
   template <class Operation>
   static Big made(Operation operation, const Big& a, const Big& b) {
-    Big result;
+    Big result(Precision{bits});
     operation(result.x_, a.x_, b.x_, MPFR_RNDN);
     return result;
   }
+  struct Precision {
+    mpfr_prec_t bits;
+  };
+  /// Not a number yet.
+  explicit Big(Precision precision) { begin(precision.bits); }
+  void begin(mpfr_prec_t precision) {
+    mpfr_custom_init(digits_.data(), precision);
+    mpfr_custom_init_set(x_, MPFR_NAN_KIND, 0, precision, digits_.data());
+  }
+
+  std::array<mp_limb_t, (kMostBits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS> digits_;
   mpfr_t x_;
 };
 inline thread_local mpfr_prec_t Big::bits = 133;

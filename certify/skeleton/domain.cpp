@@ -13,6 +13,8 @@ void glue_live(const Field& field, Domain& d) {
   Gluing gluing = glue(field.faces(), field.vertices(), false);
   require(gluing.aligned, "two triangles run along an edge in the same direction");
   d.twin = std::move(gluing.twin);
+  for (u32 c = 0; c < field.corners(); ++c)
+    if (d.twin[c] == kNone) d.border.push_back(c);
   d.live.assign(field.triangles(), 0);
   for (u32 c = 0; c < field.corners(); ++c) d.live[c / 3] |= !is_zero(field.vector(c));
   d.at_dead.assign(field.corners(), 0);

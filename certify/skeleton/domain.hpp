@@ -11,6 +11,7 @@ namespace crest::certify::skeleton {
 struct Domain {
   Buffer<u8> live;             ///< F: a corner has a vector that is not zero
   Buffer<u32> twin;            ///< 3F: kNone at the boundary, at walls and in dead triangles
+  std::vector<u32> border;     ///< sides of one triangle alone, live or dead, ascending
   std::vector<u8> at_dead;     ///< 3F: the side borders on a dead triangle
   Buffer<u32> fan;             ///< 3F: fan of a live corner
   std::vector<u32> fan_start;  ///< a fan's corners are round[fan_start[i]] .. counter-clockwise

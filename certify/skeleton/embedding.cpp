@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "certify/container/reject.hpp"
-#include "certify/surface/gluing.hpp"
 #include "certify/surface/union_find.hpp"
 
 namespace crest::certify::skeleton {
@@ -19,11 +18,9 @@ struct Side {
   double high(std::size_t k) const { return std::max(p[k], q[k]); }
 };
 
-std::vector<Side> border(const Field& field) {
-  const Gluing gluing = glue(field.faces(), field.vertices(), false);
+std::vector<Side> border(const Field& field, const Domain& domain) {
   std::vector<Side> sides;
-  for (u32 c = 0; c < field.corners(); ++c) {
-    if (gluing.twin[c] != kNone) continue;
+  for (const u32 c : domain.border) {
     const u32 head = next_corner(c);
     sides.push_back(
         {c, field.vertex(c), field.vertex(head), field.position(c), field.position(head)});
@@ -112,8 +109,8 @@ std::vector<Side> mirrored_sides(std::vector<Side> sides) {
 
 }  // namespace
 
-void check_embedding(const Field& field, SignLadder& sign) {
-  const std::vector<Side> sides = border(field), mirrored = mirrored_sides(sides);
+void check_embedding(const Field& field, const Domain& domain, SignLadder& sign) {
+  const std::vector<Side> sides = border(field, domain), mirrored = mirrored_sides(sides);
   check_crossings(sides, sign);
   UnionFind chains = chains_of(sides, field.vertices());
   std::size_t rays = 0;

@@ -10,6 +10,6 @@ namespace crest::certify::skeleton {
 /// winding number 1 at its left, 0 at its right. Requires: build_domain has accepted the surface.
 /// Cost: pairs of boundary sides that overlap in x, chains times boundary sides; above 2^30
 /// refused.
-void check_embedding(const Field& field, SignLadder& sign);
+void check_embedding(const Field& field, const Domain& domain, SignLadder& sign);
 
 }  // namespace crest::certify::skeleton

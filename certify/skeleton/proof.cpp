@@ -132,7 +132,7 @@ void check_lines(const SkeletonCertificate& c, const Context& context, Arithmeti
 
 void prove_surface(Proof& proof, SignLadder& sign, Verdict& verdict) {
   proof.domain = build_domain(proof.field, sign);
-  check_embedding(proof.field, sign);
+  check_embedding(proof.field, proof.domain, sign);
   prove(verdict,
         "data: a domain in the plane of {} positive triangles, {} of them with no flow; digests "
         "match",

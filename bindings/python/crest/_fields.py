@@ -319,7 +319,8 @@ def compress(V: ArrayLike, F: ArrayLike, vectors: ArrayLike, *, equivalence: str
 
     equivalence: "strong" keeps all triangles that the skeleton meets, "original" those of zeros,
     "relaxed" their classes. test: "retrace" or "thesis". priority: "length", "error", "product"
-    of both. no_flips: else, where nothing collapses, edges are flipped by the same test.
+    of both. no_flips: else, where nothing collapses, holes of vertices are filled
+    otherwise and edges are flipped, by the same test.
     simplify, laplacian: as for skeleton(); critical points that weigh less may move and vanish in
     pairs, and the certificate is of the output's skeleton alone. Not with equivalence or test.
     V, F, vectors: as for skeleton(); threads, progress, errors: as for ridges().
