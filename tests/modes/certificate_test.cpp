@@ -173,3 +173,23 @@ TEST_CASE("zeros inside an edge, a face and a tetrahedron become vertices") {
     CHECK(verdict.accepted);
   }
 }
+
+TEST_CASE("zeros between tensors of very different sizes are found") {
+  const auto base = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  const auto t = base.mesh.sorted(10);
+  for (const int power : {-40, -300, -560, -700, -1000})
+    for (std::size_t size = 2; size <= 4; ++size) {
+      modes::ModeField field = base;
+      // The last tensor is minus the others' sum, and a fraction of that.
+      std::array<double, 6> sum{};
+      for (std::size_t i = 0; i + 1 < size; ++i)
+        for (std::size_t k = 0; k < 6; ++k) sum[k] -= field.tensors[t[i]][k];
+      for (double& x : sum) x = std::ldexp(x, power);
+      field.tensors[t[size - 1]] = sum;
+      CAPTURE(power, size);
+      REQUIRE(std::fabs(sum[3]) > 0);
+      const auto zeros = modes::insert_zeros(field);
+      REQUIRE(zeros.simplices.size() == 1);
+      CHECK(zeros.simplices[0].size() == size);
+    }
+}
