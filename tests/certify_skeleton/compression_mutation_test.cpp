@@ -320,7 +320,7 @@ TEST_CASE("compression: one edge flipped more: a turned triangle, another skelet
   Random random(kSeed);
   std::map<std::string, std::size_t> reasons;
   std::size_t illegal = 0, turned = 0, accepted = 0;
-  for (std::uint64_t i = 0; i < scaled(2000) && illegal < scaled(40); ++i) {
+  for (std::uint64_t i = 0; i < scaled(2000) && illegal < scaled(12); ++i) {
     const Original& original = originals()[i % 4 == 3 ? 3 : 0];
     const Triangles triangles = triangles_of(original.certificate);
     const auto& t = triangles[pick(triangles, random)];
@@ -330,7 +330,7 @@ TEST_CASE("compression: one edge flipped more: a turned triangle, another skelet
     C mutant = original.certificate;
     if (!are_positive(original.field, next)) {
       // The other producer is not asked: what it states of the output is as it was.
-      if (++turned > scaled(40)) continue;
+      if (++turned > scaled(12)) continue;
       for (std::size_t k = 0; k < next.size(); ++k)
         for (std::size_t c = 0; c < 3; ++c)
           mutant.output.triangles[k][c] = static_cast<u32>(
@@ -345,7 +345,7 @@ TEST_CASE("compression: one edge flipped more: a turned triangle, another skelet
     accepted += is_accepted(mutant, other, reasons);
   }
   print(reasons);
-  CHECK(illegal == scaled(40));
+  CHECK(illegal == scaled(12));
   CHECK(turned > 0);
   CHECK(accepted > 0);
 }
