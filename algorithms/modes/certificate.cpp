@@ -190,7 +190,9 @@ class TreeRecorder {
   }
   void whole_tet(const Extraction::Tree& tree) {
     to_.tets.push_back(tree.tet);
-    cell(tree.cell);
+    if (tree.cell != kNone) return cell(tree.cell);
+    to_.codes.push_back(code::kOpenTet);
+    ++to_.open_tets;
   }
 
  private:
@@ -344,11 +346,20 @@ struct Told {
   }
 };
 
+/// The trees of tetrahedra, and open ones with a zero corner, which have none.
+std::vector<Extraction::Tree> told_trees(const Extraction& extraction) {
+  auto trees = extraction.trees();
+  for (const Cone& c : extraction.cones())
+    if (c.open) trees.push_back({c.tet, kNone});
+  std::sort(trees.begin(), trees.end(), [](const auto& a, const auto& b) { return a.tet < b.tet; });
+  return trees;
+}
+
 /// Trees only share what was found before: they are recorded by all threads, a few hundred at a
 /// time.
 void record_level(Extraction& extraction, certify::ModeLevel& to) {
   const Told told(extraction);
-  const auto& trees = extraction.trees();
+  const auto trees = told_trees(extraction);
   const std::vector<char> clear = clear_edges(extraction.faces());
   RecordedPositions positions{
       std::vector<Index>(extraction.faces().edge_count(), kNone),

@@ -55,7 +55,7 @@ void Extraction::decide_all(const Workers* workers) {
     const auto corners = field_.mesh.sorted(t);
     if (std::any_of(corners.begin(), corners.end(),
                     [&](Index x) { return vertices_.is_zero(x); })) {
-      Cone c{t, {}, {}};
+      Cone c{t, {}, {}, false};
       for (const Index x : corners) (vertices_.is_zero(x) ? c.zeros : c.others).push_back(x);
       if (c.others.size() >= 2) cones_.push_back(std::move(c));
       ++counts_.cones;
@@ -83,9 +83,12 @@ void Extraction::close_cones() {
     else if (c.zeros.size() == 2)
       faces_.roots(edge(c.others[0], c.others[1]));
   faces_.close(faces);
-  for (const Cone& c : cones_)
-    if (c.zeros.size() == 1 && !faces_.is_closed(mesh_faces_[opposite_face(c)]))
-      open_.push_back(c.tet);
+  for (Cone& c : cones_) {
+    if (c.zeros.size() != 1 || faces_.is_closed(face_of(c))) continue;
+    c.open = true;
+    open_.push_back(c.tet);
+    faces_.for_each_leaf(face_of(c), [&](Index leaf) { open_faces_.insert(leaf); });
+  }
 }
 
 /// Open cells, and what was counted.
@@ -131,7 +134,11 @@ void Extraction::add_leaves(SurfaceBuilder& builder, Side side, Index c, int ori
 void Extraction::add_pieces(SurfaceBuilder& builder, Side side) {
   for (const Tree& tree : trees_)
     add_leaves(builder, side, tree.cell, orientation(cells_.cell(tree.cell)));
+  for (const Cone& c : cones_)
+    for (std::size_t k = 0; k < 3 && c.open; ++k)
+      builder.leave_open(c.zeros[0], edge_between(c.others[k], c.others[(k + 1) % 3]));
   for (const Cone& c : cones_) {
+    if (c.open) continue;
     if (c.zeros.size() == 2) {
       builder.add_fan(c.tet, c.zeros[0], c.zeros[1], edge_between(c.others[0], c.others[1]));
       continue;
@@ -181,7 +188,7 @@ std::size_t Extraction::cone_rims(Side side) {
   std::size_t count = 0;
   for (const Cone& c : cones_)
     for (const Index f : field_.mesh.faces_of(c.tet)) {
-      if (field_.mesh.faces()[f].tets[1] != kernel::TetMesh::kNoTet) continue;
+      if (c.open || field_.mesh.faces()[f].tets[1] != kernel::TetMesh::kNoTet) continue;
       std::vector<Index> others;
       for (const Index v : field_.mesh.faces()[f].corners)
         if (!vertices_.is_zero(v)) others.push_back(v);

@@ -13,10 +13,12 @@
 
 namespace crest::modes {
 
-/// A tetrahedron with zero corners, ascending, and others.
+/// A tetrahedron with zero corners, ascending, and others. Open: the face opposite to its one zero
+/// corner is not decided, so nothing is said of what is inside.
 struct Cone {
   Index tet;
   std::vector<Index> zeros, others;
+  bool open = false;
 };
 
 class Extraction {

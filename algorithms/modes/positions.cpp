@@ -288,7 +288,7 @@ class Counter {
   }
   Sum of_cone(const Cone& cone, Side side) {
     Sum sum;
-    if (cone.zeros.size() != 1) return sum;
+    if (cone.zeros.size() != 1 || cone.open) return sum;
     paths_.clear();
     const std::array<Index, 4> corners = {cone.others[0], cone.others[1], cone.others[2], kNone};
     bool good = paths_.add(corners, extraction_.face_of(cone), side, [](const CornerWeights& b) {

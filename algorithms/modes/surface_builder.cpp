@@ -335,6 +335,11 @@ bool SurfaceBuilder::count_segments(Index arc) {
   return open;
 }
 
+/// Whether the segment from a zero corner to a root lies in an open cell's face.
+bool SurfaceBuilder::ends_open(Index zero, Index root) const {
+  return open_spokes_.contains({zero, faces_.lines().root(root).line});
+}
+
 Index SurfaceBuilder::zero_point(Index vertex) {
   const auto [at, fresh] = zero_points_.try_emplace(vertex, kNone);
   if (fresh) {
@@ -357,14 +362,17 @@ void SurfaceBuilder::add_fan(Index tet, Index zero_a, Index zero_b, Index e) {
   for (std::size_t i = 0; i < range.count; ++i) {
     const Index root = list[range.first + i];
     if (faces_.lines().root(root).side != side_) continue;
+    if (ends_open(zero_a, root) || ends_open(zero_b, root))
+      open_fans_.push_back(surface_.triangles.size());
     surface_.triangles.push_back({zero_point(zero_a), zero_point(zero_b), root_point(root)});
     surface_.tets.push_back(tet);
   }
 }
 
 void SurfaceBuilder::mesh(const ConeJob& job) {
-  const bool open = count_segments(job.arc);
   const Arc& arc = faces_.arcs()[job.arc];
+  const bool open = count_segments(job.arc) || ends_open(job.apex, arc.roots[0]) ||
+                    ends_open(job.apex, arc.roots[1]);
   std::vector<Index> line{root_point(arc.roots[0])};
   for (std::size_t k = 0; k < inside(job.arc).size(); ++k) line.push_back(arc_point(job.arc, k));
   line.push_back(root_point(arc.roots[1]));
@@ -396,6 +404,7 @@ ModeSurface SurfaceBuilder::build(double deviation) {
   if (deviation > 0)
     for (Job& job : jobs_) refine_inside(job, deviation);
   touches_.assign(surface_.triangles.size(), 0);
+  for (const std::size_t fan : open_fans_) touches_[fan] = 1;
   for (const Job& job : jobs_) mesh(job);
   for (const ConeJob& job : cones_) mesh(job);
   return std::move(surface_);

@@ -28,6 +28,8 @@ class SurfaceBuilder {
   /// roots of the opposite edge): triangles with one or two mesh vertices.
   void add_cone(Index tet, Index apex, Index face);
   void add_fan(Index tet, Index zero_a, Index zero_b, Index edge);
+  /// Before these: the face of a zero corner and this edge is that of an open cell.
+  void leave_open(Index zero, Index edge) { open_spokes_.insert({zero, faces_.edge(edge).line}); }
   /// Refines polylines until projections are simple, and all until nothing is further than
   /// `deviation` (0: that does not matter) from the surface; triangulates.
   ModeSurface build(double deviation);
@@ -100,6 +102,7 @@ class SurfaceBuilder {
   void mesh_piece(const Job& job);
   void mesh(const ConeJob& job);
   bool count_segments(Index arc);
+  bool ends_open(Index zero, Index root) const;
   Index zero_point(Index vertex);
   Barycentric pulled(const Job& job, const Layout& layout, const Barycentric& b) const;
   void emit(const Job& job, Layout& layout, const PlanarPiece& planar,
@@ -118,7 +121,9 @@ class SurfaceBuilder {
   ModeFunction function_;
   std::vector<kernel::Vec3> places_;
   const std::unordered_set<Index>& open_faces_;
-  std::vector<char> touches_;  ///< triangles
+  std::set<std::array<Index, 2>> open_spokes_;  ///< zero corner, line
+  std::vector<std::size_t> open_fans_;          ///< triangles
+  std::vector<char> touches_;                   ///< triangles
   std::vector<Job> jobs_;
   std::vector<ConeJob> cones_;
   std::size_t boundary_segments_ = 0;

@@ -61,6 +61,20 @@ std::optional<std::vector<Rational>> positive_dependency(const std::vector<Entri
   return b;
 }
 
+/// The deviator times a power of two, its largest entry between 1 and 2: where a tensor is zero
+/// does not depend on the sizes of its corners', of which one may be 2^-600 of another.
+Symmetric scaled_deviator(const Symmetric& t) {
+  const auto largest = [](const Symmetric& x) {
+    double m = 0;
+    for (const double e : x) m = std::fmax(m, std::fabs(e));
+    return m;
+  };
+  Symmetric d = deviator(t, largest(t) > 0x1p1000 ? 8 : 0).t;
+  if (const double m = largest(d); m > 0)
+    for (double& x : d) x = std::ldexp(x, -std::ilogb(m));
+  return d;
+}
+
 class Inserter {
  public:
   explicit Inserter(ModeField& field) : field_(field) {
@@ -69,11 +83,8 @@ class Inserter {
     set_.tets = tets_;
     set_.tet_of.resize(tets_.size());
     std::iota(set_.tet_of.begin(), set_.tet_of.end(), Index{0});
-    for (const auto& t : field.tensors)
-      for (const double x : t) largest_ = std::fmax(largest_, std::fabs(x));
-    const int scale = largest_ > 0 ? std::ilogb(largest_) + 1 : 0;
     for (const auto& t : field.tensors) {
-      deviators_.push_back(deviator(t, scale).t);
+      deviators_.push_back(scaled_deviator(t));
       zero_.push_back(is_isotropic(t) ? 1 : 0);
     }
   }
@@ -208,7 +219,6 @@ class Inserter {
   std::vector<kernel::TetMesh::Tet> tets_;
   std::vector<Symmetric> deviators_;
   std::vector<char> zero_;
-  double largest_ = 0;
   std::vector<std::size_t> suspects_;
   bool changed_ = true;  ///< the suspects are not known
   ZeroSet set_;

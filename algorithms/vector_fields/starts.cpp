@@ -25,18 +25,8 @@ void add_switch_starts(const Domain& domain, const SwitchPoint& s, Index number,
   for (const bool forward : {true, false}) {
     Start start;
     if (s.at_vertex) {
-      // Of a run along the boundary the end towards which the line goes.
-      const bool run = s.edge != domain.next_on_boundary(s.last_edge);
-      const HalfEdge first = s.edge;
-      HalfEdge leaving = first;
-      if (run) {
-        const Index p = domain.from(first);
-        const bool ahead =
-            directed(forward, kernel::flow_along(domain.point(p), domain.point(domain.to(first)),
-                                                 domain.vector(p))) == Sign::positive;
-        if (ahead) leaving = domain.next_on_boundary(s.last_edge);
-      }
-      start = start_at_vertex(domain, domain.fan(leaving), forward);
+      // Of a run along the boundary its first vertex, whichever way the line goes along it.
+      start = start_at_vertex(domain, domain.fan(s.edge), forward);
     } else {
       start.kind = StartKind::along;
       start.forward = forward;

@@ -35,15 +35,17 @@ StraightWalk::Element StraightWalk::ahead_of_vertex(u32 corner) const {
   const Field& field = context_.field;
   const auto fan = context_.domain.corners_of(context_.domain.fan[corner]);
   spend(fan.size());
+  // A side that is followed goes by the triangle at its left, if it has one: whatever the numbers.
+  Element along{};
   for (const u32 c : fan) {
     const Exact e1 = exact(field.position(next_corner(c))) - x_,
                 e2 = exact(field.position(previous_corner(c))) - x_;
     const Rational from = det(e1, d_), to = det(d_, e2);
     if (from > 0 && to > 0) return {true, 3 * (c / 3), false};
     if (from == 0 && dot(e1, d_) > 0) return {false, c, true};
-    if (to == 0 && dot(e2, d_) > 0) return {false, previous_corner(c), false};
+    if (to == 0 && dot(e2, d_) > 0) along = {false, previous_corner(c), false};
   }
-  return {};
+  return along;
 }
 
 /// What lies ahead; a name of kNone: nothing.
@@ -54,9 +56,13 @@ StraightWalk::Element StraightWalk::ahead() const {
   const Exact e =
       exact(field.position(next_corner(spot_.name))) - exact(field.position(spot_.name));
   const Rational turn = det(e, d_);
-  if (turn == 0) return {false, spot_.name, dot(e, d_) > 0};
-  if (turn > 0) return {true, 3 * (spot_.name / 3), false};
   const u32 other = context_.domain.twin[spot_.name];
+  if (turn == 0) {
+    const bool to_head = dot(e, d_) > 0;
+    return to_head || other == kNone ? Element{false, spot_.name, to_head}
+                                     : Element{false, other, true};
+  }
+  if (turn > 0) return {true, 3 * (spot_.name / 3), false};
   return other == kNone ? Element{} : Element{true, 3 * (other / 3), false};
 }
 

@@ -315,3 +315,24 @@ TEST_CASE("extremal: cells that are not listed are compared exactly, whatever th
       CHECK(is_accepted(c) == (sign <= 0 || tiny < 0x1p-50F));
     }
 }
+
+TEST_CASE("extremal: cells of a volume that are not listed are compared exactly, all of them") {
+  // In every cell's reach a sample is above the level and one is -1: no double decides, exponents
+  // are 126 bits apart, and seven of eight cells have controls that the -1 does not touch.
+  constexpr float kLevel = 0x1p-100F;
+  constexpr std::uint32_t n = 13;
+  for (const float high : {1.25F, 2.0F, 2.5F}) {
+    std::vector<float> samples;
+    for (std::uint32_t z = 1; z <= n; ++z)
+      for (std::uint32_t y = 1; y <= n; ++y)
+        for (std::uint32_t x = 1; x <= n; ++x) {
+          const std::uint32_t all = x | y | z;
+          samples.push_back(all % 4 == 0 ? -1 : kLevel * (all % 2 == 0 ? high : 0.5F));
+        }
+    ExtremalCertificate c;
+    c.data = with_level(make_data({n, n, n}, samples, {1, 1, 1}, 0), kLevel);
+    INFO(high);
+    // At the nodes with high samples, its maxima, L is (8 high + 19 / 2) / 27 times the level.
+    CHECK(is_accepted(c) == (high < 2.18F));
+  }
+}

@@ -87,6 +87,20 @@ bool differs(const C& c) {
   return false;
 }
 
+/// Whether the checker accepts it, which must not be if it is false.
+bool is_accepted(const C& mutant, bool is_false, std::map<std::string, std::size_t>& reasons) {
+  const Verdict verdict = verify(encode(mutant));
+  if (is_false) CHECK_FALSE(verdict.accepted);
+  std::string reason = verdict.accepted ? "accepted" : verdict.reason;
+  std::replace_if(
+      reason.begin(), reason.end(), [](char x) { return x >= '0' && x <= '9'; }, '#');
+  ++reasons[reason];
+  return verdict.accepted;
+}
+void print(const std::map<std::string, std::size_t>& reasons) {
+  for (const auto& [reason, count] : reasons) std::cout << "  " << count << " " << reason << "\n";
+}
+
 template <class List>
 std::size_t pick(const List& list, Random& random) {
   return static_cast<std::size_t>(random() % list.size());
@@ -293,19 +307,46 @@ TEST_CASE("compression: one collapse more, and the skeleton is another") {
     if (next.empty()) continue;
     const C mutant =
         claim_of(original.field, original.certificate.input, next, SkeletonNotion::original);
-    const Verdict verdict = verify(encode(mutant));
-    accepted += verdict.accepted;
-    if (differs(mutant)) {
-      ++illegal;
-      CHECK_FALSE(verdict.accepted);
-    }
-    std::string reason = verdict.accepted ? "accepted" : verdict.reason;
-    std::replace_if(
-        reason.begin(), reason.end(), [](char x) { return x >= '0' && x <= '9'; }, '#');
-    ++reasons[reason];
+    const bool other = differs(mutant);
+    illegal += other;
+    accepted += is_accepted(mutant, other, reasons);
   }
-  for (const auto& [reason, count] : reasons) std::cout << "  " << count << " " << reason << "\n";
+  print(reasons);
   CHECK(illegal == scaled(40));
+  CHECK(accepted > 0);
+}
+
+TEST_CASE("compression: one edge flipped more: a turned triangle, another skeleton, or the same") {
+  Random random(kSeed);
+  std::map<std::string, std::size_t> reasons;
+  std::size_t illegal = 0, turned = 0, accepted = 0;
+  for (std::uint64_t i = 0; i < scaled(2000) && illegal < scaled(12); ++i) {
+    const Original& original = originals()[i % 4 == 3 ? 3 : 0];
+    const Triangles triangles = triangles_of(original.certificate);
+    const auto& t = triangles[pick(triangles, random)];
+    const auto corner = static_cast<std::size_t>(random() % 3);
+    const Triangles next = flipped(triangles, t[corner], t[(corner + 1) % 3]);
+    if (next.empty()) continue;
+    C mutant = original.certificate;
+    if (!are_positive(original.field, next)) {
+      // The other producer is not asked: what it states of the output is as it was.
+      if (++turned > scaled(12)) continue;
+      for (std::size_t k = 0; k < next.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+          mutant.output.triangles[k][c] = static_cast<u32>(
+              std::lower_bound(mutant.vertices.begin(), mutant.vertices.end(), next[k][c]) -
+              mutant.vertices.begin());
+      CHECK_FALSE(is_accepted(mutant, true, reasons));
+      continue;
+    }
+    mutant = claim_of(original.field, original.certificate.input, next, SkeletonNotion::original);
+    const bool other = differs(mutant);
+    illegal += other;
+    accepted += is_accepted(mutant, other, reasons);
+  }
+  print(reasons);
+  CHECK(illegal == scaled(12));
+  CHECK(turned > 0);
   CHECK(accepted > 0);
 }
 

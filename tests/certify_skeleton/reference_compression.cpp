@@ -7,6 +7,7 @@
 
 #include "certify/compression/encode.hpp"
 #include "certify/verify.hpp"
+#include "kernel/arithmetic/rational.hpp"
 
 namespace crest::tests {
 namespace {
@@ -159,6 +160,30 @@ Triangles collapsed(const PlaneField& field, const Triangles& triangles, u32 fro
     result.push_back(t);
   }
   return result;
+}
+
+Triangles flipped(const Triangles& triangles, u32 a, u32 b) {
+  Triangles result = triangles;
+  std::vector<std::pair<Triangle*, u32>> sides;  // the triangle, its corner across
+  for (Triangle& t : result)
+    if (holds(t, a) && holds(t, b))
+      sides.push_back({&t, t[0] != a && t[0] != b ? t[0] : t[1] != a && t[1] != b ? t[1] : t[2]});
+  if (sides.size() != 2) return {};
+  // Each gives one end of the edge for the corner across from it in the other.
+  std::replace(sides[0].first->begin(), sides[0].first->end(), b, sides[1].second);
+  std::replace(sides[1].first->begin(), sides[1].first->end(), a, sides[0].second);
+  return result;
+}
+
+bool are_positive(const PlaneField& field, const Triangles& triangles) {
+  return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    using kernel::Rational;
+    const auto &p = field.positions[t[0]], &q = field.positions[t[1]], &r = field.positions[t[2]];
+    const auto from_p = [&](const auto& x, std::size_t k) {
+      return Rational(Rational(x[k]) - Rational(p[k]));
+    };
+    return from_p(q, 0) * from_p(r, 1) > from_p(q, 1) * from_p(r, 0);
+  });
 }
 
 CompressionCertificate claim_of(const PlaneField& field, const SkeletonCertificate& skeleton,

@@ -17,6 +17,12 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 Triangles collapsed(const PlaneField& field, const Triangles& triangles, std::uint32_t from,
                     std::uint32_t to);
 
+/// The edge between two vertices made the other diagonal of its triangles, wherever that is; empty
+/// if it has not two.
+Triangles flipped(const Triangles& triangles, std::uint32_t a, std::uint32_t b);
+/// Are all triangles positive, exactly?
+bool are_positive(const PlaneField& field, const Triangles& triangles);
+
 /// The claim that triangles on vertices of the field have its skeleton; zeros and lines are matched
 /// by where they start. Not a true one if their skeletons differ.
 certify::CompressionCertificate claim_of(const PlaneField& field,

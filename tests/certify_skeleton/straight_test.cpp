@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claim 9: lines that enclosures cannot finish: along edges, through vertices, into walls and
 // zeros.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <numeric>
 
+#include "certify/compression/encode.hpp"
 #include "certify/skeleton/encode.hpp"
 #include "certify/verify.hpp"
 #include "tests/certify_skeleton/reference_skeleton.hpp"
@@ -82,6 +85,48 @@ TEST_CASE("straight: a saddle on an aligned grid, four ends at the boundary") {
     wrong = c;
     wrong.separatrices[i].backward ^= 1U;
     CHECK_FALSE(reason(wrong).empty());
+  }
+}
+
+TEST_CASE(
+    "straight: the sides that lines follow are the same ones, however triangles are numbered") {
+  const auto f = centred(4, [](double x, double y) { return std::array{x, -y}; });
+  // Every line along edges to the boundary, to the one region where the checker finds it.
+  const auto skeleton_of = [](const PlaneField& field) {
+    auto c = reference_points(field);
+    const std::uint32_t z = corner_at(field, 0, 0);
+    std::array<int, 2> seen{};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const bool backward = c.separatrices[i].backward != 0;
+      const double sign = seen[backward]++ == 0 ? 1 : -1;
+      auto trial = c;
+      for (std::uint32_t region = 0; region < 4 && !(region > 0 && reason(trial).empty());
+           ++region) {
+        trial = c;
+        straight(trial, i, z, {backward ? 0 : sign, backward ? sign : 0}, 2, SkeletonEnd::boundary,
+                 region);
+      }
+      c = trial;
+    }
+    return c;
+  };
+  CompressionCertificate claim;
+  claim.notion = SkeletonNotion::strong;
+  claim.input = skeleton_of(f);
+  claim.vertices.resize(f.positions.size());
+  std::iota(claim.vertices.begin(), claim.vertices.end(), 0U);
+  claim.zeros = {0};
+  for (std::ptrdiff_t first = 0; first < 32; first += 3) {
+    PlaneField other = f;
+    std::rotate(other.triangles.begin(), other.triangles.begin() + first, other.triangles.end());
+    claim.output = skeleton_of(other);
+    claim.separatrices.clear();
+    for (const auto& line : claim.input.separatrices)
+      for (std::uint32_t k = 0; k < 4; ++k)
+        if (claim.output.separatrices[k].legs[0].first == line.legs[0].first)
+          claim.separatrices.push_back(k);
+    CAPTURE(first);
+    CHECK(reason(claim).empty());
   }
 }
 

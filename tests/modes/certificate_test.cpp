@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/modes/tensors.hpp"
 #include "certify/verify.hpp"
 #include "tests/modes/samples.hpp"
 #include "tests/support/random.hpp"
@@ -172,4 +173,49 @@ TEST_CASE("zeros inside an edge, a face and a tetrahedron become vertices") {
     INFO(verdict.reason);
     CHECK(verdict.accepted);
   }
+}
+
+TEST_CASE("zeros between tensors of very different sizes are found") {
+  const auto base = box(small_boxes()[2].rows, 2, 3, Cut::diagonal);
+  const auto t = base.mesh.sorted(10);
+  for (const int power : {-40, -300, -560, -700, -1000})
+    for (std::size_t size = 2; size <= 4; ++size) {
+      modes::ModeField field = base;
+      // The last tensor is minus the others' sum, and a fraction of that.
+      std::array<double, 6> sum{};
+      for (std::size_t i = 0; i + 1 < size; ++i)
+        for (std::size_t k = 0; k < 6; ++k) sum[k] -= field.tensors[t[i]][k];
+      for (double& x : sum) x = std::ldexp(x, power);
+      field.tensors[t[size - 1]] = sum;
+      CAPTURE(power, size);
+      REQUIRE(std::fabs(sum[3]) > 0);
+      const auto zeros = modes::insert_zeros(field);
+      REQUIRE(zeros.simplices.size() == 1);
+      CHECK(zeros.simplices[0].size() == size);
+    }
+}
+
+TEST_CASE("certificates of open tetrahedra with a zero corner are accepted") {
+  Random random(11);
+  std::size_t open = 0, others = 0;
+  for (int i = 0; i < 12; ++i) {
+    auto field = random_box(3, [&] { return static_cast<double>(random() % 401) - 200; });
+    for (std::size_t v = 0; v < field.tensors.size(); ++v)
+      if (random() % 5 == 0) field.tensors[v] = {};
+    modes::ModeOptions options;
+    options.max_depth = i % 3;
+    const modes::Level level = i % 2 == 0 ? modes::Level{9, 10} : modes::Level{0, 1};
+    auto copy = field;
+    modes::insert_zeros(copy);
+    const auto is_zero = [&](kernel::Index v) { return modes::is_isotropic(copy.tensors[v]); };
+    for (const kernel::Index t : modes::extract(copy, level, options).undecided) {
+      const auto corners = copy.mesh.sorted(t);
+      ++(std::any_of(corners.begin(), corners.end(), is_zero) ? open : others);
+    }
+    const auto verdict = checked(field, {level}, options);
+    CAPTURE(i, verdict.reason);
+    CHECK(verdict.accepted);
+  }
+  CHECK(open > 0);
+  CHECK(others > 0);
 }
