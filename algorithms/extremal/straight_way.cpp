@@ -8,7 +8,7 @@
 namespace crest::extremal {
 namespace {
 
-constexpr double kMargin = 1e-6, kSlack = 1e-10;
+constexpr double kWayMargin = 1e-6, kWaySlack = 1e-10;
 /// Halvings of the way: its values close in on T four times faster each.
 constexpr int kHalvings = 4;
 
@@ -52,7 +52,7 @@ std::array<double, 10> diagonal(Controls c, const Vec3& from, const Vec3& to) {
 }
 
 /// Keeps the lower half, returns the upper one.
-Way halve(Way& way) {
+Way halve_way(Way& way) {
   Way upper;
   for (std::size_t n = 0; n < 6; ++n) {
     auto& c = way[n];
@@ -67,28 +67,28 @@ Way halve(Way& way) {
   return upper;
 }
 
-struct Frame {
+struct WayFrame {
   Vec3 w, u, v;
 };
 /// q - mu
-double gap(const Tensor& t, const Frame& f) {
+double way_gap(const Tensor& t, const WayFrame& f) {
   const Vec3 tu = product(t, f.u), tv = product(t, f.v);
   const double a = kernel::dot(f.u, tu), b = kernel::dot(f.u, tv), c = kernel::dot(f.v, tv);
   const double half = 0.5 * (a - c);
   return kernel::dot(f.w, product(t, f.w)) - 0.5 * (a + c) - std::sqrt(half * half + b * b);
 }
 
-bool passes(Way way, const Frame& f, double slack, int halvings) {
+bool way_passes(Way way, const WayFrame& f, double slack, int halvings) {
   double least = HUGE_VAL, end = HUGE_VAL;
   for (std::size_t i = 0; i < 10; ++i) {
-    const double g = gap({way[0][i], way[1][i], way[2][i], way[3][i], way[4][i], way[5][i]}, f);
+    const double g = way_gap({way[0][i], way[1][i], way[2][i], way[3][i], way[4][i], way[5][i]}, f);
     least = std::min(least, g);
     if (i == 0 || i == 9) end = std::min(end, g);
   }
-  if (least * (1 - kMargin) > slack) return true;
+  if (least * (1 - kWayMargin) > slack) return true;
   if (halvings == 0 || !(end > slack)) return false;
-  const Way upper = halve(way);
-  return passes(way, f, slack, halvings - 1) && passes(upper, f, slack, halvings - 1);
+  const Way upper = halve_way(way);
+  return way_passes(way, f, slack, halvings - 1) && way_passes(upper, f, slack, halvings - 1);
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ bool CellWays::one_branch(const Vec3& from, const Vec3& to) const {
   const Vec3 sum = kernel::dot(a, b) < 0 ? a - b : a + b;
   const Vec3 w = (1 / kernel::norm(sum)) * sum;
   const auto [u, v] = kernel::frame_across(w);
-  return passes(way, {w, u, v}, kSlack * nets_.tensor_size, kHalvings);
+  return way_passes(way, {w, u, v}, kWaySlack * nets_.tensor_size, kHalvings);
 }
 
 }  // namespace crest::extremal
