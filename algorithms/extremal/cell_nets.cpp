@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/arithmetic/wide_clones.hpp"
+
 namespace crest::extremal {
 namespace {
 
@@ -74,54 +76,42 @@ double largest(const Plane& c) {
   return r;
 }
 
-}  // namespace
+using Rows = std::array<std::size_t, 16>;
+using Columns = std::array<const NetColumn*, 4>;
 
-RowNets::RowNets(const Fields& fields, int j, int k) : fields_(fields) {
-  const Grid& g = fields.grid();
-  for (int y = 0; y < 4; ++y)
-    for (int z = 0; z < 4; ++z)
-      rows_[static_cast<std::size_t>(4 * y + z)] = g.index(
-          {0, std::clamp(j - 1 + y, 0, g.size[1] - 1), std::clamp(k - 1 + z, 0, g.size[2] - 1)});
-}
-
-const RowNets::Column& RowNets::column(int i) {
-  const auto place = static_cast<std::size_t>(i + 4) % 4;
-  Column& r = ring_[place];
-  if (held_[place] == i) return r;
-  held_[place] = i;
-  const auto x = static_cast<std::size_t>(std::clamp(i, 0, fields_.grid().size[0] - 1));
+CREST_WIDE_CLONES void fill_column(const Fields& fields, const Rows& rows, std::size_t x,
+                                   NetColumn& r) {
   const auto gather = [&](const std::vector<float>& c) {
     Plane p;
-    for (std::size_t n = 0; n < 16; ++n) p[n] = static_cast<double>(c[rows_[n] + x]);
+    for (std::size_t n = 0; n < 16; ++n) p[n] = static_cast<double>(c[rows[n] + x]);
     return p;
   };
-  const Plane l = gather(fields_.scalars());
+  const Plane l = gather(fields.scalars());
   r.scalar_size = largest(l);
   plane_net<0, 0>(l, r.scalar[0]);
   plane_net<1, 0>(l, r.scalar[1]);
   plane_net<0, 1>(l, r.scalar[2]);
-  if (!fields_.structure()) {
+  if (!fields.structure()) {
     plane_net<2, 0>(l, r.scalar[3]);
     plane_net<1, 1>(l, r.scalar[4]);
     plane_net<0, 2>(l, r.scalar[5]);
   }
   r.tensor_size = 0;
-  for (std::size_t t = 0; t < fields_.tensors().size(); ++t) {
-    const Plane c = gather(fields_.tensors()[t]);
+  for (std::size_t t = 0; t < fields.tensors().size(); ++t) {
+    const Plane c = gather(fields.tensors()[t]);
     r.tensor_size = std::max(r.tensor_size, largest(c));
     plane_net<0, 0>(c, r.tensor[t]);
   }
-  return r;
 }
 
 /// T = Hess s of the spline itself.
-void RowNets::make_hessian(const std::array<const Column*, 4>& c, CellNets& nets) const {
+void make_hessian(const Fields& fields, const Columns& c, CellNets& nets) {
   const auto of = [&](std::size_t n) {
     return std::array<const double*, 4>{c[0]->scalar[n].data(), c[1]->scalar[n].data(),
                                         c[2]->scalar[n].data(), c[3]->scalar[n].data()};
   };
-  const Vec3& d = fields_.grid().spacing;
-  const double s = fields_.sign(), least = std::min({d[0], d[1], d[2]});
+  const Vec3& d = fields.grid().spacing;
+  const double s = fields.sign(), least = std::min({d[0], d[1], d[2]});
   nets.tensor_size = 2 * nets.gradient_size / least;
   across<2>(of(0), s / (d[0] * d[0]), nets.tensor[0].data());
   across<0>(of(3), s / (d[1] * d[1]), nets.tensor[1].data());
@@ -129,14 +119,12 @@ void RowNets::make_hessian(const std::array<const Column*, 4>& c, CellNets& nets
   across<1>(of(1), s / (d[0] * d[1]), nets.tensor[3].data());
   across<0>(of(4), s / (d[1] * d[2]), nets.tensor[4].data());
   across<1>(of(2), s / (d[0] * d[2]), nets.tensor[5].data());
-  if (fields_.grid().dimension() == 2) nets.tensor[2].fill(-8 * nets.tensor_size);
+  if (fields.grid().dimension() == 2) nets.tensor[2].fill(-8 * nets.tensor_size);
 }
 
-void RowNets::make(int i, CellNets& nets) {
-  std::array<const Column*, 4> c;
-  for (int m = 0; m < 4; ++m) c[static_cast<std::size_t>(m)] = &column(i - 1 + m);
-  const Vec3& d = fields_.grid().spacing;
-  const double s = fields_.sign();
+CREST_WIDE_CLONES void make_nets(const Fields& fields, const Columns& c, CellNets& nets) {
+  const Vec3& d = fields.grid().spacing;
+  const double s = fields.sign();
   const auto of = [&](std::size_t n) {
     return std::array<const double*, 4>{c[0]->scalar[n].data(), c[1]->scalar[n].data(),
                                         c[2]->scalar[n].data(), c[3]->scalar[n].data()};
@@ -147,21 +135,47 @@ void RowNets::make(int i, CellNets& nets) {
   nets.gradient_size =
       std::max({c[0]->scalar_size, c[1]->scalar_size, c[2]->scalar_size, c[3]->scalar_size}) * 2 /
       std::min({d[0], d[1], d[2]});
-  if (!fields_.structure()) {
-    make_hessian(c, nets);
+  if (!fields.structure()) {
+    make_hessian(fields, c, nets);
     return;
   }
   nets.tensor_size =
       std::max({c[0]->tensor_size, c[1]->tensor_size, c[2]->tensor_size, c[3]->tensor_size});
-  for (std::size_t t = 0; t < fields_.tensors().size(); ++t)
+  for (std::size_t t = 0; t < fields.tensors().size(); ++t)
     across<0>({c[0]->tensor[t].data(), c[1]->tensor[t].data(), c[2]->tensor[t].data(),
                c[3]->tensor[t].data()},
-              1, nets.tensor[fields_.entry(t)].data());
-  if (fields_.tensors().size() == 3) {
+              1, nets.tensor[fields.entry(t)].data());
+  if (fields.tensors().size() == 3) {
     nets.tensor[4].fill(0);
     nets.tensor[5].fill(0);
     nets.tensor[2].fill(-8 * nets.tensor_size);
   }
+}
+
+}  // namespace
+
+RowNets::RowNets(const Fields& fields, int j, int k) : fields_(fields) {
+  const Grid& g = fields.grid();
+  for (int y = 0; y < 4; ++y)
+    for (int z = 0; z < 4; ++z)
+      rows_[static_cast<std::size_t>(4 * y + z)] = g.index(
+          {0, std::clamp(j - 1 + y, 0, g.size[1] - 1), std::clamp(k - 1 + z, 0, g.size[2] - 1)});
+}
+
+const NetColumn& RowNets::column(int i) {
+  const auto place = static_cast<std::size_t>(i + 4) % 4;
+  NetColumn& r = ring_[place];
+  if (held_[place] == i) return r;
+  held_[place] = i;
+  fill_column(fields_, rows_,
+              static_cast<std::size_t>(std::clamp(i, 0, fields_.grid().size[0] - 1)), r);
+  return r;
+}
+
+void RowNets::make(int i, CellNets& nets) {
+  Columns c;
+  for (int m = 0; m < 4; ++m) c[static_cast<std::size_t>(m)] = &column(i - 1 + m);
+  make_nets(fields_, c, nets);
 }
 
 }  // namespace crest::extremal

@@ -19,6 +19,14 @@ struct CellNets {
   double gradient_size;              ///< largest entry that errors of `gradient` are relative to
 };
 
+/// Bezier values along y and z of what stands at one x.
+struct NetColumn {
+  std::array<std::array<double, 16>, 6> tensor;
+  /// L, dL/dy, dL/dz; for T = Hess s then d2L/dydy, d2L/dydz, d2L/dzdz.
+  std::array<std::array<double, 16>, 6> scalar;
+  double tensor_size, scalar_size;
+};
+
 class RowNets {
  public:
   RowNets(const Fields& fields, int j, int k);
@@ -26,19 +34,11 @@ class RowNets {
   void make(int i, CellNets& nets);
 
  private:
-  /// Bezier values along y and z of what stands at one x.
-  struct Column {
-    std::array<std::array<double, 16>, 6> tensor;
-    /// L, dL/dy, dL/dz; for T = Hess s then d2L/dydy, d2L/dydz, d2L/dzdz.
-    std::array<std::array<double, 16>, 6> scalar;
-    double tensor_size, scalar_size;
-  };
-  const Column& column(int i);
-  void make_hessian(const std::array<const Column*, 4>& c, CellNets& nets) const;
+  const NetColumn& column(int i);
 
   const Fields& fields_;
   std::array<std::size_t, 16> rows_;  ///< where coefficients' rows begin, z fastest
-  std::array<Column, 4> ring_;
+  std::array<NetColumn, 4> ring_;
   std::array<int, 4> held_{-9, -9, -9, -9};
 };
 

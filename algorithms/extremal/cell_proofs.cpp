@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/arithmetic/wide_clones.hpp"
+
 namespace crest::extremal {
 namespace {
 
@@ -243,8 +245,10 @@ class RegularTest {
   Vec3 row_size_{};  ///< of diag(d) Hess s
 };
 
-}  // namespace
-
+/// What the cone test tells of a net: the least q - mu, the largest |b|.
+struct ConeBounds {
+  double gap, across;
+};
 ConeBounds cone_bounds(const std::array<Controls, 6>& tensor, const Vec3& w) {
   const auto [u, v] = kernel::frame_across(w);
   const auto ww = form(w, w), uw = form(u, w), vw = form(v, w), uu = form(u, u), uv = form(u, v),
@@ -260,7 +264,8 @@ ConeBounds cone_bounds(const std::array<Controls, 6>& tensor, const Vec3& w) {
   return {least(gap), std::sqrt(largest(square))};
 }
 
-CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, const Vec3& guess) {
+CREST_WIDE_CLONES CellProof prove(const Fields& fields, const Node& v, const CellNets& nets,
+                                  const Vec3& guess) {
   CellProof r;
   if (!(kernel::norm(guess) > 0)) return r;
   r.direction = shortened(guess);
@@ -283,6 +288,12 @@ CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, 
   if (!test.regular(g, r)) return r;
   r.state = test.extremal() ? CellState::regular_extremal : CellState::regular;
   return r;
+}
+
+}  // namespace
+
+CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, const Vec3& guess) {
+  return prove(fields, v, nets, guess);
 }
 
 }  // namespace crest::extremal

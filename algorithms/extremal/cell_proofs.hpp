@@ -25,10 +25,4 @@ struct CellProof {
 ///   the nets (1e-14) and to the bounds does not matter; the checker repeats it with errors.
 CellProof prove_cell(const Fields& fields, const Node& v, const CellNets& nets, const Vec3& guess);
 
-/// What the cone test tells of a net: the least q - mu, the largest |b|.
-struct ConeBounds {
-  double gap, across;
-};
-ConeBounds cone_bounds(const std::array<Controls, 6>& tensor, const Vec3& w);
-
 }  // namespace crest::extremal

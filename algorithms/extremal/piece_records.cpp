@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "algorithms/extremal/dual.hpp"
 #include "algorithms/extremal/extraction.hpp"
@@ -297,7 +298,7 @@ class SheetRecorder : OnPiece {
     }
   }
 
-  /// From the centroid of the zeros to the surface.
+  /// On the surface, if it can be, and on the branch of n that the zeros are on.
   void place(SheetRecord& sheet, const Levels& levels) const {
     const Node there = whole_.node(sheet.cell);
     const Node cell = {there[0] - static_cast<int>(piece_.all.low[0]),
@@ -311,11 +312,18 @@ class SheetRecorder : OnPiece {
       if ((sheet.edges >> i & 1) != 0) own[count++] = edges[i];
     std::sort(own.begin(), own.end());
     Vec3 sum{};
-    for (std::size_t i = 0; i < count; ++i)
-      sum = sum + zero_at(whole_, global(own[i]),
-                          snapped(e_.edges().critical_edges()[e_.edges().find(own[i])].place));
+    std::array<Vec3, 12> zeros;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 zero =
+          zero_at(whole_, global(own[i]),
+                  snapped(e_.edges().critical_edges()[e_.edges().find(own[i])].place));
+      sum = sum + zero;
+      zeros[i] = zero - as_vector(there);
+    }
+    const bool cone = e_.cells().decides(grid_.index(cell));
     const Vec3 t =
-        projected(e_.fields(), cell, (1.0 / static_cast<int>(count)) * sum - as_vector(there));
+        vertex_place(e_.fields(), cell, (1.0 / static_cast<int>(count)) * sum - as_vector(there),
+                     std::span(zeros).first(cone ? 0 : count));
     Vec3 written;
     for (std::size_t k = 0; k < 3; ++k) {
       sheet.place[k] = snapped(t[k]);

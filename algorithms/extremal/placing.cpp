@@ -2,6 +2,7 @@
 #include "algorithms/extremal/placing.hpp"
 
 #include "algorithms/extremal/direction.hpp"
+#include "algorithms/extremal/straight_way.hpp"
 #include "kernel/predicates/direction_sign.hpp"
 
 namespace crest::extremal {
@@ -23,15 +24,17 @@ double plateness_of(const Tensor& t, const Vec3& n, bool plane) {
   return sum > 0 ? std::clamp(first / sum, 0.0, 1.0) : 1;
 }
 
-}  // namespace
+Vec3 inside_cell(Vec3 t, bool plane) {
+  for (double& x : t) x = std::clamp(x, 1.0 / 64, 63.0 / 64);
+  if (plane) t[2] = 0;
+  return t;
+}
 
+/// From a place of a cell along n to g = 0, inside the cell.
 Vec3 projected(const Fields& fields, const Node& cell, Vec3 t) {
   const Vec3& d = fields.grid().spacing;
-  const auto clamp = [&] {
-    for (double& x : t) x = std::clamp(x, 1.0 / 64, 63.0 / 64);
-    if (fields.grid().dimension() == 2) t[2] = 0;
-  };
-  clamp();
+  const bool plane = fields.grid().dimension() == 2;
+  t = inside_cell(t, plane);
   for (int step = 0; step < 4; ++step) {
     const Local l = fields.at(cell, t);
     const Vec3 n = dominant_direction(l.tensor);
@@ -39,10 +42,33 @@ Vec3 projected(const Fields& fields, const Node& cell, Vec3 t) {
     if (bend == 0) break;
     const Vec3 before = t;
     for (std::size_t k = 0; k < 3; ++k) t[k] -= std::clamp(g / bend * n[k] / d[k], -1.0, 1.0);
-    clamp();
+    t = inside_cell(t, plane);
     if (kernel::norm(t - before) < 1e-5) break;
   }
   return t;
+}
+
+}  // namespace
+
+Vec3 vertex_place(const Fields& fields, const Node& cell, const Vec3& centre,
+                  std::span<const Vec3> zeros) {
+  const Vec3 usual = projected(fields, cell, centre);
+  if (zeros.empty()) return usual;
+  const bool plane = fields.grid().dimension() == 2;
+  const CellWays ways(fields, cell);
+  if (std::any_of(zeros.begin(), zeros.end(),
+                  [&](const Vec3& zero) { return ways.one_branch(zero, usual); }))
+    return usual;
+  for (double part = 1; part >= 1.0 / 64; part /= 2)
+    for (const Vec3& zero : zeros) {
+      const Vec3 near = inside_cell(zero + part * (centre - zero), plane);
+      for (const Vec3& t : {projected(fields, cell, near), near})
+        if (ways.one_branch(zero, t)) return t;
+    }
+  // No cone holds n even so near: next to a zero, where there is a direction.
+  for (const Vec3& zero : zeros)
+    if (const Vec3 near = inside_cell(zero, plane); ways.one_branch(near, near)) return near;
+  return usual;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "algorithms/extremal/fields.hpp"
 
@@ -24,8 +25,13 @@ inline Vec3 zero_at(const Grid& grid, Index edge, std::uint16_t place) {
   return x;
 }
 
-/// From a place of a cell along n to g = 0, inside the cell by 1/64 at least.
-Vec3 projected(const Fields& fields, const Node& cell, Vec3 t);
+/// A sheet's vertex in a cell, by 1/64 inside it at least: from `centre`, that of its zeros, along
+/// n to g = 0. `zeros` (places in the cell) where no cone holds n in the cell, else none: then the
+/// vertex is put where n continues that of one of them, for its level is that of n at its place;
+/// the place above, from a point nearer to a zero, that point, next to a zero, the first that will
+/// do.
+Vec3 vertex_place(const Fields& fields, const Node& cell, const Vec3& centre,
+                  std::span<const Vec3> zeros);
 
 /// What is kept of the mesh.
 struct Levels {
