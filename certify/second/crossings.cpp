@@ -6,7 +6,7 @@
 namespace crest::recheck {
 namespace {
 
-constexpr int kElliptic = 1, kHyperbolic = 2, kTurning = 3;
+constexpr int kTurning = 3;
 
 Barycentric on_side(Index k, double t) {
   Barycentric l{};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned kChart = 1, kDefinite = 2, kPurple = 64, kInPatch = 128;
 constexpr std::array<unsigned, 2> kVerdict = {4, 8}, kType = {16, 32};
-constexpr int kNone = 255, kElliptic = 1, kHyperbolic = 2;
+constexpr int kNone = 255;
 
 /// A node of a division with statements.
 struct Node {

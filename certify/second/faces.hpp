@@ -41,6 +41,8 @@ class LooseCorners {
 /// Throws: Rejected, Open, Undefined.
 FaceOutcome check_face(const Problem& problem, const LooseCorners& loose, Index face);
 
+/// Types of a ridge and of a crossing.
+constexpr int kElliptic = 1, kHyperbolic = 2;
 constexpr int kTriangleDepth = 8, kSegmentDepth = 12;
 /// How much further than its witness this checker divides where its enclosures are weaker.
 constexpr int kFurther = 3;

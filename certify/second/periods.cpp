@@ -4,10 +4,10 @@
 namespace crest::recheck {
 namespace {
 
-constexpr std::size_t kBits = 65536;  // of a numerator or denominator: beyond it nothing is shown
+constexpr std::size_t kLongest = 65536;  // of a numerator or denominator: beyond it nothing is shown
 
 bool is_short(const Rational& r) {
-  return fmpz_bits(fmpq_numref(r.get())) + fmpz_bits(fmpq_denref(r.get())) < kBits;
+  return fmpz_bits(fmpq_numref(r.get())) + fmpz_bits(fmpq_denref(r.get())) < kLongest;
 }
 
 /// What is known of a part: its value a + b pi if it is such a constant, its growth if it has one.
@@ -21,7 +21,7 @@ struct Part {
 std::optional<Rational> power(const Rational& base, int n) {
   if (n < 0 && base.is_zero()) return std::nullopt;
   const auto size = static_cast<std::size_t>(n < 0 ? -n : n);
-  if ((fmpz_bits(fmpq_numref(base.get())) + fmpz_bits(fmpq_denref(base.get()))) * size > kBits)
+  if ((fmpz_bits(fmpq_numref(base.get())) + fmpz_bits(fmpq_denref(base.get()))) * size > kLongest)
     return std::nullopt;
   Rational r;
   fmpq_pow_si(r.get(), base.get(), n);
