@@ -91,7 +91,7 @@ float sample_at(int x, int y, int z) {
   return static_cast<float>(x) + 100.0F * static_cast<float>(y) + 0.5F * static_cast<float>(z * z);
 }
 
-void write_image(const std::string& path, const Box& extent, double spacing = 0.1, int type = 0) {
+void write_image(const std::string& path, Box extent, double spacing = 0.1, int type = 0) {
   vtkNew<vtkImageData> image;
   image->SetExtent(extent.data());
   image->SetOrigin(1.5, -2, 0.3);
