@@ -237,11 +237,11 @@ Camera camera_of(const Scene& scene) {
 
 Json scene_json(const Scene& scene, const PageContext& context, Arrays& arrays) {
   const Frame frame = frame_of(scene);
-  const Camera camera = camera_of(scene);
   Json surfaces = Json::array(), layers = Json::array();
   for (const SceneSurface& surface : scene.surfaces)
     surfaces.push_back(surface_json(surface, frame, arrays));
   for (const SceneLayer& layer : scene.layers) layers.push_back(layer_json(layer, arrays));
+  const Camera camera = camera_of(scene);  // of surfaces that are checked by now
   return {
       {"title", scene.title},
       {"command", context.command},
