@@ -59,7 +59,7 @@ void require_finite(vtkDataArray& array, const std::string& name) {
           fmt::format("array '{}' is not finite at {}", name, i / array.GetNumberOfComponents()));
 }
 
-/// Requires of each array a name and finite numbers, and `tuples` rows (-1: as many as it has).
+/// Requires of each array a name, its numbers in order and finite, and `tuples` rows (-1: as many as it has).
 void require_arrays(vtkFieldData& data, vtkIdType tuples, const std::set<std::string>& given) {
   for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
     vtkAbstractArray& array = *data.GetAbstractArray(i);
@@ -70,6 +70,8 @@ void require_arrays(vtkFieldData& data, vtkIdType tuples, const std::set<std::st
     const vtkIdType rows = late ? late->rows : array.GetNumberOfTuples();
     if (tuples >= 0 && rows != tuples)
       refuse(fmt::format("array '{}' has {} rows for {}", name, rows, tuples));
+    if (!vtkStringArray::SafeDownCast(&array) && !array.HasStandardMemoryLayout())
+      throw std::logic_error("an array that is not in order: " + name);
     if (given.contains(name)) continue;
     if (auto* numbers = vtkDataArray::SafeDownCast(&array)) require_finite(*numbers, name);
   }
@@ -219,8 +221,6 @@ class Streaming : public Writer {
         bytes.append(texts->GetValue(i)).push_back('\0');
       write_inline_array(bytes, this->GetBlockSize(), *sink);
     } else {
-      if (!array->HasStandardMemoryLayout())
-        throw std::logic_error("an array that is not in order");
       const auto size = array->GetNumberOfValues() * array->GetDataTypeSize();
       write_inline_array(
           {static_cast<const char*>(array->GetVoidPointer(0)), static_cast<std::size_t>(size)},
