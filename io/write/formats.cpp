@@ -59,7 +59,8 @@ void require_finite(vtkDataArray& array, const std::string& name) {
           fmt::format("array '{}' is not finite at {}", name, i / array.GetNumberOfComponents()));
 }
 
-/// Requires of each array a name, its numbers in order and finite, and `tuples` rows (-1: as many as it has).
+/// Requires of each array a name, its numbers in order and finite, and `tuples` rows (-1: as many
+/// as it has).
 void require_arrays(vtkFieldData& data, vtkIdType tuples, const std::set<std::string>& given) {
   for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
     vtkAbstractArray& array = *data.GetAbstractArray(i);
