@@ -20,6 +20,7 @@ using kernel::operator-;
 namespace {
 
 constexpr std::size_t kFillings = 132;  ///< of one hole: all of those with up to eight corners
+constexpr std::size_t kCorners = 64;    ///< of a hole: their pairs have a table
 
 /// Whether a closed triangle has a zero: outside of it all turns do not have one sign.
 bool has_zero(const kernel::FieldOnTriangle& f, Sign& turn) {
@@ -523,7 +524,7 @@ Collapser::Answer Collapser::attempt_filling() {
 /// that have all their edges at one corner.
 bool Collapser::take_out(Index vertex, CompressionCounts& counts) {
   const CollapseMesh& mesh = state_.mesh;
-  if (!mesh.plan_hole(vertex, corners_, plan_)) return false;
+  if (!mesh.plan_hole(vertex, corners_, plan_) || corners_.size() > kCorners) return false;
   const bool open = plan_.gone[0] == plan_.gone[1];
   if (open && !options_.boundary) return false;
   const bool zeros = std::any_of(plan_.star.begin(), plan_.star.end(),

@@ -156,3 +156,18 @@ TEST_CASE("Compression: holes filled otherwise save more, and the skeleton stays
     CHECK(compress(field, options).counts.filled == 0);
   }
 }
+
+TEST_CASE("Compression: a hole of thousands of corners is left alone") {
+  constexpr Index spikes = 3000;  // no corner sees all others: nothing collapses
+  PlanarField field;
+  field.points.push_back({0, 0});
+  for (Index i = 0; i < spikes; ++i) {
+    const double a = 2 * 3.14159265358979 * i / spikes, r = i % 2 == 0 ? 1 : 0.5;
+    field.points.push_back({r * std::cos(a), r * std::sin(a)});
+    field.triangles.push_back({0, 1 + i, 1 + (i + 1) % spikes});
+  }
+  field.vectors.assign(field.points.size(), {1, 0.25});
+  const Compression c = compress(field, {});
+  CHECK(c.counts.filled == 0);
+  CHECK(c.same_skeleton);
+}
