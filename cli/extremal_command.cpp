@@ -262,11 +262,11 @@ void add_point_options(CLI::App& app, ExtremalOptions& o) {
 std::function<int()> add_extremal(CLI::App& app) {
   auto options = std::make_shared<ExtremalOptions>();
   ExtremalOptions& o = *options;
-  add_common_options(
-      app, o.common,
-      "a volume or an image (.nrrd .mha .mhd .vti .pvti .vtk .nii .nii.gz .mrc .map .cube .inr .png "
-      ".pgm), or points with normals (.xyz .pwn .ply .obj .off)",
-      "the surface or the curves (.vtp .pvtp .obj .ply)");
+  add_common_options(app, o.common,
+                     "a volume or an image (.nrrd .mha .mhd .vti .pvti .vtk .nii .nii.gz .mrc .map "
+                     ".cube .inr .png "
+                     ".pgm), or points with normals (.xyz .pwn .ply .obj .off)",
+                     "the surface or the curves (.vtp .pvtp .obj .ply)");
   app.add_flag("--critical", o.critical, "keep the merely critical part, too");
   add_volume_options(app, o);
   add_point_options(app, o);

@@ -4,7 +4,8 @@
 namespace crest::recheck {
 namespace {
 
-constexpr std::size_t kLongest = 65536;  // of a numerator or denominator: beyond it nothing is shown
+constexpr std::size_t kLongest =
+    65536;  // of a numerator or denominator: beyond it nothing is shown
 
 bool is_short(const Rational& r) {
   return fmpz_bits(fmpq_numref(r.get())) + fmpz_bits(fmpq_denref(r.get())) < kLongest;

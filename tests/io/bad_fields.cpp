@@ -177,7 +177,8 @@ TEST_CASE("other cells and formats are refused, lines and points left out", "[io
   check_error("a.msh", replaced(msh, "$Nodes\n9", "$Nodes\n99999999999"), "$Nodes: ends early");
   check_error("a.msh", replaced(msh, "\n13 ", "\n10 "), "node 10: is there twice");
   check_error("a.msh", "hello\n", "file: has no $MeshFormat");
-  check_error("a.xyz", "hello\n", "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk, .msh, .pvtp or .pvtu");
+  check_error("a.xyz", "hello\n",
+              "use .off, .obj, .ply, .stl, .vtp, .vtu, .vtk, .msh, .pvtp or .pvtu");
 }
 
 TEST_CASE("an expression that is not finite somewhere names the place", "[io]") {
