@@ -157,8 +157,8 @@ TEST_CASE("Compression: holes filled otherwise save more, and the skeleton stays
   }
 }
 
-TEST_CASE("Compression: a hole of thousands of corners is left alone") {
-  constexpr Index spikes = 3000;  // no corner sees all others: nothing collapses
+TEST_CASE("Compression: a hole of hundreds of corners is left alone") {
+  constexpr Index spikes = 600;  // no corner sees all others: nothing collapses
   PlanarField field;
   field.points.push_back({0, 0});
   for (Index i = 0; i < spikes; ++i) {
